@@ -68,6 +68,8 @@ def test_every_exported_name_is_there() -> None:
         ('launch_testing.actions', 'GTest', 'ExecuteProcess'),
         ('launch_testing.tools', 'launch_process', 'generate_test_description'),
         ('launch_testing.tools', 'expect_output', 'proc_output.assertWaitFor'),
+        ('launch_testing', 'LaunchTestRunner', 'launch_test'),
+        ('launch_testing', 'ReadyAggregator', 'ReadyToTest'),
         ('launch_testing_ros', 'DataRepublisher', 'a subscription'),
         ('osrf_pycommon.process_utils', 'async_execute_process', 'subprocess'),
     ],

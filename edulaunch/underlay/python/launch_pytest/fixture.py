@@ -16,8 +16,10 @@ if TYPE_CHECKING:
     from launch.launch_service import LaunchService
 
 SCOPES = ('function', 'class', 'module', 'package', 'session')
-OPTIONS = '_launch_pytest_fixture_options'
+OPTIONS = 'launch_pytest_options'
 """Attribute of a launch fixture: its name, scope, and how its launch ends."""
+SCOPE = 'launch_pytest_scope'
+"""Attribute of the fixtures that it brings with it."""
 
 
 def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', auto_shutdown: bool = True) -> None:
@@ -35,12 +37,12 @@ def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', au
         assert code == 0, f"{eprefix} launch service failed when finishing, return code '{code}'"
 
 
-def get_event_loop_fixture(*, scope: Any = 'function', overridable: bool = True) -> Any:
-    """Make the fixture `event_loop`: an asyncio loop in simulated time, on which launch and coroutines run."""
+def companions(scope: Any) -> dict[str, Any]:
+    """The fixtures `event_loop`, `launch_service` and `launch_context`, of one scope."""
 
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
-        """The asyncio loop of launch, in simulated time."""
+        """The asyncio loop on which launch and coroutines run, in simulated time."""
         from edulaunch.processes.current import current_process
         from edulaunch.processes.views.asyncio_view import ProcessEventLoop
 
@@ -48,12 +50,6 @@ def get_event_loop_fixture(*, scope: Any = 'function', overridable: bool = True)
         loop = ProcessEventLoop(process, process.task)
         yield loop
         loop.close()
-
-    return _marked(event_loop, scope, overridable)
-
-
-def get_launch_service_fixture(*, scope: Any = 'function', overridable: bool = True) -> Any:
-    """Make the fixture `launch_service`: what executes the launch descriptions of the fixtures."""
 
     @pytest.fixture(scope=scope)
     def launch_service(event_loop: asyncio.AbstractEventLoop) -> Iterator[LaunchService]:
@@ -64,25 +60,12 @@ def get_launch_service_fixture(*, scope: Any = 'function', overridable: bool = T
         yield service
         finalize_launch_service(service, eprefix='When tearing down launch_service fixture')
 
-    return _marked(launch_service, scope, overridable)
-
-
-def get_launch_context_fixture(*, scope: Any = 'function', overridable: bool = True) -> Any:
-    """Make the fixture `launch_context`: the context of `launch_service`."""
-
     @pytest.fixture(scope=scope)
     def launch_context(launch_service: LaunchService) -> LaunchContext:
         """The context of the launch."""
         return launch_service.context
 
-    return _marked(launch_context, scope, overridable)
-
-
-_COMPANIONS = {
-    'event_loop': get_event_loop_fixture,
-    'launch_service': get_launch_service_fixture,
-    'launch_context': get_launch_context_fixture,
-}
+    return {'event_loop': event_loop, 'launch_service': launch_service, 'launch_context': launch_context}
 
 
 def fixture(
@@ -95,14 +78,20 @@ def fixture(
     """Make a fixture whose launch description is launched before the tests that use it.
 
     The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture, and
-    its module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has them.
+    its module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own,
+    or some that live longer.
 
     :param shutdown_when_idle: launch ends when nothing is left to do.
     :param auto_shutdown: after the tests the launch is asked to end; else its end is waited for.
     :param kwargs: those of `pytest.fixture`.
     """
     scope = kwargs.get('scope', 'function')
-    _add_companions(sys._getframe(1).f_globals, scope)
+    module = sys._getframe(1).f_globals
+    for name, made in companions(scope).items():
+        before = getattr(module.get(name), SCOPE, None)
+        if name not in module or (before is not None and _lifetime(scope) > _lifetime(before)):
+            setattr(made, SCOPE, scope)
+            module[name] = made
 
     def decorate(function: Callable[..., Any]) -> Any:
         options = {
@@ -119,20 +108,5 @@ def fixture(
     return decorate if decorated is None else decorate(decorated)
 
 
-def _add_companions(module: dict[str, Any], scope: Any) -> None:
-    """Give a module the fixtures that launch fixtures of this scope need, unless it has its own, or some that live longer."""
-    for name, make in _COMPANIONS.items():
-        known = module.get(name)
-        before = getattr(known, '_launch_pytest_fixture_scope', None)
-        if known is None or (getattr(known, '_launch_pytest_overridable_fixture', False) and _is_longer(scope, before)):
-            module[name] = make(scope=scope)
-
-
-def _is_longer(scope: Any, than: Any) -> bool:
-    return scope in SCOPES and than in SCOPES and SCOPES.index(scope) > SCOPES.index(than)
-
-
-def _marked(made: Any, scope: Any, overridable: bool) -> Any:
-    made._launch_pytest_fixture_scope = scope
-    made._launch_pytest_overridable_fixture = overridable
-    return made
+def _lifetime(scope: Any) -> int:
+    return SCOPES.index(scope) if scope in SCOPES else -1

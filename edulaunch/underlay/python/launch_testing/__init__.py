@@ -7,30 +7,17 @@ runs, and after it was shut down. Names and rules are those of launch_testing in
 
 from launch._lazy import lazy_exports
 
+from ._absent import ABSENT
+
 _EXPORTS = {
     'ActiveIoHandler': 'io_handler',
     'ActiveProcInfoHandler': 'proc_info_handler',
     'IoHandler': 'io_handler',
-    'LaunchTestRunner': 'test_runner',
-    'LoadTestsFromPythonModule': 'loader',
     'ProcInfoHandler': 'proc_info_handler',
-    'ReadyAggregator': 'ready_aggregator',
-    'actions': '',
-    'asserts': '',
-    'event_handlers': '',
-    'io_handler': '',
-    'junitxml': '',
-    'loader': '',
-    'markers': '',
-    'print_arguments': '',
-    'proc_info_handler': '',
-    'test_result': '',
-    'test_runner': '',
-    'tools': '',
-    'util': '',
+    **dict.fromkeys(('actions', 'asserts', 'event_handlers', 'io_handler', 'markers', 'proc_info_handler', 'tools', 'util'), ''),
 }
-_FILES = {'decorator': ('markers', 'parametrize'), 'launch_test': ('print_arguments',), 'test_runner': ('ready_aggregator',)}
+_FILES = {'decorator': ('markers', 'parametrize'), 'io_handler': ('proc_info_handler',)}
 __all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout', *_EXPORTS]
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES, ABSENT[__name__])
 
 from .decorator import parametrize, post_shutdown_test, ready_to_test_action_timeout  # noqa: E402

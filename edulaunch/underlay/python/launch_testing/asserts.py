@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from launch._lazy import has_ros_paths
 
-from .tools.text import build_text_match
-from .util.proc_lookup import NO_CMD_ARGS as NO_CMD_ARGS
-from .util.proc_lookup import CmdArgs, process_name, resolveProcesses
+from .tools import build_text_match
+from .util import NO_CMD_ARGS as NO_CMD_ARGS
+from .util import CmdArgs, process_name, resolveProcesses
 
 if TYPE_CHECKING:
-    from .io_handler import IoHandler
-    from .proc_info_handler import ProcInfoHandler
+    from .io_handler import IoHandler, ProcInfoHandler
 
 STREAMS = ('stdout', 'stderr')
 
@@ -51,50 +50,17 @@ def assertInStream(
     raise AssertionError(f"Did not find '{_shown(expected_output)}' in output for any of the matching processes: {names}")
 
 
-def assertInStdout(
-    proc_output: IoHandler,
-    expected_output: Any,
-    process: Any,
-    cmd_args: CmdArgs = None,
-    *,
-    output_filter: Callable[[str], str] | None = None,
-    strict_proc_matching: bool = True,
-    strip_ansi_escape_sequences: bool = True,
-) -> None:
-    """As :func:`assertInStream`, for the standard output."""
-    assertInStream(
-        proc_output,
-        expected_output,
-        process,
-        cmd_args,
-        output_filter=output_filter,
-        stream='stdout',
-        strict_proc_matching=strict_proc_matching,
-        strip_ansi_escape_sequences=strip_ansi_escape_sequences,
-    )
+def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
+    """As :func:`assertInStream`, for the standard output.
+
+    :param options: its `output_filter`, `strict_proc_matching` and `strip_ansi_escape_sequences`.
+    """
+    assertInStream(proc_output, expected_output, process, cmd_args, stream='stdout', **options)
 
 
-def assertInStderr(
-    proc_output: IoHandler,
-    expected_output: Any,
-    process: Any,
-    cmd_args: CmdArgs = None,
-    *,
-    output_filter: Callable[[str], str] | None = None,
-    strict_proc_matching: bool = True,
-    strip_ansi_escape_sequences: bool = True,
-) -> None:
-    """As :func:`assertInStream`, for the standard error, where nodes log."""
-    assertInStream(
-        proc_output,
-        expected_output,
-        process,
-        cmd_args,
-        output_filter=output_filter,
-        stream='stderr',
-        strict_proc_matching=strict_proc_matching,
-        strip_ansi_escape_sequences=strip_ansi_escape_sequences,
-    )
+def assertInStderr(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
+    """As :func:`assertInStdout`, for the standard error, where nodes log."""
+    assertInStream(proc_output, expected_output, process, cmd_args, stream='stderr', **options)
 
 
 def text_of(proc_output: IoHandler, action: Any, stream: str) -> str:
@@ -125,13 +91,12 @@ class SequentialTextChecker:
 
         :raises AssertionError: when it does not.
         """
-        from .tools.text import build_text_match
-
-        found = build_text_match(msg)(self._text, self._position)
+        match = build_text_match(msg)
+        found = match(self._text, self._position)
         if found is None:
-            where = 'at all' if build_text_match(msg)(self._text) is None else 'there, only before it'
+            where = 'at all' if match(self._text) is None else 'there, only before it'
             raise AssertionError(
-                f"'{getattr(msg, 'pattern', msg)}' was not found in the output after character "
+                f"'{_shown(msg)}' was not found in the output after character "
                 f'{self._position}\n  help: it was not written {where}'
             )
         self._position = found[1]
@@ -184,17 +149,11 @@ def assertExitCodes(
 
 
 _ROS_PATHS = {
-    'EXIT_OK': 'assert_exit_codes',
-    'EXIT_SIGINT': 'assert_exit_codes',
-    'EXIT_SIGKILL': 'assert_exit_codes',
-    'EXIT_SIGQUIT': 'assert_exit_codes',
-    'EXIT_SIGSEGV': 'assert_exit_codes',
-    'assertExitCodes': 'assert_exit_codes',
-    'SequentialTextChecker': 'assert_sequential_output',
-    'assertSequentialStdout': 'assert_sequential_output',
-    'assertInStderr': 'assert_output',
-    'assertInStdout': 'assert_output',
-    'assertInStream': 'assert_output',
+    **dict.fromkeys(
+        ('EXIT_OK', 'EXIT_SIGINT', 'EXIT_SIGKILL', 'EXIT_SIGQUIT', 'EXIT_SIGSEGV', 'assertExitCodes'), 'assert_exit_codes'
+    ),
+    **dict.fromkeys(('SequentialTextChecker', 'assertSequentialStdout'), 'assert_sequential_output'),
+    **dict.fromkeys(('assertInStderr', 'assertInStdout', 'assertInStream'), 'assert_output'),
 }
 __all__ = [*_ROS_PATHS, 'NO_CMD_ARGS']
 has_ros_paths(__name__, _ROS_PATHS)

@@ -1,28 +1,27 @@
-"""The command `launch_test FILE [name:=value ...]`: runs a launch test file.
-
-Each run opens a simulation of its own (`_simulated.py`).
-"""
+"""The command `launch_test FILE [name:=value ...]`, and launch tests in a simulation of their own, also for the pytest plugin."""
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
-
-from launch._lazy import has_ros_paths
-from launch.launch_description import LaunchDescription
+from collections.abc import Callable, Sequence
 
 from edulaunch.errors import UnusableInput
 from edulaunch.processes.current import current_process
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.processes.traceback_text import student_traceback
+from edulaunch.session import Session
+from edulaunch.sim.interruption import Interruption
+from edulaunch.sim.pacing import Pacer
+from edulaunch.testing import workspaces_of
 
-from ._simulated import run_launch_test
-from .loader import LoadTestsFromPythonModule, TestRun
+from .loader import TestRun, runs_of
 from .test_result import TestResult, is_pytest_outcome
 
-if TYPE_CHECKING:
-    import argparse
+LONGEST_TEST_S = 3600.0
 
 
 class LaunchTest:
@@ -47,14 +46,14 @@ class LaunchTest:
         module = current_process().loader.run_file(self.path, self.name)
         if not hasattr(module, 'generate_test_description'):
             raise AttributeError(f"Test file '{self.path}' does not contain generate_test_description function")
-        return LoadTestsFromPythonModule(module, name=self.name)
+        return runs_of(module, self.name)
 
     def run(self) -> int:
         """Run everything in the file; returns 0 when all went well, else 1."""
-        from .test_runner import LaunchTestRunner
+        from .test_runner import run_all
 
         try:
-            self.results = LaunchTestRunner(self.load(), self.arguments, self.debug).run()
+            self.results = run_all(self.load(), self.arguments, self.debug)
         except BaseException as error:
             if not isinstance(error, Exception) and not is_pytest_outcome(error):
                 raise
@@ -73,21 +72,51 @@ class LaunchTest:
         """Print the launch arguments of the (first) description; returns 0."""
         from ros2launch.api.api import arguments_text
 
-        description, _ = self.load()[0].normalized_test_description(lambda: None)
+        description, _ = self.load()[0].description(lambda: None)
         current_process().stdout.write(arguments_text(description) + '\n')
         return 0
 
-    def write_junit_xml(self, path: str, package_name: str | None) -> None:
-        """Write the results as JUnit XML."""
-        from .junitxml import unittestResultsToXml
 
-        name = self.name if package_name is None else f'{package_name}.{self.name}'
-        tree: Any = unittestResultsToXml(name=name, test_results=self.results)
-        tree.write(path, xml_declaration=True, encoding='UTF-8')
+def run_launch_test(
+    test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0, body: Callable[[], int] | None = None
+) -> int:
+    """Run a launch test in a fresh simulation; its console goes to this program's own.
+
+    :param workspaces: folders with packages; None: the workspace in which the test file lies.
+    :param body: what the process does; None: `test.run`.
+    :returns: 0 when all went well. What went wrong else is in `test.results` and `test.error`.
+    :raises KeyboardInterrupt: after Ctrl-C.
+    """
+    words = ['launch_test', test.path, *test.arguments]
+    with Session(seed=seed, workspaces=workspaces_of(test.path) if workspaces is None else workspaces) as session:
+        spec = ProcessSpec(argv=tuple(words), name='launch_test')
+        process = Process(session.host, spec, session.host.next_pid(), words, lambda _: (body or test.run)())
+        process.on_output = _print
+        process.loader.roots += session.index.python_roots()
+        session.host.adopt(process)
+        until_ns = session.sim.now_ns + round(LONGEST_TEST_S * 1e9)
+        with streams_of_programs(), Interruption(session.sim) as interruption:
+            Pacer(session.sim, 0).run(until_ns, lambda: interruption.came or process.returncode is not None)
+        if interruption.came:
+            raise KeyboardInterrupt
+        if process.returncode is None:
+            test.error = UnusableInput(
+                f'{os.path.basename(test.path)}: the launch test was still waiting '
+                f'after {session.sim.elapsed_s:.1f} s of simulated time.',
+                help='give waits a timeout, such as event.wait(timeout=10)',
+            )
+        return 1 if process.returncode is None else process.returncode
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def _print(stream: str, text: str) -> None:
+    target = sys.stdout if stream == 'stdout' else sys.stderr
+    target.write(text)
+    target.flush()
+
+
+def _parser() -> argparse.ArgumentParser:
     """The file, and the options of ROS 2's `launch_test`."""
+    parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
     parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
     parser.add_argument('launch_arguments', nargs='*', metavar='name:=value', help='arguments of the launch description')
     parser.add_argument('-v', '--verbose', action='store_true', help='let launch log at level DEBUG')
@@ -95,14 +124,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--junit-xml', metavar='FILE', help='write the results as JUnit XML')
     parser.add_argument('--package-name', metavar='NAME', help='name of the package, for the JUnit XML')
     parser.add_argument('--workspace', action='append', metavar='DIR', help="folder with packages; default: the test file's own")
+    return parser
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """`launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; returns the exit code, 2 for unusable input."""
-    import argparse
-
-    parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
-    add_arguments(parser)
+    parser = _parser()
     given = parser.parse_args(argv)
     if not os.path.isfile(given.test_file):
         parser.error(f"Test file '{given.test_file}' does not exist")
@@ -114,19 +141,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     if isinstance(test.error, UnusableInput):
         sys.stderr.write(f'error: {test.error}\n')
     if given.junit_xml:
-        test.write_junit_xml(given.junit_xml, given.package_name)
+        from .junitxml import unittestResultsToXml
+
+        name = test.name if given.package_name is None else f'{given.package_name}.{test.name}'
+        tree = unittestResultsToXml(name=name, test_results=test.results)
+        tree.write(given.junit_xml, xml_declaration=True, encoding='UTF-8')
     return code
 
 
 if __name__ == '__main__':
     raise SystemExit(main())
-
-
-def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
-    """Print the launch arguments of a description, as `launch_test --show-args` does."""
-    from ros2launch.api.api import arguments_text
-
-    current_process().stdout.write(arguments_text(launch_description) + '\n')
-
-
-has_ros_paths(__name__)

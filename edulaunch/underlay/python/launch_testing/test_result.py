@@ -17,25 +17,18 @@ RULE = '-' * 70
 class TestResult(unittest.TestResult):
     """Collects the outcome of tests and tells each as `name ... ok`; durations are in simulated seconds.
 
-    :param stream: where the lines go; None: nowhere.
-    :ivar testTimes: seconds by test.
-    :ivar passed: the tests that passed, in order.
+    :param write: is given what it tells.
+    :ivar testTimes: seconds by test, in the order in which they were run.
     """
 
     __test__ = False  # pytest is not to take this class for a test case
 
-    def __init__(self, stream: Any = None, descriptions: bool | None = None, verbosity: int | None = None) -> None:
-        super().__init__(stream, descriptions, verbosity)
-        self._write: Callable[[str], object] = stream.write if stream is not None else lambda text: None
+    def __init__(self, write: Callable[[str], object]) -> None:
+        super().__init__()
+        self._write = write
         self._began_ns = 0
         self.testTimes: dict[Any, float] = {}
-        self.passed: list[Any] = []
         self.notes: list[str] = []
-
-    @property
-    def testCases(self) -> list[Any]:
-        """All tests that were run, in order."""
-        return list(self.testTimes)
 
     def note_failure(self, message: str) -> None:
         """Something that is nobody's test went wrong."""
@@ -47,7 +40,7 @@ class TestResult(unittest.TestResult):
 
     def append(self, other: TestResult) -> None:
         """Add the outcome of further tests."""
-        for name in ('failures', 'errors', 'skipped', 'expectedFailures', 'unexpectedSuccesses', 'passed', 'notes'):
+        for name in ('failures', 'errors', 'skipped', 'expectedFailures', 'unexpectedSuccesses', 'notes'):
             getattr(self, name).extend(getattr(other, name))
         self.testsRun += other.testsRun
         self.testTimes.update(other.testTimes)
@@ -66,7 +59,6 @@ class TestResult(unittest.TestResult):
 
     def addSuccess(self, test: unittest.TestCase) -> None:
         """It passed."""
-        self.passed.append(test)
         self._write('ok\n')
 
     def addFailure(self, test: unittest.TestCase, err: ErrorInfo) -> None:
@@ -124,32 +116,6 @@ class TestResult(unittest.TestResult):
         self._write('OK\n' if self.wasSuccessful() else 'FAILED\n')
 
 
-class FailResult(TestResult):
-    """Of a launch that broke before its tests could tell.
-
-    :param test_run: which one.
-    :param message: what happened.
-    """
-
-    def __init__(self, test_run: Any = None, message: str = '') -> None:
-        super().__init__()
-        self.test_run = test_run
-        self.note_failure(message)
-
-
-class SkipResult(TestResult):
-    """Of a launch that was skipped as a whole.
-
-    :param test_run: which one.
-    :param skip_reason: why.
-    """
-
-    def __init__(self, test_run: Any = None, skip_reason: str = '') -> None:
-        super().__init__()
-        self.test_run = test_run
-        self.skipped.append((test_run, skip_reason))
-
-
 def is_pytest_outcome(error: BaseException) -> bool:
     """Whether `pytest.skip()` or `pytest.fail()` raised it; these are no Exceptions, and hide where they come from."""
     return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
@@ -157,11 +123,10 @@ def is_pytest_outcome(error: BaseException) -> bool:
 
 def title(test: Any) -> str:
     """A test's name as unittest tells it: `test_x (module.Class.test_x)`; the same on every version of Python."""
-    name = getattr(test, '_testMethodName', None)
-    if name is None:
-        case = getattr(test, 'test_case', None)
-        return str(test) if case is None else f'{title(case)} {test._subDescription()}'
-    return f'{name} ({type(test).__module__}.{type(test).__qualname__}.{name})'
+    if not isinstance(test, unittest.TestCase):
+        return str(test)
+    name = getattr(test, 'test_case', test).id()  # of a sub-test: that of its test
+    return f'{name.rpartition(".")[2]} ({name}){test.id()[len(name) :]}'
 
 
 def _text(err: ErrorInfo) -> str:

@@ -9,11 +9,9 @@ import ast
 import unittest
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import pytest
-
-from . import hookspecs
 
 if TYPE_CHECKING:
     from launch_testing.launch_test import LaunchTest
@@ -22,11 +20,6 @@ MARKS = {
     'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
     'rostest': 'as launch_test, for ROS 2 packages (edulaunch)',
 }
-
-
-def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
-    """Offer `pytest_launch_collect_makemodule` to other plugins."""
-    pluginmanager.add_hookspecs(hookspecs)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -50,51 +43,24 @@ def pytest_configure(config: pytest.Config) -> None:
 
 def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
     """Take a file with a launch test; leave any other to pytest."""
-    entrypoint = find_launch_test_entrypoint(module_path)
-    if entrypoint is None:
+    if not is_launch_test(module_path.read_bytes()):
         return None
-    hook = parent.session.gethookproxy(module_path).pytest_launch_collect_makemodule
-    module: pytest.Collector | None = hook(path=module_path, parent=parent, entrypoint=entrypoint)
+    module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=module_path)
     return module
 
 
-@pytest.hookimpl(trylast=True)
-def pytest_launch_collect_makemodule(path: Path, parent: pytest.Collector, entrypoint: Entrypoint) -> pytest.Collector | None:
-    """Take a file with one of our marks."""
-    if not entrypoint.is_ours():
-        return None
-    module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=path)
-    return module
-
-
-class Entrypoint(NamedTuple):
-    """The function `generate_test_description` of a file that has not been run yet, and its marks."""
-
-    pytestmark: list[pytest.Mark]
-
-    def is_ours(self) -> bool:
-        """Whether it has a mark of this plugin."""
-        return any(mark.name in MARKS for mark in self.pytestmark)
-
-
-def find_launch_test_entrypoint(path: str | Path) -> Entrypoint | None:
-    """The function `generate_test_description` in a file, or None; read without running the file."""
-    source = Path(path).read_bytes()
+def is_launch_test(source: bytes) -> bool:
+    """Whether a file has a function `generate_test_description` with one of our marks; it is not run."""
     if b'generate_test_description' not in source:
-        return None
+        return False
     try:
         statements = ast.parse(source).body
     except (SyntaxError, ValueError):
-        return None
-    functions = [node for node in statements if isinstance(node, ast.FunctionDef)]
-    found = [node for node in functions if node.name == 'generate_test_description']
-    return Entrypoint(_marks(found[0].decorator_list)) if found else None
-
-
-def _marks(decorators: Iterable[ast.expr]) -> list[pytest.Mark]:
-    called = [node.func if isinstance(node, ast.Call) else node for node in decorators]
-    names = [node.attr for node in called if isinstance(node, ast.Attribute) and 'mark' in ast.unparse(node.value)]
-    return [pytest.Mark(name, (), {}, _ispytest=True) for name in names]
+        return False
+    functions = [node for node in statements if isinstance(node, ast.FunctionDef) and node.name == 'generate_test_description']
+    decorators = [node.func if isinstance(node, ast.Call) else node for node in functions[0].decorator_list] if functions else []
+    attributes = [node for node in decorators if isinstance(node, ast.Attribute)]
+    return any(node.attr in MARKS and 'mark' in ast.unparse(node.value) for node in attributes)
 
 
 class LaunchTestFailure(Exception):
@@ -117,8 +83,7 @@ class LaunchTestItem(pytest.Item):
 
         :raises LaunchTestFailure: when anything went wrong.
         """
-        from launch_testing._simulated import run_launch_test
-        from launch_testing.launch_test import LaunchTest
+        from launch_testing.launch_test import LaunchTest, run_launch_test
 
         option = self.config.getoption
         test = LaunchTest(str(self.path), [word for words in option('--launch-args') for word in words])

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from launch._lazy import has_ros_paths, lazy_exports
 from launch.action import Action
 from launch.launch_context import LaunchContext
+
+from ._absent import ABSENT
 
 
 class ReadyToTest(Action):
@@ -16,11 +19,16 @@ class ReadyToTest(Action):
         super().__init__(**kwargs)
         self.__callbacks: list[Callable[[], object]] = []
 
-    def _add_callback(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when this is executed; used by the test runner."""
+    def call_when_executed(self, callback: Callable[[], object]) -> None:
+        """Call `callback()` when this is executed; used by those that run tests."""
         self.__callbacks.append(callback)
 
     def execute(self, context: LaunchContext) -> None:
-        """Tell the runner."""
+        """Tell them."""
         for callback in self.__callbacks:
             callback()
+
+
+__all__ = ['ReadyToTest']
+__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT[__name__])
+has_ros_paths(__name__, {'ReadyToTest': 'ready'})

@@ -6,7 +6,10 @@ import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from launch._lazy import has_ros_paths, lazy_exports
 from osrf_pycommon.terminal_color import remove_ansi_escape_sequences
+
+from ._absent import ABSENT
 
 Match = Callable[..., 'tuple[int, int] | None']
 
@@ -22,14 +25,14 @@ def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = 
 
     def match(actual_text: str, start: int = 0) -> tuple[int, int] | None:
         text = remove_ansi_escape_sequences(actual_text) if strip_ansi_escape_sequences else actual_text
-        first, end = None, start
+        spans, end = [], start
         for matcher in one_by_one:
             found = matcher(text, end)
             if found is None:
                 return None
-            first = found[0] if first is None else first
+            spans.append(found)
             end = found[1]
-        return (start if first is None else first), end
+        return (spans[0][0] if spans else start), end
 
     return match
 
@@ -40,20 +43,20 @@ def _as_list(expected: Any) -> list[Any]:
 
 def _matcher(expected: Any) -> Callable[[str, int], tuple[int, int] | None]:
     if isinstance(expected, str):
+        expected = re.compile(re.escape(expected))
+    elif not isinstance(expected, re.Pattern):
+        raise ValueError(
+            'Unknown format for expected text: expected a text or a compiled regular expression, '
+            f'got {type(expected).__name__}: {expected!r}'
+        )
 
-        def find(text: str, start: int) -> tuple[int, int] | None:
-            position = text.find(expected, start)
-            return None if position < 0 else (position, position + len(expected))
+    def search(text: str, start: int) -> tuple[int, int] | None:
+        found = expected.search(text, start)
+        return None if found is None else found.span()
 
-        return find
-    if isinstance(expected, re.Pattern):
+    return search
 
-        def search(text: str, start: int) -> tuple[int, int] | None:
-            found = expected.search(text, start)
-            return None if found is None else found.span()
 
-        return search
-    raise ValueError(
-        'Unknown format for expected text: expected a text or a compiled regular expression, '
-        f'got {type(expected).__name__}: {expected!r}'
-    )
+__all__ = ['build_text_match']
+__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT[__name__])
+has_ros_paths(__name__, {'build_text_match': 'text'})

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from launch._lazy import has_ros_paths
 from launch.event_handlers.processes import OnProcessIO
 from launch.events.process import ProcessIO
 from launch.launch_description_entity import LaunchDescriptionEntity
@@ -31,3 +32,7 @@ class StdoutReadyListener(OnProcessIO):
             return None
         actions, self.__actions = self.__actions, []
         return actions or None
+
+
+__all__ = ['StdoutReadyListener']
+has_ros_paths(__name__, {'StdoutReadyListener': 'stdout_ready_listener'})

@@ -1,1 +1,0 @@
-"""Launch tests of ROS nodes in pytest."""
