@@ -18,6 +18,6 @@ _EXPORTS = {
 }
 _FILES = {'decorator': ('markers', 'parametrize'), 'io_handler': ('proc_info_handler',)}
 __all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout', *_EXPORTS]
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES, ABSENT[__name__])
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES, ABSENT['all'])
 
 from .decorator import parametrize, post_shutdown_test, ready_to_test_action_timeout  # noqa: E402

@@ -6,19 +6,19 @@ _PROCESS = 'put the process into generate_test_description, or start it in the t
 _EXIT_CODE = 'launch a program with ExecuteProcess, and look at its exit code with launch_testing.asserts.assertExitCodes'
 
 ABSENT = {
-    'launch_testing': {
+    'all': {
         **dict.fromkeys(('LaunchTestRunner', 'LoadTestsFromPythonModule', 'print_arguments'), _RUNNING),
         'ReadyAggregator': 'put ReadyToTest behind what comes last, in an event handler',
     },
-    'launch_testing.actions': dict.fromkeys(('GTest', 'PyTest', 'Test'), _EXIT_CODE),
-    'launch_testing.tools': {
+    'actions': dict.fromkeys(('GTest', 'PyTest', 'Test'), _EXIT_CODE),
+    'tools': {
         **dict.fromkeys(('basic_output_filter', 'expect_output', 'expected_output_from_file', 'output'), _OUTPUT),
         **dict.fromkeys(('launch_process', 'ProcessProxy', 'process'), _PROCESS),
     },
-    'launch_testing_ros': {
+    'ros': {
         'DataRepublisher': 'a subscription whose callback publishes does the same',
         'LaunchTestRunner': _RUNNING,
         'tools': 'they filter the output of a middleware, which there is none of; compare with proc_output.assertWaitFor',
     },
 }
-"""Package or module -> name -> the advice of the ImportError that asking for it gives."""
+"""Part of the tools -> name -> the advice of the ImportError that asking for it gives."""

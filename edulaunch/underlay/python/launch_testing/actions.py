@@ -30,5 +30,5 @@ class ReadyToTest(Action):
 
 
 __all__ = ['ReadyToTest']
-__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT[__name__])
+__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT['actions'])
 has_ros_paths(__name__, {'ReadyToTest': 'ready'})

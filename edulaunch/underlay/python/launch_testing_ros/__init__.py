@@ -5,4 +5,4 @@ from launch_testing._absent import ABSENT
 
 _EXPORTS = {'MessagePump': 'message_pump', 'WaitForTopics': 'wait_for_topics'}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, absent=ABSENT[__name__])
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, absent=ABSENT['ros'])
