@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Mapping
 from html import unescape
 from typing import Any, NamedTuple
 
-from edugrade.markup import element
+from edugrade.reports.markup import element
 
 from edulaunch.errors import UnusableInput
 

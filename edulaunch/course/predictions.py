@@ -8,8 +8,8 @@ from collections.abc import Callable
 from types import EllipsisType
 from typing import Any
 
-from edugrade.markup import element, joined, visible
 from edugrade.progress_file import ProgressFile
+from edugrade.reports.markup import element, joined, visible
 
 from edulaunch.errors import UnusableInput
 

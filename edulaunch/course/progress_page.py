@@ -6,8 +6,8 @@ import os
 from typing import NamedTuple
 
 from edugrade.course import find_course, read_course
-from edugrade.markup import element, joined
 from edugrade.progress_file import NAME, ProgressFile
+from edugrade.reports.markup import element, joined
 
 from edulaunch.errors import UnusableInput
 

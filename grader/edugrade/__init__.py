@@ -7,11 +7,10 @@ For the author of a rubric::
 In reading order:
 
 - what was handed in: `submission.py`, `source.py`, `files.py`
-- what is asked: `rubric.py`, `evidence.py`, `library/`; found by `catalogue.py`, `course.py`, `variant.py`, `yaml_rubric.py`
+- what is asked: `rubric.py`, `evidence.py`, `library/`; found by `rubrics/`, `course.py`, `variant.py`
 - the runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`; `in_place.py` where nothing can be forked
 - what they came to: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
-- the reports: `document.py`, `wording.py`, `terminal.py`, `page.py`, `junit.py`; what a student has done: `noted.py`,
-  `progress_file.py`
+- the reports: `reports/`; what a student has done: `noted.py`, `progress_file.py`
 - who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`; `batch/`, `export/`, `similar.py`,
   `verify.py`, `course_check.py`, `doctor.py`
 """

@@ -154,24 +154,24 @@ def _told(report: Report, options: argparse.Namespace) -> Report:
 
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
     if options.json is not None:
-        from .document import document, document_of_all, json_text
+        from .reports.document import document, document_of_all, json_text
 
         alone = len(options.paths) == 1
         write_whole(options.json, json_text(document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
     if options.junit is not None:
-        from .document import document
-        from .junit import junit_text
+        from .reports.document import document
+        from .reports.junit import junit_text
 
         documents = [{'path': report.given, **document(report)} for report in reports]
         write_whole(options.junit, junit_text(documents, refusals))
     if options.html is not None:
-        from .page import page
+        from .reports.page import page
 
         write_whole(options.html, page(reports, refusals))
 
 
 def _render(report: Report) -> str:
-    from .terminal import render
+    from .reports.terminal import render
 
     return render(report, colour=_colour())
 
@@ -184,7 +184,7 @@ def _text(reports: list[Report], refusals: list[Refusal]) -> str:
 
 def summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
     """One line for each submission, and the sum of the points; then what could not be graded at all."""
-    from .terminal import printable
+    from .reports.terminal import printable
 
     rows = [HEAD, *(_row(report) for report in reports)]
     rows += [(refusal.given, 'REFUSED', '-', '-') for refusal in refusals]
@@ -216,7 +216,7 @@ def _points(reports: Sequence[Report]) -> str:
 
 
 def _refused(refusals: Sequence[Refusal]) -> list[str]:
-    from .terminal import printable
+    from .reports.terminal import printable
 
     lines = []
     for refusal in refusals:
@@ -238,7 +238,7 @@ def _show(text: str) -> None:
 def _tell_of_the_sandbox(reports: list[Report]) -> None:
     from edulaunch.advice import reader_here
 
-    from .terminal import sandbox_line
+    from .reports.terminal import sandbox_line
 
     print(reader_here().retells(sandbox_line(reports)), file=sys.stderr)
 

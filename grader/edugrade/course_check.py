@@ -15,10 +15,10 @@ from tempfile import TemporaryDirectory
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .course import LEVELS, MANIFEST, Exercise, read_course
 from .files import files_below
 from .grading import grade, plan_work
+from .rubrics.catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .submission import Submission
 from .variant import CourseSecret, Variant, personal
 

@@ -101,7 +101,7 @@ def examine(limits: Limits | None = None) -> Iterator[Finding]:
 
 
 def _settings(folder: str, port: int) -> dict[str, Any]:
-    from .catalogue import exercises, rubrics_folder
+    from .rubrics.catalogue import exercises, rubrics_folder
 
     secret = os.path.join(folder, 'other_student.launch.py')
     with open(secret, 'w', encoding='utf-8') as file:

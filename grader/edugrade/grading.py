@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
-from .catalogue import find_rubric
 from .job import CAN_FORK, Limits, Ticket
+from .rubrics.catalogue import find_rubric
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
 

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from edulaunch.underlay_place import engine_folder
 
-from .catalogue import rubrics_folder
 from .evidence import Outcome, Scenario
+from .rubrics.catalogue import rubrics_folder
 from .submission import Submission
 
 MEBI = 1 << 20

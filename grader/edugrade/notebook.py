@@ -12,13 +12,13 @@ from edulaunch.errors import UnusableInput
 
 from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
-from .markup import element, joined
 from .noted import find_hint, noted, opened
-from .page import report_html
+from .reports.markup import element, joined
+from .reports.page import report_html
+from .reports.terminal import render
 from .results import ALL_PASSED, Report
 from .rubric import RubricMistake
 from .submission import ENDINGS, Submission
-from .terminal import render
 from .turn import find_turn, grade_turn, turns
 
 _BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em'

@@ -10,10 +10,10 @@ from edulaunch.errors import UnusableInput
 
 from .course import LEVELS, MANIFEST, find_course, here_and_above, read_course
 from .progress_file import NAME, ProgressFile
+from .reports.wording import KIND, level_of
 from .results import ALL_PASSED, Report
 from .submission import Submission
 from .variant import variant_for
-from .wording import KIND, level_of
 
 UNCHANGED = 'unchanged since your last try: did you save?'
 SHORT = 16  # signs of a digest

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import exercises
+from .rubrics.catalogue import exercises
 
 EPILOG = """\
 examples:

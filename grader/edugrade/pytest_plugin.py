@@ -27,7 +27,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile
     """A launch file that has a rubric."""
     if not parent.config.getoption('--edugrade'):
         return None
-    from .catalogue import exercises
+    from .rubrics.catalogue import exercises
     from .submission import ENDINGS, exercise_of
 
     if not file_path.name.endswith(ENDINGS):
@@ -95,7 +95,7 @@ class CheckFailed(Exception):
     """A check did not pass."""
 
     def __init__(self, result: CheckResult) -> None:
-        from .terminal import printable
+        from .reports.terminal import printable
 
         fields = {'expected': result.expected, 'seen': result.seen, 'where': result.where, 'try': result.try_}
         lines = [f'{result.sentence}: {result.reason}', *(f'  {label}: {text}' for label, text in fields.items() if text)]

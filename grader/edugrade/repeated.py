@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
-from .document import digest_of
 from .evidence import Outcome, Scenario
+from .reports.document import digest_of
 from .results import FAILED, PASSED, REPEATS, CheckResult
 from .source import Source, comes_with_edulaunch
 from .worker import TooLong, cpu_limit

@@ -21,9 +21,9 @@ from edulaunch.errors import UnusableInput
 from .batch.store import Store
 from .course import find_course, read_course
 from .files import write_whole
-from .markup import Markup, element, html_page, table_row
+from .reports.markup import Markup, element, html_page, table_row
+from .reports.terminal import printable
 from .submission import Submission
-from .terminal import printable
 from .verify import find_submission
 from .worker import TooLong, cpu_limit
 

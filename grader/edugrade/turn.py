@@ -13,12 +13,12 @@ from typing import Any
 
 from edulaunch.errors import EdulaunchError, UnusableInput
 
-from .catalogue import load_rubric, rubrics_in
 from .course import HIGHEST
 from .evidence import Outcome, Scenario
 from .judging import judge
 from .results import Report
 from .rubric import Rubric
+from .rubrics.catalogue import load_rubric, rubrics_in
 from .source import Place, Source
 from .submission import Submission
 from .verdicts import come_to

@@ -8,9 +8,9 @@ from math import cos, sin
 from typing import Any
 
 from edugrade import Scenario
-from edugrade.catalogue import find_rubric
 from edugrade.evidence import Outcome
 from edugrade.judging import judge
+from edugrade.rubrics.catalogue import find_rubric
 from edugrade.source import Source, shipped_program
 
 from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord

@@ -10,11 +10,11 @@ import os
 from pathlib import Path
 from typing import Any
 
-from edugrade.document import document, json_text
 from edugrade.grading import Work, grade, plan_work
 from edugrade.job import Limits
+from edugrade.reports.document import document, json_text
+from edugrade.reports.terminal import render
 from edugrade.submission import Submission
-from edugrade.terminal import render
 
 FOLDER = Path(__file__).parent / 'golden'
 CASES = sorted(path.name for path in FOLDER.iterdir())

@@ -106,7 +106,7 @@ def test_help_shows_examples_and_exit_codes(capsys: pytest.CaptureFixture[str]) 
 @pytest.mark.processes
 def test_the_module_is_the_command_and_loads_no_heavy_package() -> None:
     code = (
-        'import sys, edugrade.cli, edugrade.judging, edugrade.terminal, edugrade.library.launched\n'
+        'import sys, edugrade.cli, edugrade.judging, edugrade.reports.terminal, edugrade.library.launched\n'
         'heavy = "numpy", "matplotlib", "rich", "yaml", "asyncio", "greenlet"\n'
         'print([name for name in heavy if name in sys.modules])'
     )

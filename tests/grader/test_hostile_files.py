@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from edugrade.cli import main
 from edugrade.grading import plan_work
+from edugrade.reports.wording import LONGEST_TEXT, ShortPaths
 from edugrade.sandbox.remove_tree import remove_tree
 from edugrade.submission import Submission
-from edugrade.wording import LONGEST_TEXT, ShortPaths
 
 GOOD = """from launch import LaunchDescription
 from launch_ros.actions import Node

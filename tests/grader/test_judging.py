@@ -12,9 +12,9 @@ import pytest
 from edugrade import Check, Evidence, Failure, Scenario, check
 from edugrade.evidence import Outcome
 from edugrade.judging import judge, with_causes
+from edugrade.reports.wording import KIND, ShortPaths, at_level, explained, retold
 from edugrade.results import FAILED, PASSED, CheckResult
 from edugrade.source import Place, Source
-from edugrade.wording import KIND, ShortPaths, at_level, explained, retold
 
 from edulaunch.advice import Finding, Reader, found
 

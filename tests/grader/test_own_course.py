@@ -98,7 +98,7 @@ def test_a_rubric_that_was_handed_in_is_not_run(
 
 
 def test_a_course_gives_other_points_for_a_rubric_of_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from edugrade.catalogue import find_rubric
+    from edugrade.rubrics.catalogue import find_rubric
 
     entry = "[[exercise]]\nfile = '{}'\ntitle = 'T'\npoints = {}\ncheck_points = {}\n"
     course = tmp_path / 'course.toml'

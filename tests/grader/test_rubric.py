@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 from edugrade import Check, Evidence, Rubric, Scenario, check
-from edugrade.catalogue import exercises, find_rubric
+from edugrade.rubrics.catalogue import exercises, find_rubric
 from edugrade.submission import exercise_of
 
 from edulaunch.errors import UnusableInput

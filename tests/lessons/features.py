@@ -111,7 +111,7 @@ FEATURES = [
         ('tests/advice/test_examples.py', 'tests/lessons/test_mistakes.py'),
         17,
     ),
-    Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/test_wording.py',), 18),
+    Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/reports/test_wording.py',), 18),
     Feature(
         'time can be stopped, stepped and taken back',
         _code(r'%ros2 view|\.replay\(|interact\('),
@@ -139,7 +139,7 @@ FEATURES = [
     Feature(
         'things that are broken, to be diagnosed',
         _broken,
-        ('tests/lessons/test_mistakes.py', 'tests/grader/test_small_exercises.py'),
+        ('tests/lessons/test_mistakes.py', 'tests/grader/checks/test_small_exercises.py'),
         17,
     ),
     Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/terminals', 'tests/jupyter/test_magics.py'), 17),

@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable
 
 import pytest
-from edugrade.catalogue import load_rubric, rubrics_in
 from edugrade.notebook import CheckReport
 from edugrade.progress_file import ProgressFile
 from edugrade.results import PASSED
+from edugrade.rubrics.catalogue import load_rubric, rubrics_in
 
 from tests.lessons.notebook import LESSONS, ORDER, Lesson, Walk
 

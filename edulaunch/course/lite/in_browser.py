@@ -101,7 +101,7 @@ def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callabl
 
 def _checked(path: str) -> dict[str, str]:
     from edugrade.grading import grade, plan_work
-    from edugrade.page import page
+    from edugrade.reports.page import page
     from edugrade.submission import Submission
 
     (report,) = grade([plan_work(Submission(path))])

@@ -67,8 +67,8 @@ def _engine() -> dict[str, bytes]:
     """What is imported there: edulaunch, edugrade with its rubrics, PyYAML without its C, and what stands for greenlet."""
     import edugrade
     import yaml
-    from edugrade.catalogue import rubrics_folder
     from edugrade.files import files_below
+    from edugrade.rubrics.catalogue import rubrics_folder
 
     grader, parser = (os.path.dirname(os.path.abspath(str(module.__file__))) for module in (edugrade, yaml))
     places = [(engine_folder(), 'edulaunch'), (grader, 'edugrade'), (rubrics_folder(), 'edugrade/checks'), (parser, 'yaml')]

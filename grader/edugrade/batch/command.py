@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 from edulaunch.errors import UnusableInput
 
-from ..catalogue import exercises, find_rubric
 from ..files import write_whole
 from ..results import BROKEN_GRADER
+from ..rubrics.catalogue import exercises, find_rubric
 from ..submission import exercise_of
 from .entries import Entry, Finder, refuse_nothing
 from .names import ARCHIVES
@@ -65,7 +65,7 @@ def _write_tables(results: Results, csv: str | None, html: str | None, junit: st
     if csv is not None:
         write_whole(csv, class_csv(results))
     if junit is not None:
-        from ..junit import junit_text
+        from ..reports.junit import junit_text
 
         write_whole(junit, junit_text([found for _, found in results if found]))
     if html is not None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from ..files import write_whole
-from ..markup import Markup, element, html_page, table_row
+from ..reports.markup import Markup, element, html_page, table_row
 
 if TYPE_CHECKING:
     from .store import Store

@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..document import document, receipt
 from ..files import write_whole
 from ..grading import Work, grade, plan_work
 from ..job import Limits
 from ..options import is_personal
+from ..reports.document import document, receipt
 from ..results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
 from ..submission import Submission
 from ..variant import CourseSecret
@@ -110,7 +110,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
     """Write the page of a submission, when one is wanted, and then the result."""
     try:
         if options.html and not options.only:
-            from ..page import page
+            from ..reports.page import page
 
             keep_page(store.path(entry, '.html', options.html), page([report], []))
         found = document(report)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from xml.etree import ElementTree
 
 import pytest
-from edugrade.document import document
-from edugrade.junit import junit_text as text_of
+from edugrade.reports.document import document
+from edugrade.reports.junit import junit_text as text_of
 from edugrade.results import CheckResult, Refusal, Report
 from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
 

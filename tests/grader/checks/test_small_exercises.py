@@ -11,7 +11,7 @@ import pytest
 from edugrade.grading import grade, plan_work
 from edugrade.submission import Submission
 
-SOLUTIONS = Path(__file__).resolve().parents[2] / 'solutions'
+SOLUTIONS = Path(__file__).resolve().parents[3] / 'solutions'
 MISSES = [
     (
         'two_rooms.launch.py',

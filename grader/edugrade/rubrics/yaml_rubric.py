@@ -8,8 +8,8 @@ from typing import Any
 
 import yaml
 
-from .evidence import Evidence, Failure, Scenario
-from .rubric import Check, CheckFunction, Rubric, RubricMistake
+from ..evidence import Evidence, Failure, Scenario
+from ..rubric import Check, CheckFunction, Rubric, RubricMistake
 from .yaml_checks import KINDS
 from .yaml_wanted import ARGUMENT, Wanted
 

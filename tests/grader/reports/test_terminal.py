@@ -7,9 +7,9 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.evidence import Outcome
+from edugrade.reports.terminal import render
 from edugrade.results import CheckResult
 from edugrade.source import Gap
-from edugrade.terminal import render
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
 
 EXPECTED = """\

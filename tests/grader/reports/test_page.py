@@ -12,9 +12,9 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.evidence import Outcome
-from edugrade.page import page, report_html, run_html
+from edugrade.reports.page import page, report_html, run_html
+from edugrade.reports.terminal import render
 from edugrade.results import CheckResult, Refusal
-from edugrade.terminal import render
 from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
 
 SCRIPT = '</script><script>alert(1)</script><img src=x onerror=alert(1)>'

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from edugrade.catalogue import find_rubric
 from edugrade.cli import main
 from edugrade.rubric import RubricMistake
-from edugrade.yaml_rubric import read_yaml_rubric
+from edugrade.rubrics.catalogue import find_rubric
+from edugrade.rubrics.yaml_rubric import read_yaml_rubric
 
 GOOD = """title: A
 runs:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html.parser import HTMLParser
 
-from edugrade.markup import Markup, element, joined
+from edugrade.reports.markup import Markup, element, joined
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -8,8 +8,8 @@ import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from .evidence import Evidence
-from .library.close import require_close
+from ..evidence import Evidence
+from ..library.close import require_close
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

@@ -6,12 +6,12 @@ import base64
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from .evidence import Outcome
+from ..evidence import Outcome
+from ..results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Refusal, Report
+from ..worker import Exceeded, Lost, cpu_limit, in_worker
 from .markup import Markup, element, html_page, joined, table_row
-from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Refusal, Report
 from .terminal import MARKS, MORE, next_step, points_line, says_less, why_line
 from .wording import ShortPaths, at_level, explained, points_of, retold
-from .worker import Exceeded, Lost, cpu_limit, in_worker
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader

@@ -7,15 +7,15 @@ from collections.abc import Callable, Iterable, Iterator
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
-from .evidence import Evidence, Failure, Mismatch, Missing
-from .library.arguments import require_argument, require_default
-from .library.circle_fit import fit_circle
-from .library.following import require_near, require_pursuit
-from .library.frames import numbers, require_frame, transforms, yaw
-from .library.launched import find_processes, refuse_dead, require_process
-from .library.movement import Track, length, odometry_track, since, turtle_track
-from .library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
-from .library.parameters import require_parameter
+from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..library.arguments import require_argument, require_default
+from ..library.circle_fit import fit_circle
+from ..library.following import require_near, require_pursuit
+from ..library.frames import numbers, require_frame, transforms, yaw
+from ..library.launched import find_processes, refuse_dead, require_process
+from ..library.movement import Track, length, odometry_track, since, turtle_track
+from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
+from ..library.parameters import require_parameter
 from .yaml_wanted import OfRun, Wanted
 
 if TYPE_CHECKING:

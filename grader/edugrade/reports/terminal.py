@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
+from ..results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
 from .wording import ALL, ShortPaths, at_level, explained, points_of, retold
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 from edugrade import Scenario
 from edugrade.cli import SCHEMA, main
-from edugrade.document import document, document_of_all, json_text
 from edugrade.evidence import Outcome
+from edugrade.reports.document import document, document_of_all, json_text
 from edugrade.results import Refusal
 from edugrade.source import Gap
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
@@ -74,7 +74,7 @@ def test_the_text_is_the_document() -> None:
 
 
 jsonschema = pytest.importorskip('jsonschema', reason='it comes with JupyterLab')
-SOLUTION = Path(__file__).parents[2] / 'solutions' / 'static_frame.launch.py'
+SOLUTION = Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py'
 
 
 @pytest.fixture(scope='module')

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from edugrade.yaml_wanted import calculated
+from edugrade.rubrics.yaml_wanted import calculated
 
 
 def test_numbers_are_calculated() -> None:

@@ -9,11 +9,11 @@ from types import ModuleType
 
 from edulaunch.errors import UnusableInput
 
-from .course import course_manifest, read_course
-from .files import read_regular
-from .rubric import Rubric, RubricMistake
+from ..course import course_manifest, read_course
+from ..files import read_regular
+from ..rubric import Rubric, RubricMistake
 
-_HERE = os.path.dirname(os.path.abspath(__file__))
+_PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 RUBRICS = 'rubrics'
 ENDINGS = ('.py', '.yaml', '.yml')
 LARGEST_BYTES = 1_000_000
@@ -21,8 +21,8 @@ LARGEST_BYTES = 1_000_000
 
 def rubrics_folder() -> str:
     """Where the rubrics are that come with edugrade: inside the installed package, or beside it in the source tree."""
-    inside = os.path.join(_HERE, 'checks')
-    return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_HERE), 'checks')
+    inside = os.path.join(_PACKAGE, 'checks')
+    return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_PACKAGE), 'checks')
 
 
 def course_rubrics(inside: str = '') -> str | None:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
+from ..results import FAILED, GRADER_BROKE, NOT_RUN, Refusal
 from .document import explanation
-from .results import FAILED, GRADER_BROKE, NOT_RUN, Refusal
 
 _ELEMENTS = {FAILED: 'failure', GRADER_BROKE: 'error', NOT_RUN: 'skipped'}
 

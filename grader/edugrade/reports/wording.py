@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from edulaunch.underlay_place import engine_folder
 
-from .results import FAILED, OF_NO_RUBRIC, CheckResult
-from .source import Place
+from ..results import FAILED, OF_NO_RUBRIC, CheckResult
+from ..source import Place
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader

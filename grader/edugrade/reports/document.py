@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.version import __version__
 
-from .evidence import Outcome
-from .results import CheckResult, Refusal, Report
-from .source import Place
+from ..evidence import Outcome
+from ..results import CheckResult, Refusal, Report
+from ..source import Place
+from ..worker import Exceeded, TooLong, cpu_limit, in_worker
 from .wording import ShortPaths
-from .worker import Exceeded, TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
     from edulaunch.recording import Recording
 
-    from .grading import Work
-    from .variant import Variant
+    from ..grading import Work
+    from ..variant import Variant
 
 LONGEST_S = 2.0
 MOST_LINES = 400

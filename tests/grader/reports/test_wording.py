@@ -16,12 +16,12 @@ from edugrade.cli import main
 from edugrade.evidence import Failure
 from edugrade.noted import UNCHANGED, noted, progress_folder
 from edugrade.progress_file import ProgressFile
+from edugrade.reports.terminal import render
+from edugrade.reports.wording import ALL, KIND, THING, ShortPaths, at_level, level_of
 from edugrade.results import CheckResult
+from edugrade.rubrics.yaml_rubric import read_yaml_rubric
 from edugrade.source import Place, is_engine, is_shipped
 from edugrade.submission import Submission
-from edugrade.terminal import render
-from edugrade.wording import ALL, KIND, THING, ShortPaths, at_level, level_of
-from edugrade.yaml_rubric import read_yaml_rubric
 from fake_recording import FakeRecording
 
 import edulaunch
@@ -64,7 +64,7 @@ def test_shipped_launch_files_are_not_the_engine() -> None:
     assert is_shipped('/student/a.launch.py') is False
 
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 LINE = re.compile(r'\w+=\[|\w+=\'|\w+=LaunchConfiguration|[A-Z]\w+\(')
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from edugrade.catalogue import exercises, find_rubric
+from edugrade.rubrics.catalogue import exercises, find_rubric
 
 from edulaunch.errors import UnusableInput
 

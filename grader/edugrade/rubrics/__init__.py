@@ -1,0 +1,1 @@
+"""Rubrics: where they are found, and those that are written in YAML."""
