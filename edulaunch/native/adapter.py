@@ -6,6 +6,7 @@ import os
 import sys
 import time
 from collections.abc import Callable
+from functools import cached_property
 from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType, SimpleNamespace
@@ -77,14 +78,15 @@ def _messages() -> None:
     add: Callable[..., None] = _add
     add(Publisher, send_wire=send, context=property(lambda each: get_default_context()))
     add(Subscription, take_wires=take_wires)
-    add(Context, alive=property(lambda context: context.ok()), park=_park)
+    add(Context, alive=property(lambda context: context.ok()), park=_park, waits=[])
     add(Node, _rclpy=property(_NodeFacts.of))
 
 
 def _park(context: Any, deadline_ns: int | None) -> None:
-    """Wait a moment, at the longest until the deadline."""
+    """Wait a moment, at the longest until the deadline: with what `waits` has, if anything."""
     left_s = 0.05 if deadline_ns is None else (deadline_ns - time.time_ns()) / 1e9
-    time.sleep(max(0.0, min(left_s, 0.05)))
+    for wait in context.waits or (time.sleep,):
+        wait(max(0.0, min(left_s, 0.05)))
 
 
 class _NodeFacts:
@@ -112,6 +114,19 @@ class _NodeFacts:
         """The absolute name; unless it is only expanded, remapped."""
         resolve = self._node.resolve_topic_name if kind == 'topic' else self._node.resolve_service_name
         return str(resolve(name, only_expand=only_expand))
+
+    @cached_property
+    def graph(self) -> Any:
+        """What can be recorded."""
+        from edulaunch.native.bag_topics import BagTopics
+        from edulaunch.processes.current import current_process
+
+        return BagTopics(self._node, current_process())
+
+    @property
+    def entry(self) -> Any:
+        """Stands for the node there."""
+        return self.graph.entry
 
     @property
     def overrides(self) -> Any:

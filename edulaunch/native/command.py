@@ -27,17 +27,17 @@ def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
 
 
 def command(
-    environment: Environment, program: Program, spec: ProcessSpec, index: Index, *, parent: int | None = None
+    environment: Environment, program: Program, spec: ProcessSpec, index: Index, *, parent: int | str | None = None
 ) -> tuple[str, ...]:
     """The words that run a program in the environment of the real rclpy; the program's own words follow.
 
-    :param parent: the process with which it ends: this one, unless another is named; 0: none.
+    :param parent: the process with which it ends: this one, unless another is named; or a file that it keeps locked.
     """
     known = told(program, spec, index, os.getpid() if parent is None else parent)
     return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), known
 
 
-def told(program: Program, spec: ProcessSpec, index: Index, parent: int) -> str:
+def told(program: Program, spec: ProcessSpec, index: Index, parent: int | str) -> str:
     """What :mod:`edulaunch.native.program` has to know, as JSON."""
     what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
     return json.dumps(

@@ -20,6 +20,9 @@ from typing import TYPE_CHECKING, Any, NoReturn
 if TYPE_CHECKING:
     from edulaunch.packages import Index
 
+DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
+"""Who misses the first announcements of a node hears the next one after three seconds."""
+
 
 class RealTime:
     """Time in place of a simulation's."""
@@ -61,11 +64,40 @@ class _Loader:
         return import_module(name)
 
 
+class RealHost:
+    """This computer in place of a machine."""
+
+    is_real = True
+
+    def where_on_network(self) -> str:
+        """Which network its programs are on, and by what."""
+        from rclpy import get_rmw_implementation_identifier
+
+        domain = os.environ.get('ROS_DOMAIN_ID') or '0'
+        return f'domain {domain}, by {get_rmw_implementation_identifier()}'
+
+    def discover(self, node: Any) -> None:
+        """Wait until it is known who is there: for so long, and on until nothing new has come for a moment.
+
+        A computer that is busy answers late.
+        """
+        began_s = changed_s = time.monotonic()
+        known: object = None
+        while (now_s := time.monotonic()) < began_s + LONGEST_DISCOVERY_S and node.context.ok():
+            found = sorted(node.get_node_names_and_namespaces()), sorted(node.get_topic_names_and_types())
+            if found != known:
+                known, changed_s = found, now_s
+            elif now_s > max(began_s + DISCOVERY_S, changed_s + SETTLED_S):
+                break
+            time.sleep(0.05)
+
+
 class ThisProcess:
     """This process in place of a simulated one. What advice is made of is nobody's here."""
 
     def __init__(self, name: str) -> None:
         self.name = name
+        self.host = RealHost()
         self.sim = RealTime()
         self.state: dict[str, Any] = {}
         self.loader = _Loader()

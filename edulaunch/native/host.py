@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import shlex
-import signal
+import sys
 import time
-from collections.abc import Iterator
-from contextlib import suppress
 from functools import cached_property
 from tempfile import TemporaryDirectory
+from typing import TextIO
 
-from edulaunch.native.command import command
+from edulaunch.native.command import HOME, command
 from edulaunch.native.environment import Environment, needed
 from edulaunch.packages import Index, Program
 from edulaunch.processes.host import Host
@@ -21,8 +21,14 @@ from edulaunch.processes.spec import ProcessSpec
 
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 ROS2 = Program('ros2', '', 'ros2', 'ros2')
-HERE_VERBS = ('launch', 'run')
-"""Commands of ros2 that only start programs: they stay in this process."""
+HERE_COMMANDS = ('launch', 'run', 'component standalone')
+"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, as launch itself does."""
+_ROS2_FILE = """#!/bin/sh
+case "$1 $2 " in
+{here}) PYTHONPATH={home} exec {python} -m edulaunch.cli.real {lock} "$@";;
+esac
+exec {real} ros2 "$@"
+"""
 
 
 class NativeHost(Host):
@@ -32,6 +38,7 @@ class NativeHost(Host):
     """
 
     _commands: TemporaryDirectory[str] | None = None
+    _lock: TextIO
 
     @cached_property
     def runs(self) -> list[NativeRun]:
@@ -54,11 +61,13 @@ class NativeHost(Host):
         known = self._known_command(spec, index)
         if known is not None:
             argv, program = known
-            if program is None and (len(argv) < 2 or argv[1] not in HERE_VERBS):
+            if program is None and not ' '.join([*argv[1:3], '']).startswith(tuple(f'{words} ' for words in HERE_COMMANDS)):
                 program = ROS2
             if program is not None and program.kind in (*NATIVE_KINDS, 'ros2'):
                 return self._start_real(spec, argv, program, index, on_output, on_exit)
         run = self._run(spec, on_output, on_exit)
+        if known is None:
+            spec = spec._replace(env=self._environment(spec, index))
         return super().start(spec, run.hear, run.end, index=index)
 
     def _start_real(
@@ -73,10 +82,9 @@ class NativeHost(Host):
         for word in argv:
             if word in self.generated_files:
                 self.generated_files[word].write()
-        environment = dict(self.env if spec.env is None else spec.env)
+        environment = self._environment(spec, index)
         environment.pop('PYTHONPATH', None)
         environment['PYTHONUNBUFFERED'] = '1'
-        environment['PATH'] = os.pathsep.join([self.commands(spec, index), environment.get('PATH', os.defpath)])
         words = (*command(self.environment, program, spec, index), *argv)
         run = self._run(spec, on_output, on_exit)
         real = NativeProcess(self, spec._replace(argv=words, shell=False, env=environment), run.hear, run.end)
@@ -84,37 +92,44 @@ class NativeHost(Host):
         self.real_programs.append(real)
         return real
 
+    def _environment(self, spec: ProcessSpec, index: Index) -> dict[str, str]:
+        environment = dict(self.env if spec.env is None else spec.env)
+        environment['PATH'] = os.pathsep.join([self.commands(spec, index), environment.get('PATH', os.defpath)])
+        return environment
+
     def commands(self, spec: ProcessSpec, index: Index) -> str:
-        """A folder with the `ros2` that programs start themselves, made at first use."""
+        """A folder with the `ros2` that programs start themselves, made at first use.
+
+        Those that they leave in the background end with this process in whatever way, be it by SIGKILL: they wait for its lock.
+        """
         if self._commands is None:
             self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
-            words = command(self.environment, ROS2, spec._replace(name='ros2'), index, parent=0)
-            path = os.path.join(self._commands.name, 'ros2')
+            lock, path = (os.path.join(self._commands.name, name) for name in ('lock', 'ros2'))
+            self._lock = open(lock, 'w')  # noqa: SIM115  # until `close`
+            fcntl.flock(self._lock, fcntl.LOCK_EX)
+            words = command(self.environment, ROS2, spec._replace(name='ros2'), index, parent=lock)
+            text = _ROS2_FILE.format(
+                here='|'.join(f'"{words} "*' for words in HERE_COMMANDS),
+                home=shlex.quote(HOME),
+                python=shlex.quote(sys.executable),
+                lock=shlex.quote(lock),
+                real=shlex.join(words),
+            )
             with open(path, 'w', encoding='utf-8') as file:
-                file.write(f'#!/bin/sh\nexec {shlex.join(words)} ros2 "$@"\n')
+                file.write(text)
             os.chmod(path, 0o700)
         return self._commands.name
 
     def close(self) -> None:
-        """See `Host.close`. What programs left running in the background ends, too."""
+        """See `Host.close`. The commands of ros2 that programs left running in the background end, too."""
         super().close()
         if self._commands is not None:
-            for number in _with_in_environment(self._commands.name):
-                with suppress(ProcessLookupError):
-                    os.kill(number, signal.SIGKILL)
+            self._lock.close()
             self._commands.cleanup()
 
     def _run(self, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> NativeRun:
         self.runs.append(NativeRun(spec.name, on_output, on_exit))
         return self.runs[-1]
-
-
-def _with_in_environment(text: str) -> Iterator[int]:
-    """The processes of this user with a text in their environment."""
-    for number in filter(str.isdigit, os.listdir('/proc')):
-        with suppress(OSError), open(f'/proc/{number}/environ', 'rb') as file:
-            if os.fsencode(text) in file.read():
-                yield int(number)
 
 
 class NativeProcess(RealProcess):

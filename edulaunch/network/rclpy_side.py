@@ -21,13 +21,13 @@ from importlib import import_module
 from typing import Any
 
 import rclpy
-from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.parameter import Parameter
-from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message, serialize_message
 
+from edulaunch.native.qos import from_rclpy, to_rclpy
 from edulaunch.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.network import rclpy_wire as wire
 from edulaunch.network.link import ENCLAVE, MARK
@@ -44,8 +44,6 @@ WAITING = 1000
 """How many messages wait for their subscription at most, or as many as its depth says; others do not see that."""
 AT_ONCE = 100
 """How many messages of one subscription are taken in one turn."""
-FOREVER_NS = 2**62
-"""Infinite, as rclpy says it, is more."""
 _NOT_YET = object()
 
 
@@ -129,7 +127,7 @@ class Side:
     def add(self, handle: int, number: int, data: bytes) -> None:
         told = json.loads(data)
         node, kind, name = self.nodes[number], told['kind'], told['name']
-        cls, qos = self._class(told['type'], told['layers']), _profile(told['qos'])
+        cls, qos = self._class(told['type'], told['layers']), to_rclpy(told['qos'])
         end = getattr(self, f'_add_{kind}')(handle, node, name, cls, qos)
         self.ends[handle] = kind, end, number
 
@@ -232,7 +230,7 @@ class Side:
                     if gid[:12] != self.own:
                         node = info.node_namespace, info.node_name
                         participants.setdefault(_full(*node), gid[:12].hex())
-                        what = kind, topic, info.topic_type, str(info.topic_type_hash), _policies(info.qos_profile)
+                        what = kind, topic, info.topic_type, str(info.topic_type_hash), from_rclpy(info.qos_profile)
                         ends.append([gid.hex(), *what, *node])
         nodes = []
         mine = [(node.get_name(), node.get_namespace()) for node in (*self.nodes.values(), self.helper)]
@@ -295,38 +293,6 @@ def _full(namespace: str, name: str) -> str:
 
 def _made_gid(*words: str) -> str:
     return sha256(' '.join(words).encode()).hexdigest()[:32]
-
-
-def _profile(row: list[Any]) -> QoSProfile:
-    """A QoS of ours for the real rclpy."""
-    depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
-    return QoSProfile(
-        depth=max(1, depth),
-        reliability=ReliabilityPolicy[reliability.upper()],
-        durability=DurabilityPolicy[durability.upper()],
-        history=HistoryPolicy[history.upper()],
-        deadline=Duration(nanoseconds=deadline_ns),
-        lifespan=Duration(nanoseconds=lifespan_ns),
-        liveliness=LivelinessPolicy[liveliness.upper()],
-        liveliness_lease_duration=Duration(nanoseconds=lease_ns),
-    )
-
-
-def _policies(profile: QoSProfile) -> list[Any]:
-    """The other way round; what is not known of a far endpoint is as by default."""
-    history = profile.history.name.lower()
-    durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
-    times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]
-    return [
-        profile.depth or 10,
-        profile.reliability.name.lower(),
-        profile.durability.name.lower(),
-        history if history != 'unknown' else 'keep_last',
-        times[0],
-        times[1],
-        profile.liveliness.name.lower(),
-        times[2],
-    ]
 
 
 _WORK: dict[int, Callable[[Side, int, int, bytes], None]] = {

@@ -88,12 +88,15 @@ class Host:
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
     :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
         of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
+    :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar join_network: joins a real ROS 2 network, with an environment, the name of a link, whether time goes there on /clock,
         the topics that cross, and who is told that it has joined and left; returns what leaves it. None where that cannot be.
     :ivar where_on_network: says which real network it is on and by what; None for none.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
+
+    is_real = False
 
     def __init__(
         self,

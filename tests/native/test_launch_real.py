@@ -12,8 +12,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import yaml
 
 from edulaunch.native.environment import Environment
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.session import Session
 
 pytestmark = pytest.mark.real
 Run = Callable[..., subprocess.CompletedProcess[str]]
@@ -194,32 +197,97 @@ def test_nodes_end_with_a_launch_that_is_killed(real: Environment, tmp_path: Pat
         os.close(end)
 
 
-SHELL = """
+CALLER = """
 import os, subprocess, rclpy
 from rclpy.node import Node
 rclpy.init()
 node = Node('caller')
 os.system('ros2 topic pub -r 5 /beat std_msgs/msg/Empty > /dev/null 2>&1 & echo "number $!"')
-print('said', subprocess.run(['ros2', 'topic', 'info', '/rosout'], capture_output=True, text=True).stdout.split()[:2], flush=True)
+os.system('ros2 run demo_nodes_py talker > /dev/null 2>&1 & echo "number $!"')
+
+def said(*words):
+    done = subprocess.run(['ros2', *words], capture_output=True, text=True)
+    print(words[0], done.returncode, (done.stdout + done.stderr).split(chr(10))[:2], flush=True)
+
+said('topic', 'info', '/rosout')
+said('run', 'demo_nodes_py', 'no_such')
+said('component', 'types', 'composition')
+said('doctor', '--report', '-ep')
+while 'talker' not in node.get_node_names():
+    rclpy.spin_once(node, timeout_sec=0.1)
+print('all said', flush=True)
+rclpy.spin(node)
 """
 
 
-def test_programs_start_commands_of_ros2_themselves_and_none_outlives_the_launch(
-    real: Environment, edulaunch: Run, tmp_path: Path
-) -> None:
-    (tmp_path / 'caller.py').write_text(SHELL)
+def test_programs_start_commands_of_ros2_themselves_and_none_outlives_the_launch(real: Environment, tmp_path: Path) -> None:
+    """Nor one that is killed: `ros2 topic pub` is a program of its own, `ros2 run` starts one more."""
+    (tmp_path / 'caller.py').write_text(CALLER)
     (tmp_path / 'x.launch.xml').write_text('<launch><executable cmd="python3 caller.py" output="screen"/></launch>')
+    launch = [sys.executable, '-m', 'edulaunch', 'launch', '--real', 'x.launch.xml']
+    with subprocess.Popen(launch, stdout=subprocess.PIPE, text=True, cwd=tmp_path, stdin=subprocess.DEVNULL) as child:
+        assert child.stdout is not None
+        said, ends = '', []
+        for line in child.stdout:
+            said += line
+            if 'number ' in line:
+                ends.append(os.pidfd_open(int(line.split()[-1])))
+            if 'all said' in line:
+                break
+        child.send_signal(signal.SIGKILL)
+    assert "topic 0 ['Type: rcl_interfaces/msg/Log', 'Publisher count: " in said, said
+    assert "run 1 ['No executable found', " in said
+    assert "component 0 ['composition::" in said
+    assert "doctor 0 ['', '   NETWORK CONFIGURATION'" in said
+    assert len(ends) == 2
+    for end in ends:
+        assert select.select([end], [], [], 60.0)[0], 'a command outlives its launch'
+        os.close(end)
+
+
+LINE = """<launch><executable cmd="bash -c &quot;for topic in /rosout; do ros2 topic type $topic; done; uname&quot;" output="screen"/></launch>"""
+
+
+def test_a_real_shell_asks_the_real_nodes(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    """A line that the simulated shell does not know runs in the system's, where `ros2` is that of the launch."""
+    (tmp_path / 'x.launch.xml').write_text(LINE)
     said = edulaunch('launch', '--real', 'x.launch.xml', '--for', '100').stdout
-    number = re.search(r'number (\d+)', said)
-    assert number is not None and "said ['Type:', 'rcl_interfaces/msg/Log']" in said, said
-    assert not Path('/proc', number[1]).exists() or 'ros2' not in Path('/proc', number[1], 'cmdline').read_text()
+    assert '[bash-1] rcl_interfaces/msg/Log\n[bash-1] Linux\n' in said, said
 
 
-def test_recording_a_bag_is_refused_in_a_sentence(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
-    (tmp_path / 'record.launch.py').write_text(
-        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
-        "def generate_launch_description():\n    return LaunchDescription([ExecuteProcess(cmd=['ros2', 'bag', 'record', '-a'], output='screen')])\n"
-    )
-    done = edulaunch('launch', '--real', 'record.launch.py', '--for', '3')
-    assert 'ros2 bag record takes its messages from the simulation: leave out --real' in done.stdout + done.stderr
-    assert 'Traceback' not in done.stdout + done.stderr
+RECORDED = """
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessExit, OnProcessIO
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    record = ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'bag', '-e', 'turtle1|chatter'], output='screen')
+    say = ExecuteProcess(cmd=['ros2', 'topic', 'pub', '--times', '20', '-r', '10', '/chatter', 'std_msgs/msg/String', 'data: hi'])
+    heard = lambda event: [say] if b'/turtle1/pose' in event.text else None
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        record,
+        RegisterEventHandler(OnProcessIO(target_action=record, on_stderr=heard, on_stdout=heard)),
+        RegisterEventHandler(OnProcessExit(target_action=say, on_exit=[Shutdown()])),
+    ])
+"""
+
+
+def test_a_bag_of_real_nodes_is_told_of_and_played_in_the_simulation(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'record.launch.py').write_text(RECORDED)
+    done = edulaunch('launch', '--real', 'record.launch.py', '--for', '100')
+    assert 'Recording stopped' in done.stdout and 'Traceback' not in done.stdout, done.stdout + done.stderr
+    counts = {
+        each['topic_metadata']['name']: (each['topic_metadata']['type'], each['message_count'])
+        for each in yaml.safe_load((tmp_path / 'bag' / 'metadata.yaml').read_text())['rosbag2_bagfile_information'][
+            'topics_with_message_count'
+        ]
+    }
+    assert counts['/turtle1/pose'][0] == 'turtlesim/msg/Pose' and counts['/turtle1/pose'][1] > 60
+    assert counts['/chatter'][0] == 'std_msgs/msg/String' and 1 <= counts['/chatter'][1] <= 20
+    with Session() as session:
+        words = ('ros2', 'bag', 'play', str(tmp_path / 'bag'), '--topics', '/chatter')
+        session.host.start(ProcessSpec(argv=words, name='play'))
+        session.run(10.0)
+        assert [str(message.data) for _, message in session.recording().messages('/chatter')] == ['hi'] * counts['/chatter'][1]

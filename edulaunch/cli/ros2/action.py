@@ -97,7 +97,7 @@ def send_goal_verb(arguments: argparse.Namespace) -> str | None:
     except FillError as error:
         return str(error)
     name = f'_ros2cli_send_goal_{cls.TYPE.replace("/", "_")}'
-    with cli_node.cli_node(name=name, handle_signals=False) as node:
+    with cli_node.cli_node(name=name, signals='NO') as node:
         return _send(node, arguments, cls, goal)
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 BagMessage = tuple[int, str, Any]
-"""Time of arrival in ns, topic, wire tuple."""
+"""Time of arrival in ns, topic, wire tuple; in place of that the bytes of a message that came over a real network."""
 SEPARATOR = '=' * 80
 
 
@@ -116,7 +116,7 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
     folder = new_folder() if arguments.output is None else folder_of(arguments.output)
     if os.path.exists(folder):
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
-    with cli_node.cli_node(name='rosbag2_recorder') as node:
+    with cli_node.cli_node(name='rosbag2_recorder', signals='SIGTERM') as node:
         recorder = BagRecorder(node, [names.absolute(name) for name in wanted], arguments)
         with suppress(KeyboardInterrupt):  # this is how one ends a recording
             recorder.record()
@@ -237,7 +237,7 @@ def write_bag(
             )
         for time_ns, name, wire in messages:
             cls, connection = connections[name]
-            writer.write(connection, time_ns, encode(cls, wire))
+            writer.write(connection, time_ns, wire if isinstance(wire, bytes) else encode(cls, wire))
 
 
 def definition(registry: Registry, type_name: str) -> str:

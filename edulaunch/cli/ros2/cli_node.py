@@ -31,19 +31,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 @contextmanager
-def cli_node(
-    arguments: argparse.Namespace | None = None, name: str | None = None, *, handle_signals: bool = True
-) -> Iterator[Node]:
+def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, signals: str = 'ALL') -> Iterator[Node]:
     """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
 
     :param arguments: with them the command first waits until the graph is known; without, it begins at once.
-    :param handle_signals: whether Ctrl-C shuts ROS 2 down; a command that still has something to do says no.
+    :param signals: which of them shut ROS 2 down, by the name of `SignalHandlerOptions`: a command that still has something to do
+        after Ctrl-C leaves it out.
     """
     import rclpy
     from rclpy.parameter import Parameter
     from rclpy.signals import SignalHandlerOptions
 
-    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO)
+    rclpy.init(args=[], signal_handler_options=getattr(SignalHandlerOptions, signals))
     sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
     node = rclpy.create_node(
         name or f'_ros2cli_{current_process().pid}', start_parameter_services=False, parameter_overrides=sim_time
@@ -64,10 +63,13 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
     later at once. Here the graph is known once the simulation is half a second old: commands of a launch file
     see what was started beside them.
     """
+    host: Any = current_process().host
     if arguments.spin_time is not None:
         pause(node, arguments.spin_time)
     elif arguments.no_daemon:
         pause(node, DISCOVERY_S)
+    elif host.is_real:
+        host.discover(node)
     else:
         sim = current_task().sim
         pause(node, DISCOVERY_S - (sim.now_ns - sim.start_ns) / 1e9)

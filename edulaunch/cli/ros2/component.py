@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.output import say, say_lines, with_help
 from edulaunch.nearest import did_you_mean
-from edulaunch.processes.children import Child
 from edulaunch.processes.current import current_process
 
 if TYPE_CHECKING:
@@ -153,6 +152,8 @@ def standalone_arguments(parser: argparse.ArgumentParser) -> None:
 
 def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
     """Start the container, load the component, and wait for the end of the container."""
+    from edulaunch.processes.children import Child
+
     process = current_process()
     name = arguments.container_node_name or f'{CONTAINER_NAME}{process.pid}'
     path = process.index.find_executable(CONTAINER_PACKAGE, CONTAINER_EXECUTABLE)

@@ -141,9 +141,11 @@ def say_report(node: Node, names: Iterable[str], exclude_packages: bool) -> None
 
 
 def _network(node: Node) -> Rows:
-    real = current_process().host.where_on_network()
+    host = current_process().host
+    real = host.where_on_network()
     if real is not None:
-        return [('real ROS 2 network', real), ('simulated nodes among each other', 'in memory')]
+        among = [] if host.is_real else [('simulated nodes among each other', 'in memory')]
+        return [('real ROS 2 network', real), *among]
     return [('inet', '127.0.0.1'), ('inet4', "['127.0.0.1']"), ('name', 'lo'), ('flags', 'simulated')]
 
 
@@ -178,7 +180,8 @@ def _middleware(node: Node) -> Rows:
 
 
 def _distribution(node: Node) -> Rows:
-    return [('distribution name', 'jazzy'), ('distribution type', 'ros2'), ('distribution status', 'simulated by edulaunch')]
+    status = 'launched' if current_process().host.is_real else 'simulated'
+    return [('distribution name', 'jazzy'), ('distribution type', 'ros2'), ('distribution status', f'{status} by edulaunch')]
 
 
 def _topic_rows(node: Node) -> Rows:

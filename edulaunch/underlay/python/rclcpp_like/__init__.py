@@ -191,23 +191,30 @@ def run_program(main: Callable[[], int | None]) -> int:
     runtime does, and aborts (signal 6).
     """
     try:
-        rclpy.init()
-        return main() or 0
+        return _run(main)
     except KeyboardInterrupt:
         get_logger('rclcpp').info('signal_handler(signum=2)')
+    finally:
+        rclpy.try_shutdown()
+    return 0
+
+
+def _run(main: Callable[[], int | None]) -> int:
+    try:
+        rclpy.init()
+        return main() or 0
     except ExternalShutdownException:
-        pass
+        return 0
     except Exception as error:
         name = cpp_name_of(error)
         if name is None:
-            raise
+            if rclpy.ok():
+                raise
+            raise KeyboardInterrupt from None  # the real rclpy was about to wait or publish; rclcpp ends well then
         process = current_process()
         text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
         process.write('stderr', text)
         process.exit_now(-Signals.SIGABRT)
-    finally:
-        rclpy.try_shutdown()
-    return 0
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:

@@ -1,0 +1,44 @@
+"""Quality of service, ours and that of the real rclpy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from rclpy.duration import Duration
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+
+FOREVER_NS = 2**62
+"""Infinite, as rclpy says it, is more."""
+
+
+def to_rclpy(row: Sequence[Any]) -> QoSProfile:
+    """The policies of a QoS of ours, in their order, for the real rclpy."""
+    depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
+    return QoSProfile(
+        depth=max(1, depth),
+        reliability=ReliabilityPolicy[reliability.upper()],
+        durability=DurabilityPolicy[durability.upper()],
+        history=HistoryPolicy[history.upper()],
+        deadline=Duration(nanoseconds=deadline_ns),
+        lifespan=Duration(nanoseconds=lifespan_ns),
+        liveliness=LivelinessPolicy[liveliness.upper()],
+        liveliness_lease_duration=Duration(nanoseconds=lease_ns),
+    )
+
+
+def from_rclpy(profile: QoSProfile) -> list[Any]:
+    """The other way round; what is not known of a far endpoint is as by default."""
+    history = profile.history.name.lower()
+    durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
+    times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]
+    return [
+        profile.depth or 10,
+        profile.reliability.name.lower(),
+        profile.durability.name.lower(),
+        history if history != 'unknown' else 'keep_last',
+        times[0],
+        times[1],
+        profile.liveliness.name.lower(),
+        times[2],
+    ]
