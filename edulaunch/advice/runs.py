@@ -7,6 +7,8 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.recording.records import PARAMETER_SERVICES
+
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
     from edulaunch.recording.records import EndRecord, Fact
@@ -97,16 +99,6 @@ def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
     """Whether a topic or service belongs to ROS 2's own machinery."""
     return name in ROS_OWN or '/_' in name or (name.startswith(nodes) and name.rpartition('/')[2] in PARAMETER_SERVICES)
 
-
-PARAMETER_SERVICES = (
-    'describe_parameters',
-    'get_parameters',
-    'get_parameter_types',
-    'list_parameters',
-    'set_parameters',
-    'set_parameters_atomically',
-    'get_type_description',
-)
 
 TF_TYPE = 'tf2_msgs/msg/TFMessage'
 TINY = 1e-9

@@ -11,12 +11,11 @@ from edulaunch.nearest import did_you_mean
 from edulaunch.recording.absent import NothingToDraw
 from edulaunch.recording.frames import TOPICS, transform_wires
 from edulaunch.recording.records import Frame
+from edulaunch.tf.quaternions import Quaternion, Vector, multiply, rotate
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
 
-Vector = tuple[float, float, float]
-Quaternion = tuple[float, float, float, float]
 AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
 """Which of the root's axes go across the sheet, up, and towards who looks."""
@@ -51,8 +50,8 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
             if name not in found:  # a loop may have made it a root meanwhile
                 found[name] = Placed(
                     parent.root,
-                    _add(parent.position, rotated(parent.turn, frame.translation)),
-                    multiplied(parent.turn, frame.rotation),
+                    _add(parent.position, rotate(parent.turn, frame.translation)),
+                    multiply(parent.turn, frame.rotation),
                 )
     return found[name]
 
@@ -62,27 +61,7 @@ def seen_from(fixed: Placed, place: Placed) -> Placed:
     x, y, z, w = fixed.turn
     back = (-x, -y, -z, w)
     a, b = place.position, fixed.position
-    return Placed(place.root, rotated(back, (a[0] - b[0], a[1] - b[1], a[2] - b[2])), multiplied(back, place.turn))
-
-
-def rotated(turn: Quaternion, vector: Vector) -> Vector:
-    """The vector turned by a unit quaternion."""
-    x, y, z, w = turn
-    vx, vy, vz = vector
-    tx, ty, tz = 2 * (y * vz - z * vy), 2 * (z * vx - x * vz), 2 * (x * vy - y * vx)
-    return (vx + w * tx + y * tz - z * ty, vy + w * ty + z * tx - x * tz, vz + w * tz + x * ty - y * tx)
-
-
-def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
-    """First `b`, then `a`, as one turn."""
-    ax, ay, az, aw = a
-    bx, by, bz, bw = b
-    return (
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-        aw * bw - ax * bx - ay * by - az * bz,
-    )
+    return Placed(place.root, rotate(back, (a[0] - b[0], a[1] - b[1], a[2] - b[2])), multiply(back, place.turn))
 
 
 def heading(turn: Quaternion) -> float:
@@ -167,7 +146,7 @@ def _who(recording: Recording) -> str:
 def mark_of(name: str, place: Placed, frame: Frame | None, side: str = 'xy') -> FrameMark:
     """A frame as it is seen from a side."""
     across, up, towards = SIDES[side]
-    turned = (rotated(place.turn, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
+    turned = (rotate(place.turn, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
     x_axis, y_axis, z_axis = ((axis[across], axis[up]) for axis in turned)
     parent = '' if frame is None or place.root == name else frame.parent
     position = (place.position[across], place.position[up], place.position[towards])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from edulaunch.canvas.layout import WIDEST, Point, lay_out
 from edulaunch.canvas.style import SMALL, TEXT, mono_width, shortened
 from edulaunch.recording.absent import NothingToDraw
+from edulaunch.recording.records import PARAMETER_SERVICES
 
 if TYPE_CHECKING:
     from edulaunch.recording.frames import FrameLink
@@ -17,15 +18,6 @@ if TYPE_CHECKING:
     from edulaunch.recording.records import NodeRecord
 
 HIDDEN = ('/rosout', '/parameter_events')
-PARAMETER_SERVICES = (
-    'describe_parameters',
-    'get_parameters',
-    'get_parameter_types',
-    'list_parameters',
-    'set_parameters',
-    'set_parameters_atomically',
-    'get_type_description',
-)
 Key = tuple[str, str, int]
 """Kind ('node', 'topic' or 'service'), name, and the how-many-eth node of that name."""
 LINE = 14.0

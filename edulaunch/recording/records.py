@@ -6,6 +6,17 @@ from typing import Any, NamedTuple
 
 from edulaunch.attached import attached
 
+PARAMETER_SERVICES = (
+    'describe_parameters',
+    'get_parameters',
+    'get_parameter_types',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+    'get_type_description',
+)
+"""Services that every node of rclpy has, below its own name."""
+
 
 class DeclaredArgument(NamedTuple):
     """A launch argument as the launch files declare it; `default` as `ros2 launch -s` shows it, None when it is required."""

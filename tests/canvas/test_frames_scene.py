@@ -6,10 +6,8 @@ import math
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from edulaunch.canvas.frames_scene import frames_scene, heading, multiplied, placed, rotated
+from edulaunch.canvas.frames_scene import frames_scene, heading, placed
 from edulaunch.recording.records import Frame
 
 TF = {'/tf': 'tf2_msgs/msg/TFMessage'}
@@ -97,12 +95,3 @@ def test_trees_that_are_not_connected_keep_roots_of_their_own() -> None:
 def test_a_loop_of_parents_does_not_run_for_ever() -> None:
     found = placed({'a': frame('b', 1, 0), 'b': frame('a', 1, 0)})
     assert sorted(found) == ['a', 'b'] and len({place.root for place in found.values()}) == 1
-
-
-angles = st.floats(-3, 3)
-
-
-@given(angles, angles)
-def test_turns_add_up(one: float, other: float) -> None:
-    vector = rotated(multiplied(turned(one), turned(other)), (1.0, 0.0, 0.0))
-    assert vector == pytest.approx((math.cos(one + other), math.sin(one + other), 0.0), abs=1e-9)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isnan, nan, pi
+from math import cos, isnan, nan, pi, sin
 
 import pytest
 from hypothesis import given
@@ -31,6 +31,12 @@ def test_a_rotation_times_its_conjugate_is_the_identity(q):
 @given(rotations, rotations, numbers, numbers, numbers)
 def test_a_product_rotates_by_the_right_factor_first(a, b, x, y, z):
     assert rotate(multiply(a, b), (x, y, z)) == pytest.approx(rotate(a, rotate(b, (x, y, z))), abs=1e-9)
+
+
+@given(angles, angles)
+def test_turns_about_one_axis_add_up(one, other):
+    turned = rotate(multiply(from_euler(0.0, 0.0, one), from_euler(0.0, 0.0, other)), (1.0, 0.0, 0.0))
+    assert turned == pytest.approx((cos(one + other), sin(one + other), 0.0), abs=1e-9)
 
 
 @given(rotations)
