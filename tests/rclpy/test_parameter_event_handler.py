@@ -9,7 +9,7 @@ from rclpy.parameter_client import AsyncParameterClient
 from rclpy.parameter_event_handler import ParameterEventHandler
 
 from .conftest import Ros, World
-from .test_parameters import raised, results
+from .conftest import raised, results
 
 
 def test_an_event_handler_hears_of_other_nodes(world: World) -> None:
@@ -54,4 +54,4 @@ def test_callbacks_of_one_parameter_stay_together(ros: Ros, world: World) -> Non
         handler.remove_parameter_callback(handle=handle)
         world.say(raised(handler.remove_parameter_callback, handle))
 
-    assert ros(body) == ['second', 'first', 'other', ('RuntimeError', "Callback doesn't exist")]
+    assert ros(body) == ['second', 'first', 'other', "RuntimeError: Callback doesn't exist"]
