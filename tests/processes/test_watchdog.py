@@ -103,29 +103,32 @@ def test_who_speaks_for_others_may_write_as_much_as_all_of_them(world: Any) -> N
     assert wrote.count('x') == 12_000 and world.codes == {'program-1': 0}
 
 
-def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Lets the processor's time of the watched thread pass by itself, 10 ms at each look; how long those had that were stopped."""
-    time_s, began_s, task, stopped = 0.0, 0.0, None, []
-    look, end = Watchdog._look, Watchdog._end
+def limits(watchdog: Watchdog, monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Lets the processor's time of the watched thread pass by itself, 10 ms at each look; how long those had that were stopped.
 
-    def first_look(self: Watchdog) -> Any:
+    Of this one only: those of machines that other tests have left look on.
+    """
+    time_s, began_s, task, stopped = 0.0, 0.0, None, []
+    look, end = watchdog._look, watchdog._end
+
+    def first_look() -> Any:
         nonlocal began_s, task
-        seen = look(self)
+        seen = look()
         if seen is None or seen.task is not task:
             began_s, task = time_s, seen and seen.task
         return seen
 
-    def processor_s(self: Watchdog) -> float:
+    def processor_s() -> float:
         nonlocal time_s
         time_s += 0.01
         return time_s
 
-    def note(self: Watchdog, task: Any) -> None:
+    def note(task: Any) -> None:
         stopped.append(round(time_s - began_s, 3))
-        end(self, task)
+        end(task)
 
     for name, patched in (('_processor_s', processor_s), ('_look', first_look), ('_end', note)):
-        monkeypatch.setattr(Watchdog, name, patched)
+        monkeypatch.setattr(watchdog, name, patched)
     return stopped
 
 
@@ -154,7 +157,7 @@ def is_of(thread: threading.Thread, watched: Any) -> bool:
     ],
 )
 def test_where_nothing_changes_less_time_is_given(watched: Any, monkeypatch: pytest.MonkeyPatch, text: str, factor: int) -> None:
-    stopped = limits(monkeypatch)
+    stopped = limits(watched.host.watchdog, monkeypatch)
     watched.host.watchdog.seconds = 0.2
     watched.run(text)
     assert watched.codes == {'program-1': 1}
