@@ -8,8 +8,7 @@ from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.parameter_event_handler import ParameterEventHandler
 
-from .conftest import Ros, World
-from .conftest import raised, results
+from .conftest import Ros, World, raised, results
 
 
 def test_an_event_handler_hears_of_other_nodes(world: World) -> None:
