@@ -87,7 +87,7 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
     path, file, given = split_words(words[0], list(words[1:]))
     workspaces = list(workspaces_of_command(arguments.workspace, path))
     print(f'running it for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
-    found, not_up, simulated, real = compare(
+    found, chance, not_up, simulated, real = compare(
         path, file, given, arguments.seconds, workspaces, lambda each: reason(known, words, each) is not None
     )
     found, explained = split(known, words, found)
@@ -97,6 +97,8 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
         _print_table(found)
         for each in explained:
             print(f'known: {each.why}')
+        if chance:
+            print('left out: what differs between simulations of different random numbers, too: ' + _subjects(chance))
         for name in sorted(not_up):
             print(f'left out: what {name} said, and its exit code: it was stopped before it was up')
         print(f'compared: {counts(simulated, real)}')
@@ -159,6 +161,11 @@ def _print_rows_as_json(rows: Sequence[Row]) -> None:
 
 def _narrow(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [tuple(cell if len(cell) <= WIDEST else f'{cell[: WIDEST - 3]}...' for cell in row) for row in rows]
+
+
+def _subjects(found: Sequence[Difference]) -> str:
+    """What differs, without how."""
+    return ', '.join(dict.fromkeys(f'{each.kind} {each.name}' for each in found))
 
 
 def _print_json(found: Sequence[Difference], explained: Sequence[Known], simulated: Observation, real: Observation) -> None:

@@ -8,6 +8,7 @@ quarter of their length.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import permutations
 from typing import Any, NamedTuple
 
 from edulaunch.comparing.observation import BRIEFLY, Flow, Line, Observation, Range, Values, program_of
@@ -29,6 +30,9 @@ _CHANCE = (
     'the client may have gone away',
     'client will not receive response',
     'exception was never retrieved',
+    'lost sys.stderr',
+    *(f'object {what:9}: ' for what in ('address', 'refcount', 'type', 'repr')),
+    'object type name: ',
 )
 """What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment; its exit code may change, too."""
 
@@ -57,6 +61,18 @@ def _about(difference: Difference) -> tuple[object, ...]:
     """What makes it the same difference in two simulations."""
     kind, name, simulated, real, lacks = difference
     return difference if kind == 'output' else (kind, name, lacks, simulated in _NOT_THERE, real in _NOT_THERE)
+
+
+def by_chance(simulated: Sequence[Observation]) -> set[tuple[str, ...]]:
+    """The subjects of what differs between simulations of different random numbers, be it by values or by being there."""
+    pairs = permutations(simulated, 2)
+    return {subject(each) for one, other in pairs for each in _differences(one, other)}
+
+
+def subject(difference: Difference) -> tuple[str, ...]:
+    """What it is about; of output the line."""
+    kind, name, simulated, real, _ = difference
+    return (kind, name, simulated if real == MISSING else real) if kind == 'output' else (kind, name)
 
 
 def _differences(simulated: Observation, real: Observation) -> list[Difference]:
@@ -168,7 +184,12 @@ def not_up(simulated: Observation, real: Observation) -> set[str]:
 def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
     said = {(line.process, line.text) for line in simulated.lines}
     heard = {(line.process, line.text) for line in real.lines}
-    chance = {(line.process, line.text) for line in (*_unlucky(simulated), *_unlucky(real))}
+    unlucky = [*_unlucky(simulated), *_unlucky(real)]
+    chance = {(line.process, line.text) for line in unlucky}
+    victims = {line.process for line in unlucky}  # they may not come to say what they say at their end
+    chance |= {each for each in said if each[0] in victims} - {
+        (line.process, line.text) for line in simulated.until_asked().lines
+    }
     young = not_up(simulated, real)
     for process, text in sorted((said ^ heard) - chance):
         if process not in young:

@@ -179,4 +179,4 @@ class _Watch:
             signalled_s = run.signalled_s - began_s
             spoke_s = run.written[0][0] - began_s if run.written else BRIEFLY
             programs[run.name] = Program(run.started_s - began_s, ended_s, run.returncode, frozenset(), signalled_s, spoke_s)
-        return Observation(self._nodes, self._ends, self._parameters, self._flows, lines, programs, self.now_s)
+        return Observation(self._nodes, self._ends, self._parameters, self._flows, lines, programs, self.now_s, began_s)

@@ -118,6 +118,7 @@ class Observation(NamedTuple):
     :ivar lines: what programs wrote.
     :ivar programs: by launch name.
     :ivar asked_s: when Ctrl-C was pressed.
+    :ivar start_s: when launch began, in seconds since 1970.
     """
 
     nodes: dict[str, float]
@@ -127,6 +128,7 @@ class Observation(NamedTuple):
     lines: list[Line]
     programs: dict[str, Program]
     asked_s: float
+    start_s: float = 0.0
 
     @property
     def codes(self) -> dict[str, list[int]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from edulaunch.comparing.observation import (
     BRIEFLY,
@@ -24,10 +25,12 @@ from edulaunch.packages.index import interfaces_of
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.recording import Recording
+from edulaunch.recording.recorder import Recorder
 from edulaunch.session import Session
+from edulaunch.sim.simulation import EPOCH_NS, Simulation
 
 FOUND_S = 3.0
-"""A node that lasts longer is found by everybody for real."""
+"""A node or an end of one that lasts longer is found by everybody for real."""
 END_S = 15.0
 """After Ctrl-C."""
 
@@ -46,10 +49,27 @@ class LateHost(Host):
             super().begin(process)
 
 
+class EndsRecorder(Recorder):
+    """A recorder that notes when publishers, subscriptions, services and clients have gone.
+
+    :ivar gone_s: by their number.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        super().__init__(sim)
+        self.gone_s: dict[int, float] = {}
+
+    def endpoint_removed(self, kind: str, endpoint: Any) -> None:
+        """See `Recorder.endpoint_removed`."""
+        super().endpoint_removed(kind, endpoint)
+        self.gone_s[endpoint.index] = (self.sim.now_ns - self.sim.start_ns) / 1e9
+
+
 class LateSession(Session):
-    """A session with such a host."""
+    """A session with such a host and recorder."""
 
     host_class = LateHost
+    recorder_class = EndsRecorder
 
 
 def simulate(
@@ -59,14 +79,18 @@ def simulate(
     seconds: float,
     workspaces: Sequence[str],
     delays_s: Mapping[str, float] | None = None,
+    start_s: float = EPOCH_NS / 1e9,
+    seed: int = 0,
 ) -> Observation:
     """Run it, press Ctrl-C after `seconds`, and say what was seen.
 
     :param delays_s: how long programs take to come up, by launch name.
+    :param start_s: the time of day at which it begins, in seconds since 1970.
+    :param seed: of its random numbers.
     :raises UnusableInput: when it cannot be launched at all.
     """
-    with LateSession(workspaces=workspaces) as session:
-        assert isinstance(session.host, LateHost)
+    with LateSession(workspaces=workspaces, start_ns=round(start_s * 1e9), seed=seed) as session:
+        assert isinstance(session.host, LateHost) and isinstance(session.recorder, EndsRecorder)
         session.host.delays_s = delays_s or {}
         launch = session.launch(path, file, arguments)
         session.run(seconds)
@@ -74,11 +98,12 @@ def simulate(
         session.interrupt()
         session.run(END_S)
         recording = session.recording()
-        return observe(recording, seconds, interfaces_of(session.index)[1].get)
+        gone = [session.recorder.gone_s.get(row[4], END_S + seconds) for row in session.recorder.endpoints]
+        return observe(recording, gone, seconds, interfaces_of(session.index)[1].get)
 
 
-def observe(recording: Recording, asked_s: float, class_of: ClassOf) -> Observation:
-    """What a recording shows; Ctrl-C was pressed at `asked_s`."""
+def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class_of: ClassOf) -> Observation:
+    """What a recording shows; Ctrl-C was pressed at `asked_s`, and each of its ends was gone at `gone_s`."""
     nodes: dict[str, float] = {}
     for node in recording.nodes:
         if is_compared(node.name):
@@ -87,13 +112,15 @@ def observe(recording: Recording, asked_s: float, class_of: ClassOf) -> Observat
             name = steady_name(node.name)
             nodes[name] = min(when, nodes.get(name, BRIEFLY))
     ends: dict[End, tuple[str, float]] = {}
-    for record in recording.ends:
+    for record, end_s in zip(recording.ends, gone_s, strict=True):
         if is_compared(record.node):
             qos = QoS(*record.qos) if record.kind in ('publisher', 'subscription') else None
             words = '' if qos is None else f'{qos.reliability} {qos.durability}'
             name = steady_name(record.node)
-            when = record.made_s if nodes[name] != BRIEFLY else BRIEFLY
-            ends.setdefault(End(record.kind, steady_name(record.name), record.type, name), (words, when))
+            is_brief = nodes[name] == BRIEFLY or end_s < min(asked_s, record.made_s + FOUND_S)
+            when = BRIEFLY if is_brief else record.made_s
+            end = End(record.kind, steady_name(record.name), record.type, name)
+            ends[end] = min((words, when), ends.get(end, (words, BRIEFLY)), key=lambda each: each[1])
     known = dict.fromkeys(node.name for node in recording.nodes if is_compared(node.name))
     parameters = {steady_name(name): {key: each.value for key, each in recording.parameters(name).items()} for name in known}
     flows: dict[str, Flow] = {}

@@ -36,7 +36,7 @@ def main() -> None:
 
 def _run(program: dict[str, Any], process: Any) -> Any:
     """As an executable of a package runs: the function of an entry point, or a file or module as `__main__`."""
-    sys.path[:0] = [root for root in program['python_roots'] if root not in sys.path]  # as PYTHONPATH: before Python's own
+    sys.path[:0] = program['python_roots']  # as PYTHONPATH: before Python's own
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':
         from edulaunch.attached import attached

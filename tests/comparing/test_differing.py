@@ -151,3 +151,21 @@ def test_values_that_a_short_simulation_has_not_yet_and_a_long_one_has_beyond_ar
     assert [each.lacks for each in differences(short, real)] == [False]
     assert [each.lacks for each in differing.differences([long._replace(asked_s=30.0)], real)] == [True]
     assert differing.differences([short, long._replace(asked_s=30.0)], real) == []
+
+
+def test_the_last_words_of_python_after_ctrl_c_are_no_difference() -> None:
+    words = ('lost sys.stderr', 'object address  : #', 'object refcount : #', 'object type name: RCLError')
+    there = [Line('a', text, 10.2) for text in words]
+    here = [Line('a', 'at work', 5.0), Line('a', 'the end', 10.1)]
+    assert differences(seen(lines=here), seen(lines=[Line('a', 'at work', 5.0), *there], codes={})) == []
+    assert differences(seen(lines=here), seen(lines=there)) == [Difference('output', 'a', 'at work', 'missing')]
+    assert differences(seen(lines=here), seen(lines=here[:1])) == [Difference('output', 'a', 'the end', 'missing')]
+
+
+def test_what_other_random_numbers_change_is_by_chance() -> None:
+    one = seen(parameters={'/a': {'n': 1}}, lines=[Line('a', 'odd', 1.0)], codes={'a': [0]})
+    other = seen(parameters={'/a': {'n': 2}}, lines=[Line('a', 'even', 1.0)], codes={'a': [0]})
+    chance = differing.by_chance([one, other])
+    assert chance == {('parameter', 'n of /a'), ('output', 'a', 'odd'), ('output', 'a', 'even')}
+    assert differing.subject(Difference('output', 'a', 'missing', 'even')) in chance
+    assert differing.subject(Difference('exit code', 'a', '0', '1')) not in chance

@@ -48,3 +48,8 @@ def test_what_is_no_such_table_is_refused(tmp_path: Path, text: str) -> None:
 
 def test_no_table_knows_nothing(tmp_path: Path) -> None:
     assert table(tmp_path, '# nothing\n') == []
+
+
+def test_no_row_of_the_sweep_explains_a_whole_file() -> None:
+    rows = read_known(str(Path(__file__).with_name('known.yaml')))
+    assert [row for row in rows if (row.kind, row.name) == ('*', '*')] == []

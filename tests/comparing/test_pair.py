@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
+import pytest
+
+from edulaunch.comparing import pair
 from edulaunch.comparing.observation import BRIEFLY, Observation, Program
 from edulaunch.comparing.pair import delays
 from edulaunch.comparing.simulated import simulate
@@ -50,3 +54,55 @@ def test_ctrl_c_meets_a_program_that_is_not_up_yet() -> None:
     late = simulate('demo_nodes_cpp', 'talker_listener_launch.py', {}, 1.0, [], {'listener-2': 3.0})
     assert late.codes == {'talker': [0], 'listener': [-2]}
     assert late.until_asked().codes == {}
+
+
+def test_a_program_that_a_signal_ended_first_never_came_to_its_end() -> None:
+    here = seen(programs={'echo-1': Program(0.0, 1.0, 0)})
+    assert delays(here, seen(programs={'echo-1': Program(0.5, 6.0, -2, signalled_s=5.5)})) == {'echo-1': 5.0}
+    assert delays(here, seen(programs={'echo-1': Program(0.5, 5.0, 0, signalled_s=5.5)})) == {'echo-1': 3.5}
+
+
+DICE = """
+import random, time
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+class Dice(Node):
+    def __init__(self):
+        super().__init__('dice')
+        self.declare_parameter('sides', SIDES)
+        self.number = self.create_publisher(Float64, 'number', 10)
+        self.hour = self.create_publisher(Float64, 'day', 10)
+        self.thrown = 1000 * random.random()
+        self.create_timer(0.5, self.tick)
+
+    def tick(self):
+        self.number.publish(Float64(data=self.thrown))
+        self.hour.publish(Float64(data=time.time() // 86400))
+
+rclpy.init()
+rclpy.spin(Dice())
+"""
+OTHER_DAY_S = 1_800_000_000.0
+
+
+@pytest.mark.parametrize(('sides', 'found'), [(6, []), (8, [('parameter', 'sides of /dice', '6', '8')])])
+def test_random_numbers_and_the_time_of_day_are_no_difference(
+    sides: int, found: list[tuple[str, ...]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In place of the run for real another simulation, of other random numbers and on another day."""
+    program, file = tmp_path / 'dice.py', tmp_path / 'x.launch.xml'
+    file.write_text(f'<launch><executable cmd="python3 {program}" name="dice"/></launch>')
+
+    def real(path: str, *what: Any) -> Observation:
+        program.write_text(DICE.replace('SIDES', str(sides)))
+        made = simulate(path, None, {}, 6.0, [], None, OTHER_DAY_S, 7)._replace(start_s=OTHER_DAY_S)
+        program.write_text(DICE.replace('SIDES', '6'))
+        return made
+
+    monkeypatch.setattr(pair, 'run_for_real', real)
+    program.write_text(DICE.replace('SIDES', '6'))
+    compared = pair.compare(str(file), None, {}, 6.0)
+    assert [each[:4] for each in compared.found] == found
+    assert [each.name for each in compared.chance] == ['/number data']

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 from edulaunch.comparing.observation import BRIEFLY, End
 from edulaunch.comparing.simulated import simulate
 
@@ -22,3 +24,27 @@ def test_a_node_that_was_there_only_briefly_need_not_be_found(tmp_path) -> None:
     seen = simulate(str(file), None, {}, 6.0, [])
     assert seen.nodes == {'/add_two_ints_server': 0.0, '/add_two_ints_client': BRIEFLY}
     assert {when for end, (_, when) in seen.ends.items() if end.node == '/add_two_ints_client'} == {BRIEFLY}
+
+
+BRIEF = """
+import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('brief')
+brief, lasting = (node.create_publisher(String, name, 10) for name in ('brief', 'lasting'))
+node.create_timer(2.0, lambda: node.destroy_publisher(brief))
+node.create_timer(5.0, lambda: node.create_publisher(String, 'last', 10))
+rclpy.spin(node)
+"""
+
+
+def test_a_publisher_that_was_there_only_briefly_need_not_be_found(tmp_path: Path) -> None:
+    (tmp_path / 'brief.py').write_text(BRIEF)
+    file = tmp_path / 'x.launch.xml'
+    file.write_text(f'<launch><executable cmd="python3 {tmp_path}/brief.py"/></launch>')
+    seen = simulate(str(file), None, {}, 6.0, [])
+    made = {
+        end.name: when for end, (_, when) in seen.ends.items() if end.kind == 'publisher' and end.type == 'std_msgs/msg/String'
+    }
+    assert made == {'/brief': BRIEFLY, '/lasting': 0.0, '/last': 5.0}

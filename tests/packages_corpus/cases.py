@@ -123,7 +123,7 @@ CASES: dict[str, Case] = {
         30.0,
         random=True,
     ),
-    'numbers': Case('numpy in the loop, numpy scalars in messages (13)', 'numbers.launch.py', 1.0),
+    'measuring': Case('numpy in the loop, numpy scalars in messages (13)', 'measuring.launch.py', 1.0),
     'own_names': Case('self.timers and the like, mixins, dataclasses, enums (all)', 'names.launch.py', 2.0),
     'heartbeat': Case('deadlines and leases: PublisherEventCallbacks, SubscriptionEventCallbacks (4)', 'ward.launch.py', 6.5),
     'preempting': Case(

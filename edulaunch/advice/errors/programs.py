@@ -42,6 +42,11 @@ OWN_PROPERTY = about(
     what='every node has its own {attribute}, which cannot be set',
     do='choose another name, such as self.{attribute}_',
 )
+OWN_NAME = about(
+    'programs.own-name',
+    what='{node} calls something of its own {attribute}, a name under which rclpy needs something else of every node',
+    do='choose another name, such as {attribute}_',
+)
 SPIN_CLASS = about(
     'programs.spin-class', what='{given} is a class, not a node', do='make a node of it: {given}(), with its brackets'
 )

@@ -7,6 +7,7 @@ from __future__ import annotations
 import ast
 import os
 import re
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -97,6 +98,23 @@ def not_python(source: Source) -> Iterator[Finding]:
             yield found('file', name, file=path, line=error.lineno or None, said=error.msg, tabs=tabs, encoding=encoding)
         except ValueError as error:
             yield found('file', name, file=path, said=str(error), encoding=name)
+
+
+UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
+"""Modules of Python's that no other module imports."""
+
+
+@rule(
+    'packages.hides-python',
+    what="the Python package {module} of {package} is named like Python's own module {module}",
+    why="with ROS 2 the folders of packages come first: whatever imports Python's {module}, as numpy or rclpy may do, gets yours",
+    do='give it another name, such as my_{module}',
+)
+def hides_python(source: Source) -> Iterator[Finding]:
+    """Top-level modules that a package of Python installs."""
+    for module, file in source.package.contents.python_modules.items():
+        if module in sys.stdlib_module_names and module not in UNUSED:
+            yield found('module', module, file=file, package=source.package.name)
 
 
 FROM_OTHERS = {

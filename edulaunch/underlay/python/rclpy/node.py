@@ -14,6 +14,7 @@ from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
 from rclpy.impl.logging_state import logging_state
+from rclpy.impl.own_names import AT_START, check_own_names
 from rclpy.impl.passed_on import passed_on
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node_parts.core import NodeCore
@@ -92,6 +93,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.overrides.update(events.from_arguments(parameter_overrides or ()))
         core.parameters = ParameterStore(allow_undeclared_parameters, core.check_alive, events.publish)
         context.track_node(self)
+        check_own_names(self, AT_START)
         core.time_source = TimeSource()
         core.time_source.attach_clock(core.clock)
         if automatically_declare_parameters_from_overrides:
@@ -181,11 +183,10 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
 def _refuse_setting(name: str, made: property) -> property:
     def refuse(node: object, value: object) -> None:
-        raise with_facts(
-            AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter"),
-            'programs.own-property',
-            attribute=name,
-        )
+        text = f"property '{name}' of '{type(node).__qualname__}' object has no setter"
+        if name == 'handle':
+            text = 'handle cannot be modified after node creation'
+        raise with_facts(AttributeError(text), 'programs.own-property', attribute=name)
 
     return made.setter(refuse)
 

@@ -16,9 +16,9 @@ class Bridge(Node):
 
     def tick(self):
         self.n += 1
-        asyncio.run_coroutine_threadsafe(self.handle(self.n), self.loop)
+        asyncio.run_coroutine_threadsafe(self.answer(self.n), self.loop)
 
-    async def handle(self, n):
+    async def answer(self, n):
         await asyncio.sleep(0.1)
         self.pub.publish(String(data=f'word {n}'))
 

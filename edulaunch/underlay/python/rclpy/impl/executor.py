@@ -11,6 +11,7 @@ from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.impl.entity import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.impl.facts import note_sleep
+from rclpy.impl.own_names import TO_SPIN, check_own_names
 from rclpy.impl.refusals import check_future, check_node, stopped
 from rclpy.impl.waiting import ConditionReachedException, Item, ShutdownException, TimeoutException, Waiting, never
 from rclpy.node_parts.core import core_of
@@ -82,6 +83,10 @@ class Executor(Waiting):
             node.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()
+        try:
+            check_own_names(node, TO_SPIN)
+        except (TypeError, AttributeError) as error:
+            self.create_task(_fail, error)  # who spins is told
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -307,6 +312,10 @@ class Executor(Waiting):
 
 
 _RCLCPP_ORDER = {TIMER: 0, SUBSCRIPTION: 1, SERVICE: 2, CLIENT: 3, GUARD: 4, WAITABLE: 5}
+
+
+def _fail(error: Exception) -> None:
+    raise error
 
 
 def _rclcpp_order(entity: Entity) -> int:

@@ -10,6 +10,7 @@ from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.own_names import FOR_TIMERS, check_own_names
 from rclpy.impl.refusals import check_new_service_end, check_new_topic_end
 from rclpy.node_parts.core import NodeCore, core_of
 from rclpy.publisher import Publisher
@@ -221,6 +222,7 @@ class NodeEntities:
         :param autostart: False makes it cancelled, until `reset()`.
         """
         _check_callback(self._rclpy, callback, 'create_timer')
+        check_own_names(self, FOR_TIMERS)  # type: ignore[arg-type]  # which a Node inherits this from
         return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:

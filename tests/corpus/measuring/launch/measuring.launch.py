@@ -4,6 +4,6 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        Node(package='numbers', executable='filter'),
-        Node(package='numbers', executable='sensor'),
+        Node(package='measuring', executable='filter'),
+        Node(package='measuring', executable='sensor'),
     ])

@@ -3,7 +3,7 @@ import os
 
 from setuptools import find_packages, setup
 
-package_name = 'numbers'
+package_name = 'measuring'
 
 setup(
     name=package_name,
@@ -24,8 +24,8 @@ setup(
     tests_require=['pytest'],
     entry_points={
         'console_scripts': [
-            'filter = numbers.filter:main',
-            'sensor = numbers.sensor:main',
+            'filter = measuring.filter:main',
+            'sensor = measuring.sensor:main',
         ],
     },
 )

@@ -1,0 +1,120 @@
+"""Names that rclpy itself needs of a node: what happens when a program gives them another meaning, as with the real rclpy 7.1.6."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+import rclpy
+from rclpy.node import Node
+
+from edulaunch.facts import facts_of
+
+from .conftest import Ros, World
+
+Program = Callable[[Callable[[], object]], None]
+METHOD = "'method' object "
+
+
+@pytest.fixture
+def program(ros: Ros, world: World) -> Program:
+    """Run a function to its end as a program."""
+
+    def run(body: Callable[[], object]) -> None:
+        def whole() -> None:
+            body()
+            world.say('done')
+
+        assert ros(whole) == ['done']
+
+    return run
+
+
+def robot(name: str) -> type[Node]:
+    return type('Robot', (Node,), {name: lambda self, *args: None})
+
+
+@pytest.mark.parametrize(
+    ('name', 'text'),
+    [
+        ('handle', METHOD + 'does not support the context manager protocol'),
+        ('default_callback_group', "'function' object has no attribute 'add_entity'"),
+        ('executor', "'function' object has no attribute 'wake'"),
+    ],
+)
+def test_what_a_node_needs_when_it_is_made(program: Program, name: str, text: str) -> None:
+    @program
+    def body() -> None:
+        with pytest.raises((TypeError, AttributeError), match=text) as caught:
+            robot(name)('robot')
+        assert facts_of(caught.value) == {'about': 'programs.own-name', 'node': 'Robot', 'attribute': name}
+
+
+def test_what_a_timer_needs(program: Program) -> None:
+    @program
+    def body() -> None:
+        node = robot('context')('robot')
+        with pytest.raises(AttributeError, match="'function' object has no attribute 'handle'") as caught:
+            node.create_timer(1.0, print)
+        assert facts_of(caught.value)['attribute'] == 'context'
+
+
+@pytest.mark.parametrize('name', ['subscriptions', 'timers', 'clients', 'services', 'guards', 'waitables'])
+def test_what_an_executor_needs(program: Program, name: str) -> None:
+    @program
+    def body() -> None:
+        node = robot(name)('robot')
+        with pytest.raises(TypeError, match=METHOD + 'is not iterable') as caught:
+            rclpy.spin_once(node, timeout_sec=0)
+        assert facts_of(caught.value)['attribute'] == name
+
+
+def test_names_that_nobody_else_needs_are_free(program: Program) -> None:
+    @program
+    def body() -> None:
+        node = robot('publishers')('robot')
+        rclpy.spin_once(node, timeout_sec=0)
+
+
+def test_a_property_of_the_same_meaning_may_take_the_place_of_one(program: Program) -> None:
+    @program
+    def body() -> None:
+        class Robot(Node):
+            @property
+            def default_callback_group(self) -> rclpy.callback_groups.CallbackGroup:
+                return super().default_callback_group
+
+            @property
+            def executor(self) -> rclpy.executors.Executor | None:
+                return None
+
+            @executor.setter
+            def executor(self, executor: rclpy.executors.Executor | None) -> None:
+                self.mine = executor
+
+        Robot('robot').create_timer(1.0, print)
+
+
+@pytest.mark.parametrize('when', ['before', 'after'])
+def test_a_handle_cannot_be_set(program: Program, when: str) -> None:
+    @program
+    def body() -> None:
+        class Robot(Node):
+            def __init__(self) -> None:
+                if when == 'before':
+                    self.handle = []
+                super().__init__('robot')
+                self.handle = []
+
+        with pytest.raises(AttributeError, match='^handle cannot be modified after node creation$'):
+            Robot()
+
+
+def test_the_error_names_the_class_as_python_does(program: Program) -> None:
+    @program
+    def body() -> None:
+        class Robot(Node):
+            pass
+
+        with pytest.raises(AttributeError, match=r"property 'timers' of 'test_\w+\.\S+\.Robot' object has no setter"):
+            Robot('robot').timers = []  # type: ignore[misc]
