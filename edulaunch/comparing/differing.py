@@ -30,11 +30,12 @@ _CHANCE = (
     'the client may have gone away',
     'client will not receive response',
     'exception was never retrieved',
+    'SystemError: <built-in method ',
     'lost sys.stderr',
     *(f'object {what:9}: ' for what in ('address', 'refcount', 'type', 'repr')),
     'object type name: ',
 )
-"""What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment; its exit code may change, too."""
+"""What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment."""
 
 
 class Difference(NamedTuple):
@@ -182,33 +183,31 @@ def not_up(simulated: Observation, real: Observation) -> set[str]:
 
 
 def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
-    said = {(line.process, line.text) for line in simulated.lines}
-    heard = {(line.process, line.text) for line in real.lines}
-    unlucky = [*_unlucky(simulated), *_unlucky(real)]
-    chance = {(line.process, line.text) for line in unlucky}
-    victims = {line.process for line in unlucky}  # they may not come to say what they say at their end
-    chance |= {each for each in said if each[0] in victims} - {
-        (line.process, line.text) for line in simulated.until_asked().lines
-    }
+    unlucky = _unlucky(simulated) | _unlucky(real)
+    said, heard = (
+        {(line.process, line.text) for line in seen.lines if not (line.process in unlucky and _is_last(seen, line))}
+        for seen in (simulated, real)
+    )
     young = not_up(simulated, real)
-    for process, text in sorted((said ^ heard) - chance):
+    for process, text in sorted(said ^ heard):
         if process not in young:
             yield Difference('output', process, *((text, MISSING) if (process, text) in said else (MISSING, text)))
 
 
-def _unlucky(seen: Observation) -> Iterator[Line]:
-    """Lines of chance: only after a signal for real."""
-    signalled: dict[str, float] = {}
-    for name, program in seen.programs.items():
-        base = program_of(name)
-        signalled[base] = min(program.signalled_s, seen.asked_s, signalled.get(base, BRIEFLY))
-    for line in seen.lines:
-        if line.time_s >= signalled.get(line.process, seen.asked_s) and any(words in line.text for words in _CHANCE):
-            yield line
+def _unlucky(seen: Observation) -> set[str]:
+    """Programs that a signal found at a bad moment. What they said from then on is a matter of chance, and their exit code."""
+    return {line.process for line in seen.lines if any(words in line.text for words in _CHANCE) and _is_last(seen, line)}
+
+
+def _is_last(seen: Observation, line: Line) -> bool:
+    """Whether its program had got a signal by then; in simulation that ends it at that moment."""
+    programs = [program for name, program in seen.programs.items() if program_of(name) == line.process]
+    ends = [min(each.signalled_s, BRIEFLY if each.ended_s is None else each.ended_s) for each in programs]
+    return line.time_s >= min([seen.asked_s, *ends])
 
 
 def _codes(simulated: Observation, real: Observation) -> Iterator[Difference]:
-    chance = {line.process for line in (*_unlucky(simulated), *_unlucky(real))} | not_up(simulated, real)
+    chance = _unlucky(simulated) | _unlucky(real) | not_up(simulated, real)
     for program in sorted({*simulated.codes, *real.codes} - chance):
         texts = [
             ', '.join(map(str, sorted(codes.get(program, ())))) or 'still running' for codes in (simulated.codes, real.codes)

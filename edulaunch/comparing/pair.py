@@ -76,14 +76,14 @@ def _lates(simulated: Observation, real: Observation) -> Iterator[dict[str, floa
 
 def delays(simulated: Observation, real: Observation) -> dict[str, float]:
     """How much later than in simulation each program came up for real, in seconds: until its first node was there, or until it
-    ended by itself; for one that a signal ended first, until after that.
+    ended by itself; for one that a signal ended first, until everything was over.
     """
     late: dict[str, float] = {}
     for name, here in simulated.programs.items():
         there = real.programs.get(name)
         if there is not None:
             was_ended = there.ended_s is not None and there.signalled_s < there.ended_s
-            ended_s = there.signalled_s + LATE_S if was_ended else there.ended_s
+            ended_s = real.asked_s + LATE_S if was_ended else there.ended_s
             came = min((real.nodes[node] for node in here.nodes if node in real.nodes), default=ended_s)
             meant = min((simulated.nodes[node] for node in here.nodes if node in simulated.nodes), default=here.ended_s)
             if came is not None and meant is not None and meant < float('inf'):

@@ -18,7 +18,9 @@ def differences(simulated: Observation, real: Observation) -> list[Difference]:
 def seen(**parts: Any) -> Observation:
     nothing: dict[str, Any] = {'nodes': {'/a': 0.0}, 'ends': {}, 'parameters': {}, 'flows': {}, 'lines': [], 'programs': {}}
     codes = parts.pop('codes', {})
-    parts['programs'] = {f'{name}-{number}': Program(0.0, 1.0, code) for name in codes for number, code in enumerate(codes[name])}
+    parts['programs'] = parts.get('programs') or {
+        f'{name}-{number}': Program(0.0, ASKED_S + 0.3, code) for name in codes for number, code in enumerate(codes[name])
+    }
     return Observation(**{**nothing, 'asked_s': ASKED_S, **parts})
 
 
@@ -160,6 +162,15 @@ def test_the_last_words_of_python_after_ctrl_c_are_no_difference() -> None:
     assert differences(seen(lines=here), seen(lines=[Line('a', 'at work', 5.0), *there], codes={})) == []
     assert differences(seen(lines=here), seen(lines=there)) == [Difference('output', 'a', 'at work', 'missing')]
     assert differences(seen(lines=here), seen(lines=here[:1])) == [Difference('output', 'a', 'the end', 'missing')]
+
+
+def test_what_launch_itself_ended_at_a_bad_moment_is_no_difference_either() -> None:
+    here = seen(lines=[Line('a', 'the end', 5.0)], programs={'a-1': Program(0.0, 5.0, 0)})
+    error = Line('a', 'SystemError: <built-in method f> returned a result with an exception set', 5.2)
+    there = {'a-1': Program(0.1, 5.6, 1, signalled_s=5.1)}
+    assert differences(here, seen(lines=[error, Line('a', 'KeyboardInterrupt', 5.3)], programs=there)) == []
+    found = differences(here, seen(lines=[error._replace(time_s=4.0)], programs=there))
+    assert [each.kind for each in found] == ['output', 'output', 'exit code']
 
 
 def test_what_other_random_numbers_change_is_by_chance() -> None:

@@ -58,7 +58,7 @@ def test_ctrl_c_meets_a_program_that_is_not_up_yet() -> None:
 
 def test_a_program_that_a_signal_ended_first_never_came_to_its_end() -> None:
     here = seen(programs={'echo-1': Program(0.0, 1.0, 0)})
-    assert delays(here, seen(programs={'echo-1': Program(0.5, 6.0, -2, signalled_s=5.5)})) == {'echo-1': 5.0}
+    assert delays(here, seen(programs={'echo-1': Program(0.5, 6.0, -2, signalled_s=5.5)})) == {'echo-1': 9.5}
     assert delays(here, seen(programs={'echo-1': Program(0.5, 5.0, 0, signalled_s=5.5)})) == {'echo-1': 3.5}
 
 
