@@ -167,7 +167,7 @@ def test_the_last_words_of_python_after_ctrl_c_are_no_difference() -> None:
 def test_what_launch_itself_ended_at_a_bad_moment_is_no_difference_either() -> None:
     here = seen(lines=[Line('a', 'the end', 5.0)], programs={'a-1': Program(0.0, 5.0, 0)})
     error = Line('a', 'SystemError: <built-in method f> returned a result with an exception set', 5.2)
-    there = {'a-1': Program(0.1, 5.6, 1, signalled_s=5.1)}
+    there = {'a-1': Program(0.1, 5.6, 1, signalled_s=5.1, spoke_s=1.0)}
     assert differences(here, seen(lines=[error, Line('a', 'KeyboardInterrupt', 5.3)], programs=there)) == []
     found = differences(here, seen(lines=[error._replace(time_s=4.0)], programs=there))
     assert [each.kind for each in found] == ['output', 'output', 'exit code']
