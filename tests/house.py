@@ -149,22 +149,51 @@ def long_functions(path: Path, most: int) -> Iterator[tuple[str, int]]:
                 yield node.name, length
 
 
-NAMED_SO_BY_THE_LANGUAGE = {'_replace', '_asdict', '_fields', '_make', '_fields_', '_exit'}
-"""Attributes with an underscore that Python itself has made public: of named tuples, of ctypes, and `os._exit`."""
+NAMED_SO_BY_THE_LANGUAGE = {'_replace', '_asdict', '_fields', '_make', '_fields_', '_exit', '_getframe', '_current_frames'}
+"""Attributes with an underscore that Python's library reference documents: of named tuples, ctypes, `os` and `sys`."""
+NAMED_SO_BY_ROS = {
+    **dict.fromkeys(
+        ('_push_locals', '_pop_locals', '_event_queue', '_completion_futures', '_set_is_shutdown', '_set_asyncio_loop'),
+        'LaunchContext: launch.LaunchService and the tests of launch call it',
+    ),
+    **dict.fromkeys(
+        (
+            '_push_launch_configurations',
+            '_pop_launch_configurations',
+            '_push_environment',
+            '_pop_environment',
+            '_reset_environment',
+        ),
+        'LaunchContext: the actions of launch call it, and those of public packages with scopes of their own',
+    ),
+    '_conditionally_included': 'DeclareLaunchArgument: ros2launch and launch_testing read it',
+    '_set_ros_time_is_active': 'ROSClock: rclpy.time_source and the tests of rclpy call it',
+    '_set_executor': 'Future: the clients of rclpy and of its actions call it',
+    '_TYPE_SUPPORT': 'message classes: rclpy asks their metaclass for it',
+    '_chain': 'BufferCore of tf2_py, in C++ upstream: the tests of tf2 call it',
+}
+"""ROS 2's own names with an underscore that other modules of ROS 2, or packages, use as we do: whose, and who does."""
 
 
 def private_reaches(path: Path) -> Iterator[tuple[int, str]]:
     """(line, text) of each private attribute that a file reaches for on an object of another file's class.
 
-    What the file itself names, as an attribute of `self` or `cls` or as a function or class, is its own; so is everything behind
-    `self` and `cls`, which a class may have from its bases.
+    What the file itself names, as an attribute of `self`, `cls` or a class or as a function or class, is its own; so is everything
+    behind `self` and `cls`, which a class may have from its bases.
     """
     nodes = list(ast.walk(tree(path)))
     own = {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))}
+    own |= {name.id for node in nodes if isinstance(node, ast.ClassDef) for name in _targets(node)}
     own |= {node.attr for node in nodes if isinstance(node, ast.Attribute) and _is_self(node.value)}
     for node in nodes:
         if isinstance(node, ast.Attribute) and _is_private(node.attr) and node.attr not in own and not _is_self(node.value):
             yield node.lineno, ast.unparse(node)
+
+
+def _targets(node: ast.ClassDef) -> list[ast.Name]:
+    """What the body of a class assigns or declares."""
+    targets = [[line.target] if isinstance(line, ast.AnnAssign) else getattr(line, 'targets', []) for line in node.body]
+    return [target for each in targets for target in each if isinstance(target, ast.Name)]
 
 
 def _is_self(node: ast.expr) -> bool:
@@ -172,4 +201,4 @@ def _is_self(node: ast.expr) -> bool:
 
 
 def _is_private(name: str) -> bool:
-    return name.startswith('_') and not name.startswith('__') and name not in NAMED_SO_BY_THE_LANGUAGE
+    return name.startswith('_') and not name.startswith('__') and name not in {*NAMED_SO_BY_THE_LANGUAGE, *NAMED_SO_BY_ROS}

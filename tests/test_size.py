@@ -90,7 +90,9 @@ def test_private_attributes_of_others_are_left_alone() -> None:
         ('self.node._parameters', ['self.node._parameters']),
         ('class A:\n    def f(self, other):\n        return self._x == other._x', []),
         ('class A(B):\n    def f(self):\n        return self._x', []),
+        ('class A:\n    _x: int\n    _y = 3\ndef f(a):\n    return a._x, a._y, a._z', ['a._z']),
         ('def f(x):\n    return x.__dict__, x._replace(a=1)', []),
+        ('def f(context):\n    context._push_locals()', []),
     ],
 )
 def test_what_counts_as_private_reaching(text: str, found: list[str], tmp_path: Path) -> None:

@@ -88,6 +88,16 @@ class Message(metaclass=ConstantsStay):
         return f'{package}.{kind}.{cls.__name__}({", ".join(values)})'
 
 
+def spec_of(message: Message | type[Message]) -> MessageSpec:
+    """How a message was defined; no public attribute of its own, since those are the fields'."""
+    return message._SPEC
+
+
+def rules_of(message: Message | type[Message]) -> dict[str, Any]:
+    """What each field takes, by name; `rules_of(m)['pose'].message` is the class of a nested message."""
+    return message._RULES
+
+
 def set_fields(message: Message, values: dict[str, Any]) -> None:
     """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see
     `Message._check_fields`.

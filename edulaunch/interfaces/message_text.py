@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from edulaunch.interfaces.message import Message
+from edulaunch.interfaces.message import Message, spec_of
 
 
 class Shortening(NamedTuple):
@@ -46,10 +46,10 @@ def message_csv(message: Message, short: Shortening = EVERYTHING) -> str:
 def message_dict(message: Message, short: Shortening = EVERYTHING) -> dict[str, Any]:
     """The message as plain dicts, lists, numbers and strings."""
     found: dict[str, Any] = {}
-    for field in message._SPEC.fields:
+    for field in spec_of(message).fields:
         value = getattr(message, field.name)
         if field.type.array and short.no_arr:
-            found[field.name] = f'<{message._FIELDS[field.name]}, length: {len(value)}>'
+            found[field.name] = f'<{field.type.ros_text}, length: {len(value)}>'
         elif field.type.array:
             found[field.name] = _list(value, short)
         else:

@@ -96,10 +96,7 @@ def _load_nodes(action: Any, context: LaunchContext) -> Item:
     from launch_ros.actions.load_composable_nodes import get_composable_node_load_request
     from rclpy.parameter import parameter_value_to_python
 
-    requests = [
-        get_composable_node_load_request(description, context)
-        for description in action._LoadComposableNodes__composable_node_descriptions
-    ]
+    requests = [get_composable_node_load_request(description, context) for description in action.descriptions_to_load]
     nodes = [
         {
             'package': request.package_name,

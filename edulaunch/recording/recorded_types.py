@@ -42,9 +42,9 @@ class RecordedTypes(TextRegistry):
             message.__dict__.update({name: read(values) for name, read in readers}, _wire=_frozen(wire))
             return message
 
-        made = _kind(spec.type.rpartition('/')[2], (RecordedMessage,), {'__module__': module_of(spec.type)})
-        made.TYPE, made._SPEC, made.from_wire = spec.type, spec, staticmethod(from_wire)
-        made._FIELDS = {field.name: field.type.ros_text for field in spec.fields}
+        named = {'__module__': module_of(spec.type), 'TYPE': spec.type, '_SPEC': spec, 'from_wire': staticmethod(from_wire)}
+        named['_FIELDS'] = {field.name: field.type.ros_text for field in spec.fields}
+        made = _kind(spec.type.rpartition('/')[2], (RecordedMessage,), named)
         for constant in spec.constants:
             setattr(made, constant.name, constant.value)
         return made  # type: ignore[no-any-return]

@@ -30,7 +30,7 @@ def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
     from launch.utilities.texts import plain_text
 
     for branch, item in nodes(rehearsal):
-        written = branch.action._Node__remappings
+        written = branch.action.written_remappings
         for (source, target), _ in zip(written, item['remappings'][-len(written) :], strict=False):
             old, new = plain_text(source), plain_text(target)
             if old is not None and old == new:

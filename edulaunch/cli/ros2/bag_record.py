@@ -135,7 +135,9 @@ class BagRecorder:
         self._node = node
         self._wanted = wanted
         self._arguments = arguments
-        self._core = node._rclpy
+        from rclpy.node_parts.core import core_of
+
+        self._core = core_of(node)
         self._log = node.get_logger()
         self._is_paused = self._is_complete = False
         self.topics: dict[str, BagTopic] = {}

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
 from edulaunch.interfaces import current_registry
+from edulaunch.interfaces.message import rules_of, spec_of
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = Fal
     :raises FillError: for an unknown field, or a value that does not fit.
     """
     found: list[Stamp] = []
-    fields = {field.name: field for field in message._SPEC.fields}
+    fields = {field.name: field for field in spec_of(message).fields}
     for name, value in values.items():
         field = fields.get(name)
         if field is None:
@@ -96,7 +97,7 @@ def _fill_field(message: Message, field: Field, value: Any, stamps: bool) -> lis
         if kind is None:
             new = []
             for item in _list(field, value):
-                new.append(message._RULES[field.name].message())
+                new.append(rules_of(message)[field.name].message())
                 found += fill_message(new[-1], _dictionary(item), stamps=stamps)
         else:
             new = [_plain(field.type, item) for item in _list(field, value)] if field.type.array else _plain(field.type, value)

@@ -82,8 +82,8 @@ def launch_origin(error: BaseException) -> Origin | None:
 
 def root_cause(error: BaseException) -> BaseException:
     """What the loader that was tried first said, when none could load the file; else the error itself."""
-    while isinstance(error, InvalidLaunchFileError) and error._likely_errors:
-        error = error._likely_errors[0]
+    while isinstance(error, InvalidLaunchFileError) and error.likely_errors:
+        error = error.likely_errors[0]
     return error
 
 

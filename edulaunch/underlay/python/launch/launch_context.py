@@ -69,6 +69,8 @@ class LaunchContext:
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.__logger: Logger | None = None
+        self.hears_timers = False
+        """Whether the handler is registered by which timers run out."""
         self.starts_are_abandoned = False
         """Set after an exception: processes that are scheduled but not started yet must not start."""
 

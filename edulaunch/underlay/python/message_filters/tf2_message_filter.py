@@ -53,7 +53,7 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks: list[Callable[[Any, FilterFailureReason], Any]] = []
         self._tolerance_ns = 0
         self.setTargetFrame(target_frame)
-        buffer._new_data_callbacks.append(self._look_again)
+        buffer.new_data_callbacks.append(self._look_again)
         if f is not None:
             self.connectInput(f)
 

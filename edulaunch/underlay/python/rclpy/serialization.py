@@ -7,6 +7,7 @@ from typing import Any
 from edulaunch.errors import InterfaceError
 from edulaunch.facts import with_facts
 from edulaunch.interfaces.cdr import deserialize, serialize
+from edulaunch.interfaces.message import rules_of
 from rclpy._rclpy_pybind11 import RMWError
 from rclpy.impl.passed_on import passed_on
 from rclpy.type_support import check_is_valid_msg_type
@@ -48,7 +49,7 @@ def _has_one_size(message_type: Any) -> bool:
     """Whether a type has neither texts nor sequences."""
     return all(
         rule.type.array in ('', 'fixed') and (_has_one_size(rule.message) if rule.message else rule.kind.python is not str)
-        for rule in message_type._RULES.values()
+        for rule in rules_of(message_type).values()
     )
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from edulaunch.interfaces.message import rules_of, spec_of
+
 HEADER, TIME = 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'
 
 
@@ -25,7 +27,7 @@ def set_message_fields(
     if not isinstance(values, Mapping):
         raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {type(values).__name__}")
     stamps: list[Any] = []
-    fields = {field.name: field.type for field in msg._SPEC.fields}
+    fields = {field.name: field.type for field in spec_of(msg).fields}
     for name, value in values.items():
         field_type = fields.get(name)
         if field_type is None:
@@ -47,7 +49,7 @@ def _setter(message: Any, name: str) -> Any:
 
 def _set_nested(msg: Any, name: str, field_type: Any, value: Any, expand: tuple[bool, bool]) -> list[Any]:
     """A field that holds messages: given as such, or as dictionaries."""
-    cls = msg._RULES[name].message
+    cls = rules_of(msg)[name].message
     if not field_type.array:
         if isinstance(value, cls):
             setattr(msg, name, value)

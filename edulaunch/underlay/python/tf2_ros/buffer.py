@@ -87,7 +87,7 @@ class Buffer(BufferCore, BufferInterface):
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         BufferCore.__init__(self, cache_time)
         BufferInterface.__init__(self)
-        self._new_data_callbacks: list[Callable[[], None]] = []
+        self.new_data_callbacks: list[Callable[[], None]] = []
         self._failed = of_next_buffer()
         from rclpy.clock import Clock, JumpThreshold
 
@@ -113,7 +113,7 @@ class Buffer(BufferCore, BufferInterface):
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
         """Add a transform, and look again at what somebody is waiting for."""
         BufferCore.set_transform(self, transform, authority)
-        if self._new_data_callbacks:
+        if self.new_data_callbacks:
             self._call_new_data_callbacks()
 
     def _set_wire(self, wire: tuple[Any, ...], authority: str) -> None:
@@ -121,17 +121,17 @@ class Buffer(BufferCore, BufferInterface):
         rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
         if rejections:
             report(rejections)
-        if self._new_data_callbacks:
+        if self.new_data_callbacks:
             self._call_new_data_callbacks()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
         """Add a static transform, and look again at what somebody is waiting for."""
         BufferCore.set_transform_static(self, transform, authority)
-        if self._new_data_callbacks:
+        if self.new_data_callbacks:
             self._call_new_data_callbacks()
 
     def _call_new_data_callbacks(self) -> None:
-        for callback in list(self._new_data_callbacks):
+        for callback in list(self.new_data_callbacks):
             callback()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> TransformStamped:
@@ -259,10 +259,10 @@ class Buffer(BufferCore, BufferInterface):
                 future.set_result(lookup())
 
         def forget(_: object) -> None:
-            if on_new_data in self._new_data_callbacks:
-                self._new_data_callbacks.remove(on_new_data)
+            if on_new_data in self.new_data_callbacks:
+                self.new_data_callbacks.remove(on_new_data)
 
-        self._new_data_callbacks.append(on_new_data)
+        self.new_data_callbacks.append(on_new_data)
         future.add_done_callback(forget)
         return future
 

@@ -103,9 +103,9 @@ class TimerAction(Action):
         if self.__canceled:
             self._completed_future.set_result(None)
             return
-        if not hasattr(context, '_TimerAction__event_handler_has_been_installed'):
+        if not context.hears_timers:
             context.register_event_handler(_TimerEventHandler())
-            context._TimerAction__event_handler_has_been_installed = True  # type: ignore[attr-defined]
+            context.hears_timers = True
         self.__context_locals = context.get_locals_as_dict()
         loop.create_task(self._wait_to_fire_event(context))
         if perform_typed_substitution(context, self.__cancel_on_shutdown, bool):

@@ -82,6 +82,11 @@ class LoadComposableNodes(Action):
         self.__target_container = target_container
         self.__final_target_container_name: str | None = None
 
+    @property
+    def descriptions_to_load(self) -> list[ComposableNode]:
+        """The nodes, for who looks at a launch file without running it."""
+        return self.__composable_node_descriptions
+
     def execute(self, context: LaunchContext) -> None:
         """Build the requests now, while the scope is there, and send them when the container answers."""
         self.__final_target_container_name = self.__container_name(context)

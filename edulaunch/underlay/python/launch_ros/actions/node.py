@@ -15,7 +15,7 @@ from launch.utilities.type_utils import ensure_argument_type
 
 from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
-from ..parameters_type import SomeParameters, SomeRemapRules
+from ..parameters_type import RemapRule, SomeParameters, SomeRemapRules
 from ..substitutions import ExecutableInPackage
 from ..utilities.names import add_node_name, make_namespace_absolute, normalize_remap_rules, prefix_namespace
 from ..utilities.parameters import normalize_parameters
@@ -224,6 +224,11 @@ class Node(ExecuteProcess):
             self.process_description.write_before_look(arguments.write_files)
             for text, is_file in arguments.items:
                 words += ('--params-file' if is_file else '-p', text)
+
+    @property
+    def written_remappings(self) -> list[RemapRule]:
+        """Its own remappings as they were written, for who looks at a launch file without running it."""
+        return self.__remappings
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:
         rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
