@@ -150,14 +150,9 @@ class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
         return not super()._predicate_func(context)
 
 
-_ROS_PATHS = {
-    'IfCondition': 'if_condition',
-    'InvalidConditionExpressionError': 'invalid_condition_expression_error',
-    'LaunchConfigurationEquals': 'launch_configuration_equals',
-    'LaunchConfigurationNotEquals': 'launch_configuration_not_equals',
-    'UnlessCondition': 'unless_condition',
-    'evaluate_condition_expression': 'evaluate_condition_expression_impl',
-}
-__all__ = list(_ROS_PATHS)
 has_ros_paths(__name__)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(
+    __name__,
+    'IfCondition InvalidConditionExpressionError LaunchConfigurationEquals LaunchConfigurationNotEquals UnlessCondition '
+    'evaluate_condition_expression=evaluate_condition_expression_impl',
+)

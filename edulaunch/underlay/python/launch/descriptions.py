@@ -165,6 +165,4 @@ def _perform_variables(context: LaunchContext, variables: Iterable[tuple[Substit
     return {perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables}
 
 
-_ROS_PATHS = {'Executable': 'executable'}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(__name__, 'Executable')

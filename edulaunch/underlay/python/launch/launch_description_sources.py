@@ -140,17 +140,12 @@ class AnyLaunchDescriptionSource(LaunchDescriptionSource):
         return get_launch_description_from_any_launch_file(location)
 
 
-_ROS_PATHS = {
-    'AnyLaunchDescriptionSource': 'any_launch_description_source',
-    'FrontendLaunchDescriptionSource': 'frontend_launch_description_source',
-    'InvalidFrontendLaunchFileError': 'frontend_launch_file_utilities',
-    'InvalidLaunchFileError': 'any_launch_file_utilities',
-    'InvalidPythonLaunchFileError': 'python_launch_file_utilities',
-    'PythonLaunchDescriptionSource': 'python_launch_description_source',
-    'get_launch_description_from_any_launch_file': 'any_launch_file_utilities',
-    'get_launch_description_from_frontend_launch_file': 'frontend_launch_file_utilities',
-    'get_launch_description_from_python_launch_file': 'python_launch_file_utilities',
-    'load_python_launch_file_as_module': 'python_launch_file_utilities',
-}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(
+    __name__,
+    'AnyLaunchDescriptionSource FrontendLaunchDescriptionSource InvalidFrontendLaunchFileError=frontend_launch_file_utilities '
+    'InvalidLaunchFileError=any_launch_file_utilities InvalidPythonLaunchFileError=python_launch_file_utilities '
+    'PythonLaunchDescriptionSource get_launch_description_from_any_launch_file=any_launch_file_utilities '
+    'get_launch_description_from_frontend_launch_file=frontend_launch_file_utilities '
+    'get_launch_description_from_python_launch_file=python_launch_file_utilities '
+    'load_python_launch_file_as_module=python_launch_file_utilities',
+)

@@ -8,6 +8,5 @@ from launch._lazy import lazy_exports
 
 from .fixture import fixture
 
-_EXPORTS = {'actions': '', 'plugin': '', 'tools': ''}
-__all__ = ['actions', 'fixture', 'tools']
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__all__ = ['fixture']
+__getattr__, __dir__ = lazy_exports(__name__, {'': 'actions tools =plugin'})

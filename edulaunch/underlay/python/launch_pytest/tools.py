@@ -134,5 +134,4 @@ wait_for_start, wait_for_start_sync = _for_event(OnProcessStart, 'on_start', lam
 wait_for_exit, wait_for_exit_sync = _for_event(OnProcessExit, 'on_exit', lambda action: action.return_code is not None)
 for _name in [name for name in globals() if name.startswith(('wait_for_', 'assert_'))]:
     globals()[_name].__name__ = globals()[_name].__qualname__ = _name  # for help and tracebacks
-__all__ = [name for name in globals() if name.startswith(('wait_for_', 'assert_'))]
-has_ros_paths(__name__, dict.fromkeys(__all__, 'process'))
+has_ros_paths(__name__, ' '.join(f'{name}=process' for name in globals() if name.startswith(('wait_for_', 'assert_'))))

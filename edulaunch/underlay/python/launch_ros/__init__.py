@@ -9,21 +9,13 @@ from launch._lazy import lazy_exports
 from edulaunch.interfaces.importer import installed_registry
 
 _EXPORTS = {
-    'actions': '',
-    'descriptions': '',
-    'event_handlers': '',
-    'events': '',
-    'parameter_descriptions': '',
-    'parameters_type': '',
-    'remap_rule_type': '',
-    'ros_adapters': '',
-    'substitutions': '',
-    'utilities': '',
-    'SomeParameters': 'parameters_type',
-    'SomeRemapRules': 'remap_rule_type',
+    '': (
+        'actions descriptions event_handlers events parameter_descriptions parameters_type remap_rule_type ros_adapters '
+        'substitutions utilities'
+    ),
+    'parameters_type': 'SomeParameters=parameters_type SomeRemapRules=remap_rule_type',
 }
-__all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, {'parameters_type': ('remap_rule_type',)})
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
 
 if installed_registry() is None:
     from edulaunch.interfaces import install

@@ -59,6 +59,5 @@ class ComposableNode:
         return self.__condition
 
 
-_ROS_PATHS = {'ComposableNode': 'composable_node'}
-__all__ = [*_ROS_PATHS, 'Parameter', 'ParameterFile', 'ParameterValue']
-has_ros_paths(__name__, _ROS_PATHS)
+__all__ = ['Parameter', 'ParameterFile', 'ParameterValue']
+has_ros_paths(__name__, 'ComposableNode')

@@ -79,6 +79,4 @@ def _label(value: SomeSubstitutionsType) -> str:
     return perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(value))
 
 
-_ROS_PATHS = {'OnStateTransition': 'on_state_transition'}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(__name__, 'OnStateTransition')

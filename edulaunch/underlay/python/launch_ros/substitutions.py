@@ -168,12 +168,4 @@ class Parameter(Substitution):
         raise SubstitutionFailure(f"parameter '{name}' not found")
 
 
-_ROS_PATHS = {
-    'ExecutableInPackage': 'executable_in_package',
-    'FindPackage': 'find_package',
-    'FindPackagePrefix': 'find_package',
-    'FindPackageShare': 'find_package',
-    'Parameter': 'parameter',
-}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(__name__, 'ExecutableInPackage FindPackage FindPackagePrefix=find_package FindPackageShare=find_package Parameter')

@@ -10,14 +10,11 @@ from launch._lazy import lazy_exports
 from ._absent import ABSENT
 
 _EXPORTS = {
-    'ActiveIoHandler': 'io_handler',
-    'ActiveProcInfoHandler': 'proc_info_handler',
-    'IoHandler': 'io_handler',
-    'ProcInfoHandler': 'proc_info_handler',
-    **dict.fromkeys(('actions', 'asserts', 'event_handlers', 'io_handler', 'markers', 'proc_info_handler', 'tools', 'util'), ''),
+    '': 'actions asserts event_handlers io_handler markers proc_info_handler tools util',
+    'decorator': '=markers =parametrize',
+    'io_handler': 'ActiveIoHandler=io_handler ActiveProcInfoHandler=proc_info_handler IoHandler ProcInfoHandler',
 }
-_FILES = {'decorator': ('markers', 'parametrize'), 'io_handler': ('proc_info_handler',)}
-__all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout', *_EXPORTS]
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES, ABSENT['all'])
+__all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout']
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, ABSENT['all'])
 
 from .decorator import parametrize, post_shutdown_test, ready_to_test_action_timeout  # noqa: E402

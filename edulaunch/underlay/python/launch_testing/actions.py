@@ -29,6 +29,5 @@ class ReadyToTest(Action):
             callback()
 
 
-__all__ = ['ReadyToTest']
 __getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT['actions'])
-has_ros_paths(__name__, {'ReadyToTest': 'ready'})
+has_ros_paths(__name__, 'ReadyToTest=ready')

@@ -148,12 +148,11 @@ def assertExitCodes(
             raise AssertionError(f'Proc {info.process_name} exited with code {returncode}')
 
 
-_ROS_PATHS = {
-    **dict.fromkeys(
-        ('EXIT_OK', 'EXIT_SIGINT', 'EXIT_SIGKILL', 'EXIT_SIGQUIT', 'EXIT_SIGSEGV', 'assertExitCodes'), 'assert_exit_codes'
-    ),
-    **dict.fromkeys(('SequentialTextChecker', 'assertSequentialStdout'), 'assert_sequential_output'),
-    **dict.fromkeys(('assertInStderr', 'assertInStdout', 'assertInStream'), 'assert_output'),
-}
-__all__ = [*_ROS_PATHS, 'NO_CMD_ARGS']
-has_ros_paths(__name__, _ROS_PATHS)
+__all__ = ['NO_CMD_ARGS']
+has_ros_paths(
+    __name__,
+    'EXIT_OK=assert_exit_codes EXIT_SIGINT=assert_exit_codes EXIT_SIGKILL=assert_exit_codes EXIT_SIGQUIT=assert_exit_codes '
+    'EXIT_SIGSEGV=assert_exit_codes assertExitCodes SequentialTextChecker=assert_sequential_output '
+    'assertSequentialStdout=assert_sequential_output assertInStderr=assert_output assertInStdout=assert_output '
+    'assertInStream=assert_output',
+)

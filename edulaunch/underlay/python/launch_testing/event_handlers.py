@@ -34,5 +34,4 @@ class StdoutReadyListener(OnProcessIO):
         return actions or None
 
 
-__all__ = ['StdoutReadyListener']
-has_ros_paths(__name__, {'StdoutReadyListener': 'stdout_ready_listener'})
+has_ros_paths(__name__, 'StdoutReadyListener')

@@ -57,6 +57,5 @@ def _matcher(expected: Any) -> Callable[[str, int], tuple[int, int] | None]:
     return search
 
 
-__all__ = ['build_text_match']
 __getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT['tools'])
-has_ros_paths(__name__, {'build_text_match': 'text'})
+has_ros_paths(__name__, 'build_text_match=text')

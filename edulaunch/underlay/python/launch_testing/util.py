@@ -101,11 +101,6 @@ def _has_arguments(action: ExecuteLocal, wanted: CmdArgs) -> bool:
     return all(argument in given for argument in wanted)
 
 
-_ROS_PATHS = {
-    'KeepAliveProc': 'keep_alive_proc',
-    'NO_CMD_ARGS': 'proc_lookup',
-    'NoMatchingProcessException': 'proc_lookup',
-    'resolveProcesses': 'proc_lookup',
-}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(
+    __name__, 'KeepAliveProc NO_CMD_ARGS=proc_lookup NoMatchingProcessException=proc_lookup resolveProcesses=proc_lookup'
+)

@@ -3,6 +3,6 @@
 from launch._lazy import lazy_exports
 from launch_testing._absent import ABSENT
 
-_EXPORTS = {'MessagePump': 'message_pump', 'WaitForTopics': 'wait_for_topics'}
-__all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, absent=ABSENT['ros'])
+__getattr__, __dir__ = lazy_exports(
+    __name__, {'message_pump': 'MessagePump', 'wait_for_topics': 'WaitForTopics'}, absent=ABSENT['ros']
+)

@@ -75,14 +75,6 @@ def matches_action(target_action: Action) -> Callable[[Action], bool]:
     return lambda action: action is target_action
 
 
-_ROS_PATHS = {
-    'ExecutionComplete': 'execution_complete',
-    'IncludeLaunchDescription': 'include_launch_description',
-    'Shutdown': 'shutdown',
-    'TimerEvent': 'timer_event',
-    'matches_action': 'matchers',
-}
-__all__ = [*_ROS_PATHS, 'process']
-__getattr__, __dir__ = lazy_exports(__name__, {'process': '', **_ROS_PATHS})
+__getattr__, __dir__ = lazy_exports(__name__, {'': 'process'})
 has_ros_paths(__name__)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(__name__, 'ExecutionComplete IncludeLaunchDescription Shutdown TimerEvent matches_action=matchers')

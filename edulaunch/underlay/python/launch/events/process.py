@@ -188,20 +188,9 @@ class ShutdownProcess(ProcessTargetedEvent):
     name = 'launch.events.process.ShutdownProcess'
 
 
-_ROS_PATHS = {
-    'ProcessExited': 'process_exited',
-    'ProcessIO': 'process_io',
-    'ProcessStarted': 'process_started',
-    'ProcessStderr': 'process_stderr',
-    'ProcessStdin': 'process_stdin',
-    'ProcessStdout': 'process_stdout',
-    'ProcessTargetedEvent': 'process_targeted_event',
-    'RunningProcessEvent': 'running_process_event',
-    'ShutdownProcess': 'shutdown_process',
-    'SignalProcess': 'signal_process',
-    'matches_executable': 'process_matchers',
-    'matches_name': 'process_matchers',
-    'matches_pid': 'process_matchers',
-}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(
+    __name__,
+    'ProcessExited ProcessIO ProcessStarted ProcessStderr ProcessStdin ProcessStdout ProcessTargetedEvent RunningProcessEvent '
+    'ShutdownProcess SignalProcess matches_executable=process_matchers matches_name=process_matchers '
+    'matches_pid=process_matchers',
+)

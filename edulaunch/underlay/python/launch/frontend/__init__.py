@@ -3,14 +3,10 @@
 from .._lazy import lazy_exports
 
 _EXPORTS = {
-    'Entity': 'entity',
-    'InvalidFrontendLaunchFileError': 'invalid_frontend_launch_file_error',
-    'Parser': 'parser',
-    'expose_action': 'expose',
-    'expose_substitution': 'expose',
-    'parse_substitution': '',
-    'type_utils': '',
+    '': 'parse_substitution type_utils',
+    'entity': 'Entity =type_utils',
+    'expose': 'expose_action=expose expose_substitution=expose',
+    'invalid_frontend_launch_file_error': 'InvalidFrontendLaunchFileError',
+    'parser': 'Parser',
 }
-_FILES = {'entity': ('type_utils',)}
-__all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)

@@ -114,6 +114,4 @@ def matches_node_name(node_name: str) -> Callable[[Any], bool]:
     return matchers.matches_node_name(node_name)
 
 
-_ROS_PATHS = {'ChangeState': 'change_state', 'StateTransition': 'state_transition', 'matches_node_name': 'matches_node_name'}
-__all__ = list(_ROS_PATHS)
-has_ros_paths(__name__, _ROS_PATHS)
+has_ros_paths(__name__, 'ChangeState StateTransition matches_node_name')
