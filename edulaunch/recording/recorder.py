@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.graph import NodeEntry
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Recorder(Tracer):
     """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
-    :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here.
+    :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
     :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
     """
 
@@ -42,6 +42,7 @@ class Recorder(Tracer):
         self.facts: dict[tuple[Any, str, Hashable], list[Any]] = {}
         self.looks: dict[NodeEntry, Look] = {}
         self.forgotten: dict[Any, int] = {}
+        self._numbers: dict[str, list[int]] = {}
         self._node_row: dict[NodeEntry, list[Any]] = {}
         self._process_row: dict[Any, dict[str, Any]] = {}
         self._call_row: dict[tuple[int, int], list[Any]] = {}
@@ -113,7 +114,10 @@ class Recorder(Tracer):
         return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
 
     def forget_before(self, at_ns: int, kept: int) -> None:
-        """Forget what is older than a simulated time, but the last `kept` messages of each topic."""
+        """Forget what is older than a simulated time, but the last `kept` messages of each topic, and what they come from.
+
+        What is alive stays, and the last value of each parameter.
+        """
         for key, flat in self.columns.items():
             count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
             del flat[: 3 * count]
@@ -125,6 +129,34 @@ class Recorder(Tracer):
             del rows[:count]
             self.forgotten[name] = self.forgotten.get(name, 0) + count
         self._call_row = {key: row for key, row in self._call_row.items() if row[0] > since}
+        self._forget_ended(since)
+
+    def _forget_ended(self, since: int) -> None:
+        heard = {publisher for flat in self.columns.values() for publisher in flat[1::3]}
+        heard |= {end.index for node in self._node_row for end in node.endpoints}
+        self._keep('endpoints', lambda row: row[5] > since or row[4] in heard)
+        used = {row[3] for row in self.endpoints}
+        self._keep('nodes', lambda row: row[3] is None or row[3] > since or row[4] in used)
+        self._keep('processes', lambda row: row['ended'] is None or row['ended'] > since)
+        names = {row[0] for row in self.nodes}
+        for name in ('parameters', 'descriptors'):
+            last = {(row[1], row[2]): id(row) for row in getattr(self, name)}
+            latest = {number for (node, _), number in last.items() if node in names}
+            self._keep(name, lambda row: row[0] > since or id(row) in latest)  # noqa: B023  # called at once
+        self.facts = {key: row for key, row in self.facts.items() if row[5] > since or key[0] in self._process_row}
+
+    def _keep(self, name: str, is_kept: Callable[[Any], bool]) -> None:
+        rows, numbers = getattr(self, name), self.numbers(name)
+        kept = [number for number, row in zip(numbers, rows, strict=True) if is_kept(row)]
+        self.forgotten[name] = self.forgotten.get(name, 0) + len(rows) - len(kept)
+        rows[:] = filter(is_kept, rows)
+        self._numbers[name] = kept
+
+    def numbers(self, name: str) -> Sequence[int]:
+        """The place of each row of a part among all that there ever were."""
+        kept, gone = self._numbers.get(name, ()), self.forgotten.get(name, 0)
+        later = range(gone + len(kept), gone + len(getattr(self, name)))
+        return [*kept, *later] if kept else later
 
     def publication_count(self) -> int:
         """How many messages have been published so far."""

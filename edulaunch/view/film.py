@@ -6,6 +6,7 @@ microseconds since the start of the simulation. The rules that make marks are an
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -75,8 +76,11 @@ class Source(Protocol):
     def part(self, name: str) -> Sequence[Any]:
         """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or 'notes'."""
 
-    def forgotten(self, what: object) -> int:
-        """How many messages of a (topic, type), or rows of a part, a machine that runs for long no longer has."""
+    def numbers(self, name: str) -> Sequence[int]:
+        """The place of each row of a part among all there ever were: a machine that runs for long no longer has all of them."""
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
+        """How many messages of a (topic, type) it no longer has."""
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
         """(dotted path, type) of each entry of a wire."""
@@ -155,20 +159,21 @@ class Film:
         return piece
 
     def _new(self, name: str) -> Sequence[Any]:
-        rows, gone = self._source.part(name), self._source.forgotten(name)
-        first, self._rows[name] = self._rows.get(name, 0), gone + len(rows)
-        return rows[max(0, first - gone) :]
+        numbers = self._source.numbers(name)
+        first = bisect_left(numbers, self._rows.get(name, 0))
+        if numbers:
+            self._rows[name] = numbers[-1] + 1
+        return self._source.part(name)[first:]
 
     def _living(self, name: str, told: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
         """New rows, and old ones that have ended since; each begins with its number."""
-        rows, gone = self._source.part(name), self._source.forgotten(name)
-        first = max(self._rows.get(name, 0), gone)
-        self._rows[name] = gone + len(rows)
-        new = range(first, gone + len(rows))
-        open_before = [number for number in self._open.get(name, ()) if number >= gone]
-        told_now = [number for number in open_before if rows[number - gone][end] is not None] + list(new)
-        self._open[name] = [number for number in [*open_before, *new] if rows[number - gone][end] is None]
-        return [told(number, rows[number - gone]) for number in told_now]
+        numbers, new = self._source.numbers(name), self._new(name)
+        rows = self._source.part(name)
+        found = [(number, bisect_left(numbers, number)) for number in self._open.get(name, ())]
+        open_before = [(number, rows[at]) for number, at in found if at < len(rows) and numbers[at] == number]
+        new_rows = list(zip(numbers[len(numbers) - len(new) :], new, strict=True))
+        self._open[name] = [number for number, row in [*open_before, *new_rows] if row[end] is None]
+        return [told(number, row) for number, row in [*(pair for pair in open_before if pair[1][end] is not None), *new_rows]]
 
     def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
         """The messages of a topic: steps of the times, and of each leaf that is a number or a text."""

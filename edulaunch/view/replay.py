@@ -56,8 +56,12 @@ class OfRecording:
         rows: Sequence[Any] = self._content.get(name) or ()
         return rows
 
-    def forgotten(self, what: object) -> int:
+    def numbers(self, name: str) -> Sequence[int]:
         """A recording has everything."""
+        return range(len(self.part(name)))
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
+        """See `numbers`."""
         return 0
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
@@ -92,9 +96,13 @@ class OfRecorder:
         start, at = self._recorder.sim.start_ns, 3 * (first - self.forgotten((topic, kind)))
         return [time - start for time in flat[at::3]], flat[at + 1 :: 3], flat[at + 2 :: 3]
 
-    def forgotten(self, what: object) -> int:
+    def numbers(self, name: str) -> Sequence[int]:
+        """See `Source.numbers`."""
+        return self._recorder.numbers(_PARTS.get(name, name))
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
         """See `Source.forgotten`."""
-        return self._recorder.forgotten.get(_PARTS.get(what, what) if isinstance(what, str) else what, 0)
+        return self._recorder.forgotten.get(topic, 0)
 
     def part(self, name: str) -> Sequence[Any]:
         """See `Source.part`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edulaunch import Session
+from edulaunch.processes.spec import ProcessSpec
 
 
 def test_old_messages_and_lines_go_the_last_ones_stay() -> None:
@@ -33,3 +34,24 @@ def test_nothing_is_kept_of_programs_and_nodes_that_have_ended_but_their_rows() 
         assert launch.is_over
         assert not session.recorder._process_row and not session.recorder._node_row
         assert all(row['returncode'] == 0 for row in session.recorder.processes)
+
+
+def test_what_comes_and_goes_leaves_nothing_behind_and_what_stays_keeps_its_parameters() -> None:
+    """But the last messages of a topic, and who published them: here those of the last visitor."""
+    with Session() as session:
+        session.host.start(ProcessSpec(argv=('ros2', 'run', 'turtlesim', 'turtlesim_node'), name='stays'))
+        sizes = []
+        for visit in range(6):
+            guest = session.host.start(ProcessSpec(argv=('ros2', 'run', 'demo_nodes_py', 'listener'), name=f'guest{visit}'))
+            session.run(1)
+            guest.send_signal(2)
+            session.run(20)
+            session.recorder.forget_before(session.sim.now_ns - 10**10, kept=2)
+            parts = ('endpoints', 'nodes', 'processes', 'parameters', 'descriptors', 'facts', 'notes', 'logs')
+            sizes.append({part: len(getattr(session.recorder, part)) for part in parts})
+        assert sizes[3:] == [sizes[2]] * 3
+        content = session.recorder.content()
+        assert [row[0] for row in content['nodes']] == ['/turtlesim', '/listener']
+        assert [row['name'] for row in content['processes']] == ['stays', 'stays']
+        assert ['/turtlesim', 'background_g', 86] in [row[1:4] for row in content['parameters']]
+        assert {row[3] for row in content['endpoints']} == {row[4] for row in content['nodes']}

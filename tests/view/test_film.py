@@ -10,6 +10,7 @@ import pytest
 
 import edulaunch
 from edulaunch.attached import PLACES
+from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
 from edulaunch.session import Session
 from edulaunch.view.columns import FINE
@@ -122,7 +123,10 @@ class Scanner:
     def part(self, name: str) -> list[Any]:
         return []
 
-    def forgotten(self, what: object) -> int:
+    def numbers(self, name: str) -> list[int]:
+        return []
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
         return 0
 
     def wire_type(self, kind: str) -> list[tuple[str, str]]:
@@ -165,3 +169,24 @@ def test_a_film_goes_on_when_a_machine_has_forgotten_its_past() -> None:
     assert len(numbers(topic(rows, '/turtle1/pose')['t'], 1)) < 20
     assert len(values) == len(times)
     assert [row[7] for piece in pieces for row in piece.get('calls', ())] == [None, 1_008_000]
+
+
+def test_rows_that_a_machine_has_forgotten_in_between_are_told_once_and_keep_their_numbers() -> None:
+    """A page knows nodes and processes by their numbers."""
+    with Session() as session:
+        film, pieces = Film(OfRecorder(session.recorder)), []
+        for name in ('guest', 'stays', 'other'):
+            words = ('ros2', 'run', 'demo_nodes_py', 'listener', '--ros-args', '-r', f'__node:={name}')
+            process = session.host.start(ProcessSpec(argv=words, name=name))
+            session.run(1)
+            if name == 'guest':
+                process.send_signal(2)
+            session.run(5)
+            pieces.append(film.piece())
+            session.recorder.forget_before(session.sim.now_ns - 10**9, 3)
+        process.send_signal(2)
+        session.run(1)
+        pieces.append(film.piece())
+    told = [[(row[0], row[1], row[4]) for row in piece.get('nodes', ())] for piece in pieces]
+    assert [[row[:2] for row in rows] for rows in told] == [[(0, '/guest')], [(1, '/stays')], [(2, '/other')], [(2, '/other')]]
+    assert [row[2] for piece in pieces for row in piece.get('endpoints', ())].count('/chatter') == 3
