@@ -70,15 +70,15 @@ class Discovery:
         """Let everybody know which of our endpoints belong to which node."""
         cls = underlay_registry().get(INFO)
         wire = (self.own, tuple((namespace, name, _gids(readers), _gids(writers)) for namespace, name, readers, writers in nodes))
-        ddspy_write(self._teller._ref, padded(encode(cls, wire)))
+        ddspy_write(reference(self._teller), padded(encode(cls, wire)))
 
     def take(self) -> tuple[bool, bool]:
         """Look at some of the news; returns whether there was any, and whether more may wait."""
         counts = []
         for reader, take, make in self._builtin:
-            found = take(reader._ref, AT_ONCE, make, cqos_to_qos)
+            found = take(reference(reader), AT_ONCE, make, cqos_to_qos)
             counts.append(len(found) if isinstance(found, list) else 0)
-        infos = ddspy_take(self._infos._ref, ANY, AT_ONCE)
+        infos = ddspy_take(reference(self._infos), ANY, AT_ONCE)
         for data, info in infos if isinstance(infos, list) else ():
             if info.valid_data:
                 self._info(data)
@@ -175,6 +175,11 @@ class Discovery:
             known = self._endpoints.get(gid)
             if known is not None and known.node != node:
                 self._endpoints[gid] = known._replace(node=node)
+
+
+def reference(entity: Any) -> Any:
+    """By what Cyclone DDS itself knows a reader or writer."""
+    return entity._ref
 
 
 def padded(cdr: bytes) -> bytes:

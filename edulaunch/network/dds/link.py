@@ -19,7 +19,7 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
 from edulaunch.graph.qos import QoS
-from edulaunch.network.dds.discovery import ANY, Discovery, padded
+from edulaunch.network.dds.discovery import ANY, Discovery, padded, reference
 from edulaunch.network.dds.domain import join, leave
 from edulaunch.network.dds.mangling import REPLY, REQUEST, TOPIC, topic_name
 from edulaunch.network.dds.qos import PLAIN, to_dds
@@ -177,7 +177,7 @@ class CycloneLink:
         self._write(self._ends[handle], cdr[:HEADER] + who + cdr[HEADER:])
 
     def _write(self, end: End, cdr: bytes) -> None:
-        code = 0 if end.writer is None else ddspy_write(end.writer._ref, padded(cdr))
+        code = 0 if end.writer is None else ddspy_write(reference(end.writer), padded(cdr))
         if code < 0:
             slow = 'somebody who wants all of them (reliable) takes them too slowly'
             why = slow if code == DDSException.DDS_RETCODE_TIMEOUT else str(DDSException(code))
@@ -239,7 +239,7 @@ class CycloneLink:
 
     def _take_from(self, handle: int, end: End) -> None:
         end.is_marked = False
-        taken = ddspy_take(end.reader._ref, ANY, AT_ONCE)
+        taken = ddspy_take(reference(end.reader), ANY, AT_ONCE)
         if not isinstance(taken, list):
             return
         for data, info in taken:
