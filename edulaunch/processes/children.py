@@ -25,7 +25,7 @@ def spec_of(
     return ProcessSpec(
         argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
         name=process.name,
-        cwd=str(cwd) if cwd is not None else process.cwd,
+        cwd=process.cwd if cwd is None else process.path(str(cwd)),
         env=dict(process.env if env is None else env),
         shell=shell,
         origin=process.spec.origin,

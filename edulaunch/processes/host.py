@@ -159,7 +159,7 @@ class Host:
         if generated is not None:
             return generated.entries()
         program = self.program_here()
-        return entries_of_file(os.path.join((program and program.cwd) or '', path))
+        return entries_of_file(path if program is None else program.path(path))
 
     def forget_overlays(self) -> None:
         """Let go of the workspaces of programs that have ended."""
@@ -208,7 +208,9 @@ class Host:
         :param index: the packages that it finds, if not those of the program that starts it.
         :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
         """
-        index = index or self._index_here()
+        index, starter = index or self._index_here(), self.program_here()
+        if starter is not None and starter.cwd is not None:
+            spec = spec._replace(cwd=starter.path(spec.cwd or ''))
         known = self._known_command(spec, index)
         if known is None:
             from edulaunch.processes.real import RealProcess
@@ -226,7 +228,6 @@ class Host:
             process.sourced_path = os.pathsep.join(index.search_paths())
         process.on_output = on_output
         process.on_exit = on_exit
-        starter = self.program_here()
         if starter is not None:
             starter.speaks_for += 2
         return self.adopt(process)

@@ -59,7 +59,7 @@ class Loader:
 
         :raises: whatever reading, compiling or executing the file raises (`FileNotFoundError`, `SyntaxError` ...).
         """
-        path = os.path.abspath(path)
+        path = os.path.abspath(self.process.path(path))
         if script:
             self.roots.insert(0, os.path.dirname(path))
         module = ModuleType(module_name)

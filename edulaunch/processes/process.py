@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Hashable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
@@ -105,6 +106,10 @@ class Process:
     def overlay(self) -> Overlay:
         """Modules and interfaces of the student's workspaces."""
         return self.host.overlay(self.index)
+
+    def path(self, path: str) -> str:
+        """A path as the program means it: a relative one begins in the folder where the program runs."""
+        return path if self.cwd is None else os.path.join(self.cwd, path) if path else self.cwd
 
     def write(self, stream: str, text: str) -> None:
         """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it.

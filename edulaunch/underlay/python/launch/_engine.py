@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
-    from edulaunch.processes import Process
+    from edulaunch.processes import Process, ProcessSpec
 
     from .launch_context import LaunchContext
 
@@ -44,6 +44,11 @@ def is_plain_script() -> bool:
 def environment() -> MutableMapping[str, str]:
     """The environment variables of the running process, live; what upstream means by `os.environ`."""
     return running_process().env
+
+
+def inside(path: str) -> str:
+    """A path as the running process means it; each terminal of a machine has a folder of its own, which is not this interpreter's."""
+    return running_process().path(path)
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
@@ -125,9 +130,9 @@ def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, st
     text = None if assumed is None else assumed.output_of(argv, process.env.get('PATH'))
     if text is not None:
         return 0, text, ''
-    spec = ProcessSpec(argv=tuple(argv), name=os.path.basename(argv[0]), env=dict(process.env))
+    spec = ProcessSpec(argv=tuple(argv), name=os.path.basename(argv[0]), cwd=process.cwd, env=dict(process.env))
     if not process.host.knows(spec):
-        return _run_real_command(argv, process.env, stderr_to_stdout)
+        return _run_real_command(argv, spec, stderr_to_stdout)
     return _run_known_command(process, spec, stderr_to_stdout)
 
 
@@ -151,12 +156,13 @@ def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> t
     return codes[0], texts['stdout'], texts['stderr']
 
 
-def _run_real_command(argv: Sequence[str], env: MutableMapping[str, str], stderr_to_stdout: bool) -> tuple[int, str, str]:
+def _run_real_command(argv: Sequence[str], spec: ProcessSpec, stderr_to_stdout: bool) -> tuple[int, str, str]:
     import subprocess
 
     done = subprocess.run(
         list(argv),
-        env=dict(env),
+        cwd=spec.cwd,
+        env=spec.env,
         text=True,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import assumptions, generated_files, running_process, state_of
+from launch._engine import assumptions, generated_files, inside, running_process, state_of
 
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
 from ._parameter_origins import Given, ParameterOrigins, in_force
@@ -55,7 +55,7 @@ class ParameterArguments:
                 name, value = entry
                 self._add((f'{name}:={value}', False), written=entry)
             else:
-                path = os.path.abspath(entry)
+                path = os.path.abspath(inside(entry))
                 assumed = assumptions()
                 if assumed is not None and assumed.lacks_file(path):
                     self.missing_files.append(path)
@@ -95,7 +95,7 @@ class ParameterArguments:
         self._add((file.path, True), values, written)
 
     def _add_file(self, path: Path) -> None:
-        if path.is_file():
+        if os.path.isfile(inside(str(path))):
             self._add((str(path), True))
             return
         import launch.logging

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from launch._bases import ReadOnly
-from launch._engine import assumptions, state_of
+from launch._engine import assumptions, inside, state_of
 from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 from launch.utilities.type_utils import ensure_argument_type, normalize_typed_substitution, perform_typed_substitution
@@ -180,7 +180,8 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     assumed = assumptions()
     if assumed is not None and assumed.lacks_file(str(path)):
         return ''
-    text = perform_substitutions(context, parse_substitution(path.read_text(encoding='utf-8')))
+    with open(inside(str(path)), encoding='utf-8') as file:
+        text = perform_substitutions(context, parse_substitution(file.read()))
     try:
         yaml.safe_load(text)
     except yaml.YAMLError:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._absent_packages import is_left_out
 from .._bases import ReadOnly
+from .._engine import inside
 from .._failure import is_students
 from .._include_ring import enter_include
 from .._run_notes import note_declared, note_include, note_undeclared, tell_wrong_return
@@ -95,7 +96,7 @@ class IncludeLaunchDescription(Action):
             if is_left_out(self.__source.described_location):
                 return []
             raise
-        location = os.path.abspath(self.__source.location)
+        location = os.path.abspath(inside(self.__source.location))
         note_include(location)
         # A description made in a script has a location like '<script>', which is passed on as it is.
         folder = os.path.dirname(location) if os.path.exists(location) else self.__source.location

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 from edulaunch.nearest import nearest
 
+from .._engine import inside
 from .._origin import MAKERS
 from . import places
 from .collector_pause import collector_paused
@@ -118,7 +119,7 @@ class Parser:
         :raises FileNotFoundError: when there is no such file.
         """
         if isinstance(file, (str, os.PathLike)):
-            with open(file, encoding='utf-8') as stream:
+            with open(inside(file), encoding='utf-8') as stream:
                 return cls._load_stream(stream)
         return cls._load_stream(file)
 
@@ -129,7 +130,7 @@ class Parser:
         :param root_of: makes the root element from the text of the file; its errors are told where they are.
         """
         if isinstance(file, (str, os.PathLike)):
-            with open(file, encoding='utf-8') as stream:
+            with open(inside(file), encoding='utf-8') as stream:
                 return cls.load_with(stream, root_of)
         parser = cls()
         parser.file = str(getattr(file, 'name', ''))

@@ -10,7 +10,7 @@ from osrf_pycommon.process_utils import which
 
 from .._absent_packages import absent_program
 from .._bases import ReadOnly
-from .._engine import assumptions
+from .._engine import assumptions, inside
 from .._lazy import has_ros_paths
 from ..substitution import SomeSubstitutionsType, Substitution
 from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
@@ -87,7 +87,7 @@ class FileContent(Substitution):
         """The text."""
         path = perform_substitutions(context, self.__path)
         try:
-            with open(path, encoding='utf-8') as file:
+            with open(inside(path), encoding='utf-8') as file:
                 return file.read()
         except FileNotFoundError as error:
             raise SubstitutionFailure(f'File not found: {path}') from error

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
+from launch._engine import inside
 from launch._lazy import has_ros_paths
 from launch.action import Action
 from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
@@ -182,7 +183,7 @@ def _parameters(description: ComposableNode, request: Any, context: LaunchContex
     from pathlib import Path
 
     evaluated: list[Any] = [
-        dict([entry]) if isinstance(entry, tuple) else Path(entry).absolute()
+        dict([entry]) if isinstance(entry, tuple) else Path(inside(entry)).absolute()
         for entry in context.launch_configurations.get('global_params', ())
     ]
     if description.parameters is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
+from launch._engine import inside
 
 from ..parameter_descriptions import Parameter as ParameterDescription
 from ..parameters_type import EvaluatedParameters
@@ -46,7 +47,8 @@ def to_parameters_list(
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     from launch.utilities.yaml_reader import read
 
-    content = read(path.read_text(encoding='utf-8'))
+    with open(inside(str(path)), encoding='utf-8') as file:
+        content = read(file.read())
     if content is None:
         error = AttributeError("'NoneType' object has no attribute 'items'")
         raise with_facts(error, 'launch.empty-parameter-file', parameter_file=str(path))
