@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from edulaunch.advice.wording import help_of
@@ -13,6 +13,7 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recorder
+from edulaunch.recording.records import UnreadArgument
 
 _STOPPED = {
     'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
@@ -127,7 +128,7 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := launch.error) is None else explain(error, launch.process.index)
     file, line = (told.data['place'] if told else None) or (None, None)
-    unread = [*_unknown_arguments(launch, [row[0] for row in declared]), *_undeclared_there(launch)]
+    unread = [list(one) for one in _unread_arguments(launch.process, launch.arguments)]
     return {
         'file': launch.path,
         'arguments': launch.arguments,
@@ -152,19 +153,22 @@ def _declared(argument: Any) -> list[Any]:
     return [argument.name, default, argument.description, argument.choices, place[0], place[1]]
 
 
-def _unknown_arguments(launch: LaunchRun, declared: list[str]) -> list[list[Any]]:
-    """Launch arguments that no launch file declares or reads; ROS 2 accepts them in silence."""
-    known = {*declared, *launch.process.state.get('launch.read', ())}
-    return [[name, declared, None, None, None] for name in launch.arguments if name not in known]
+def note_unread_arguments(process: Process, given: Iterable[str]) -> None:
+    """Note what :class:`UnreadArgument` says as facts (`argument unread`), of a `ros2 launch` that somebody typed."""
+    for one in _unread_arguments(process, given):
+        process.fact('argument unread', (one.name, one.included), one._asdict())
 
 
-def _undeclared_there(launch: LaunchRun) -> list[list[Any]]:
-    """Arguments that were given to an included file which does not declare them, and that nothing has read."""
-    state, source = launch.process.state, launch.process.index.source_path
-    found = []
+def _unread_arguments(process: Process, given: Iterable[str]) -> list[UnreadArgument]:
+    """Launch arguments that no launch file declares or reads, and those of an include that the included file does not declare.
+
+    ROS 2 accepts them in silence.
+    """
+    state, source = process.state, process.index.source_path
+    read, names = state.get('launch.read', ()), [argument.name for argument in state.get('launch.declared', ())]
+    found = [UnreadArgument(name, names, None, None, None) for name in given if name not in names and name not in read]
     for name, declared, file, origin in state.get('launch.undeclared', ()):
-        if name not in state.get('launch.read', ()):
-            place = [None, None] if origin is None else [source(origin.file), origin.line]
-            row = [name, list(declared), source(file), *place]
-            found += [row] if row not in found else []
+        place = (None, None) if origin is None else (source(origin.file), origin.line)
+        one = UnreadArgument(name, list(declared), source(file), *place)
+        found += [one] if name not in read and one not in found else []
     return found

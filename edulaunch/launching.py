@@ -81,6 +81,18 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     return f'did you mean {near!r}?' if near else listed
 
 
+def launch_argument(word: str) -> tuple[str, str]:
+    """Name and value of a `name:=value`.
+
+    :raises UnusableInput: for another word, with ROS 2's text.
+    """
+    name, sign, value = word.partition(':=')
+    if not (name and sign and value):
+        hint = f'write {word.replace("=", ":=", 1)}' if '=' in word and not sign else f'write {name or "name"}:=VALUE'
+        raise UnusableInput(f"malformed launch argument '{word}', expected format '<name>:=<value>'", help=hint)
+    return name, value
+
+
 def launch_files_of(index: Index, package: str) -> list[str]:
     """Names of the launch files in a package's share, in alphabetical order; of plain .py, .xml and .yaml files only those that
     lie in a folder called launch."""

@@ -8,7 +8,7 @@ import os
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.advice.judging import judge_failure
+from edulaunch.advice.judging import DIED, judge_failure
 from edulaunch.advice.reader import Reader, fields_of, reader_here, reader_of
 from edulaunch.advice.rule import Failure, Finding, rule_named
 
@@ -56,13 +56,18 @@ def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, mos
 
 
 def said_at_the_end(
-    recording: Recording, reader: Reader | None = None, since_s: float = 0.0, helped: Container[str] = ()
+    recording: Recording, reader: Reader | None = None, since_s: float = 0.0, helped: Container[str] = (), typed: str = ''
 ) -> list[str]:
     """What is said where a run has ended; of a machine that went on from before, what came since.
 
     :param helped: programs below whose error it was said already.
+    :param typed: the command itself: that it failed, and what it printed last, its reader has just seen.
     """
-    findings = [one for one in recording.advice if (one.time_s is None or one.time_s >= since_s) and one.process not in helped]
+    findings = [
+        one
+        for one in recording.advice
+        if (one.time_s is None or one.time_s >= since_s) and one.process not in helped and (one.rule, one.name) != (DIED, typed)
+    ]
     return warning_lines(findings, reader) if findings else []
 
 

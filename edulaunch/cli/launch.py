@@ -12,7 +12,7 @@ from typing import TextIO
 from edulaunch.advice.wording import said_at_the_end
 from edulaunch.cli.ros2.launch import add_launch_arguments, add_network, prefix_arguments, wants_network
 from edulaunch.errors import LaunchFileError, UnusableInput
-from edulaunch.launching import find_launch_file
+from edulaunch.launching import find_launch_file, launch_argument
 from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.current import current_process
 from edulaunch.session import Session
@@ -162,15 +162,7 @@ def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str,
     words = list(rest)
     if words and ':=' not in words[0] and not os.path.isfile(first):
         file = words.pop(0)
-    return first, file, dict(map(_argument, words))
-
-
-def _argument(word: str) -> tuple[str, str]:
-    name, sign, value = word.partition(':=')
-    if not (name and sign and value):
-        hint = f'write {word.replace("=", ":=", 1)}' if '=' in word and not sign else f'write {name or "name"}:=VALUE'
-        raise UnusableInput(f"malformed launch argument '{word}', expected format '<name>:=<value>'", help=hint)
-    return name, value
+    return first, file, dict(map(launch_argument, words))
 
 
 def _print(stream: str, text: str) -> None:

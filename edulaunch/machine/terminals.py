@@ -234,9 +234,8 @@ class Terminal:
     def _finished(self, code: int) -> None:
         """The command has run to its end: what it launched or ran is judged."""
         if self.words[:2] in ADVISED and '--quiet' not in self.words:
-            said = said_at_the_end(
-                self._terminals.session.glance(), self._reader, self._began_s, self._terminals.session.host.asides.helped
-            )
+            session, typed = self._terminals.session, self.process.name if self.process else ''
+            said = said_at_the_end(session.glance(), self._reader, self._began_s, session.host.asides.helped, typed)
             self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)
         elif is_doctor(self.words):

@@ -18,9 +18,13 @@ _PREFIX = re.compile(r'\[[^\]]*\] ')
 
 
 class _Due(NamedTuple):
-    """An error whose last line is on its way to those who look on; `told` has the numbers of the programs below which it was."""
+    """An error whose last line is on its way to those who look on; `told` has the numbers of the programs below which it was.
+
+    `group` is the number of the program in whose terminal it happened.
+    """
 
     last_line: str
+    group: int
     error: dict[str, Any]
     told: set[int]
 
@@ -35,15 +39,16 @@ class Asides:
         self.due: deque[_Due] = deque(maxlen=MOST_DUE)
         self.helped: set[str] = set()
 
-    def expect(self, text: str, error: dict[str, Any]) -> None:
+    def expect(self, text: str, error: dict[str, Any], group: int) -> None:
         """An error is going to be written.
 
         :param text: what is written; its last line is waited for.
         :param error: type, message, file, line, facts and process, as plain data.
+        :param group: number of the program that a terminal started, in whose terminal this happens.
         """
         lines = [line for line in text.splitlines() if line.strip()]
         if lines:
-            self.due.append(_Due(lines[-1], error, set()))
+            self.due.append(_Due(lines[-1], group, error, set()))
 
     def below(self, text: str, pid: int, env: Mapping[str, str]) -> str:
         """What to say below a text that has just come to the console of a program; '' when there is nothing to say.
@@ -51,7 +56,8 @@ class Asides:
         :param pid: of that program; `env`: its environment, which tells who reads.
         """
         lines = _COLOUR.sub('', text).splitlines()
-        for due in self.due:
+        # Another terminal's error may have ended with the same line, for another reason.
+        for due in sorted(self.due, key=lambda due: due.group != pid):
             line = next((line for line in lines if line.endswith(due.last_line)), None)
             if line is not None and pid not in due.told:
                 due.told.add(pid)

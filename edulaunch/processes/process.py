@@ -310,7 +310,7 @@ class Process:
     def _write_error(self, text: str, kind: str, message: str, place: Origin | None, facts: dict[str, Any]) -> None:
         """Write what ended the program, and keep it as data."""
         self.exception = {'type': kind, 'message': message, 'place': place, 'facts': facts}
-        self.host.asides.expect(text, {**self.exception, 'process': self.name})
+        self.host.asides.expect(text, {**self.exception, 'process': self.name}, self.group.pid)
         self.write('stderr', text)
 
     def _print_runaway(self, error: RunawayProgram) -> None:

@@ -25,6 +25,13 @@ def test_how_a_command_ended_that_a_program_runs_is_that_programs_business(run, 
     assert (code, err) == (0, '') and 'finished cleanly' in out
 
 
+def test_what_a_command_in_a_launch_file_said_to_help_is_told_in_full(run, tmp_path: Path) -> None:
+    code, _, err = run(describe("ExecuteProcess(cmd=['ros2', 'launch', 'turtlesim', 'no' * 90 + '_multisim.launch.py'])"))
+    *_, help = err.splitlines()
+    assert code == 0 and 'died with exit code 1' in err
+    assert help == '  help: launch files of turtlesim: multisim.launch.py'
+
+
 def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
     code, out, err = run(describe("DeclareLaunchArgument('radius', default_value='1')"), 'raduis:=2')
     assert (code, err) == (

@@ -56,6 +56,22 @@ def test_a_closed_terminal_ends_its_programs(desk: Desk, signum: int) -> None:
     assert desk.said('node list') == '/talker\n'
 
 
+def test_what_a_command_said_of_its_own_end_is_not_said_again(desk: Desk) -> None:
+    launch = desk.ros2('launch turtlesim multisi.launch.py')
+    assert launch.end() == 1
+    assert launch.output.replace('\r', '').splitlines()[1:] == ["  help: did you mean 'multisim.launch.py'?"]
+
+
+def test_a_launch_argument_that_nobody_reads_is_told_at_the_end(desk: Desk) -> None:
+    launch = desk.ros2('launch turtle_tf2_py turtle_tf2_demo.launch.py targetframe:=turtle1')
+    launch.until('Successfully spawned')
+    launch.type('\x03')
+    assert launch.end() == 0
+    told = launch.output.replace('\r', '').partition('warning: ')[2]
+    assert told.startswith("no launch file declares the argument 'targetframe', so giving it changed nothing (at ")
+    assert told.endswith("  help: write 'target_frame:=' instead of 'targetframe:='\n")
+
+
 def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: Desk) -> None:
     file = desk.folder / 'two.launch.py'
     file.write_text(

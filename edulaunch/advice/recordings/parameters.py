@@ -10,6 +10,7 @@ from edulaunch.advice.recordings.programs import ENDED_WELL
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import node_place, origin_place
 from edulaunch.nearest import nearest
+from edulaunch.recording.records import UnreadArgument
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -83,9 +84,10 @@ def refused(recording: Recording) -> Iterator[Finding]:
 )
 def unknown_argument(recording: Recording) -> Iterator[Finding]:
     """Not when a file reads a configuration of that name without declaring it: then it has changed something."""
-    for argument in recording.launch.unread:
+    for argument, time_s in _unread(recording):
         if argument.included is None:
-            yield found('argument', argument.name, declared=argument.declared, near=nearest(argument.name, argument.declared))
+            near = nearest(argument.name, argument.declared)
+            yield found('argument', argument.name, time_s=time_s, declared=argument.declared, near=near)
 
 
 @rule(
@@ -101,14 +103,23 @@ def unknown_argument(recording: Recording) -> Iterator[Finding]:
 )
 def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
     """The same for `launch_arguments` of an IncludeLaunchDescription."""
-    for argument in recording.launch.unread:
+    for argument, time_s in _unread(recording):
         if argument.included is not None:
             yield found(
                 'argument',
                 argument.name,
                 file=argument.file,
                 line=argument.line,
+                time_s=time_s,
                 included=os.path.basename(argument.included),
                 declared=argument.declared,
                 near=nearest(argument.name, argument.declared),
             )
+
+
+def _unread(recording: Recording) -> Iterator[tuple[UnreadArgument, float | None]]:
+    """Those of the run's own launch, and those of each `ros2 launch` that somebody typed, with its end."""
+    yield from ((argument, None) for argument in recording.launch.unread)
+    for fact in recording.facts:
+        if fact.kind == 'argument unread':
+            yield UnreadArgument(**fact.data), fact.time_s

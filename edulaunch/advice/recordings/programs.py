@@ -19,7 +19,8 @@ ENDED_WELL = (None, 0, -2, -15)
 """Still running, finished, ended by Ctrl-C or by launch."""
 INTERRUPTED = '[ros2run]: Interrupt'
 """What `ros2 run` says when Ctrl-C ended its program, whatever that one did about it."""
-LONGEST = 160
+LONGEST = 400
+HELP = 'help: '
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
 
@@ -29,6 +30,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
     why='the other programs go on without it, and launch itself ends as if all were well',
     do=(
         'see what line {at} does: there the program ended',
+        '{help}',
         'look at what it printed last: {said}',
         'look at what it printed last',
     ),
@@ -58,7 +60,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             code=process.returncode,
             at=error.get('line'),
             error=_short(f'{error["type"]}: {error["message"]}') if error else None,
-            said=_short(_telling(said)) if said else None,
+            **_last_words(said),
         )
     yield from _outside(recording)
 
@@ -71,26 +73,24 @@ def _outside(recording: Recording) -> Iterator[Finding]:
         name, code = end['name'], int(end['code'])
         if name not in ours and code not in ENDED_WELL:
             said = [line.removeprefix(f'[{name}] ') for line in lines if line.startswith(f'[{name}] ')]
-            yield found(
-                'process',
-                name,
-                file=recording.launch.file,
-                code=code,
-                at=None,
-                error=None,
-                said=_short(_telling(said)) if said else None,
-            )
+            yield found('process', name, file=recording.launch.file, code=code, at=None, error=None, **_last_words(said))
 
 
-def _telling(said: list[str]) -> str:
-    """The last line with an error: a C++ program ends with `terminate called ...`, which tells less than its log."""
-    return next((line for line in reversed(said) if '[ERROR]' in line or '[FATAL]' in line), said[-1])
+def _last_words(said: list[str]) -> dict[str, str]:
+    """As the fact `help` what a command of ours said to help, in full; else as `said` the last line with an error: what a C++
+    program ends with, `terminate called ...`, tells less than its log.
+    """
+    if not said:
+        return {}
+    if said[-1].startswith(HELP):
+        return {'help': said[-1].removeprefix(HELP)}
+    return {'said': _short(next((line for line in reversed(said) if '[ERROR]' in line or '[FATAL]' in line), said[-1]))}
 
 
 def _short(text: str) -> str:
     """Its first line, and not too much of that."""
     line = text.partition('\n')[0]
-    return line if len(line) <= LONGEST else f'{line[: LONGEST - 3]}...'
+    return line if len(line) <= LONGEST else f'{line[:LONGEST].rpartition(" ")[0] or line[:LONGEST]} ...'
 
 
 def _is_launch(recording: Recording, process: ProcessRecord) -> bool:

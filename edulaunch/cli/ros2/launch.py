@@ -9,7 +9,7 @@ from typing import Any
 
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.errors import UnusableInput
-from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file
+from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file, launch_argument
 from edulaunch.packages import Index
 from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
@@ -99,9 +99,11 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
 def launch_verb(arguments: argparse.Namespace) -> int:
     """Launch it and wait for the end; returns launch's exit code.
 
-    :raises UnusableInput: when there is no such package or file; in the words of ROS 2.
+    :raises UnusableInput: when there is no such package or file, or an argument without `:=`; in the words of ROS 2.
     """
     from ros2launch import api
+
+    from edulaunch.launch_process import note_unread_arguments
 
     process = current_process()
     given = [f'{name}:={value}' for name, value in prefix_arguments(arguments).items()]
@@ -110,19 +112,20 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     if arguments.show_args or arguments.print:
         (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
         return 0
+    named = dict(map(launch_argument, given))
     join_network(arguments, process)
     if arguments.view:
         say('to see what runs, type in another terminal: edulaunch view')
     if arguments.show_all_subprocesses_output:
         process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
-    return int(
-        api.launch_a_launch_file(
-            launch_file_path=path,
-            launch_file_arguments=given,
-            noninteractive=arguments.noninteractive or not process.stdin.isatty(),
-            debug=arguments.debug,
-        )
+    code = api.launch_a_launch_file(
+        launch_file_path=path,
+        launch_file_arguments=given,
+        noninteractive=arguments.noninteractive or not process.stdin.isatty(),
+        debug=arguments.debug,
     )
+    note_unread_arguments(process, named)
+    return int(code)
 
 
 def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:

@@ -47,7 +47,7 @@ def environment() -> MutableMapping[str, str]:
 
 
 def inside(path: str) -> str:
-    """A path as the running process means it; each terminal of a machine has a folder of its own, which is not this interpreter's."""
+    """A path as the running process means it: each terminal of a machine has a folder of its own."""
     return running_process().path(path)
 
 

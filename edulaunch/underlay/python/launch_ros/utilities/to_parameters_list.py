@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.facts import with_facts
 from launch._engine import inside
+
+from edulaunch.facts import with_facts
 
 from ..parameter_descriptions import Parameter as ParameterDescription
 from ..parameters_type import EvaluatedParameters
