@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
@@ -26,6 +27,7 @@ from edulaunch.graph.rule_reader import (
     read_new_namespace,
     read_parameter_name,
 )
+from edulaunch.nearest import nearest
 
 _NAME = r'(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?(?:/(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?)*'
 _PLAIN_RULE = re.compile(f'((?:~?/)?{_NAME}|(__node)|(__ns)):=((?:~?/)?{_NAME})')
@@ -233,16 +235,23 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
 def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[str], Sequence[Entry]]) -> None:
     try:
         entries = entries_of(path)
-    except OSError:
-        raise _refuse('params file', flag, path, 'Error opening YAML file') from None
+    except OSError as error:
+        refused = _refuse('params file', flag, path, 'Error opening YAML file')
+        raise with_facts(refused, 'launch.no-parameter-file', wanted=path, near=_near_file(error.filename or path)) from None
     except UnicodeDecodeError:
-        raise _refuse('params file', flag, path, 'Error parsing a event: the file is not UTF-8 text') from None
+        refused = _refuse('params file', flag, path, 'Error parsing a event: the file is not UTF-8 text')
+        raise with_facts(refused, 'launch.parameter-file-encoding', unreadable=path) from None
     except ParameterFileError as error:
         raise with_facts_of(_refuse('params file', flag, path, str(error)), error) from None
     base = path.replace('\\', '/').rpartition('/')[2]
     for entry in entries:
         override = Override(entry.value, f'{base} line {entry.line}')
         result.parameters.setdefault(entry.pattern, {})[entry.name] = override
+
+
+def _near_file(path: str) -> str | None:
+    folder, name = os.path.split(path)
+    return nearest(name, os.listdir(folder or '.')) if os.path.isdir(folder or '.') else None
 
 
 def _add_log_level(result: RosArguments, flag: str, text: str) -> None:

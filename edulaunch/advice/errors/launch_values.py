@@ -191,6 +191,16 @@ PARAMETER_FILE = about(
     what='this parameter file has no node name, or no ros__parameters, above its values',
     do='write the name of the node (or /**), below it ros__parameters, and below that the parameters',
 )
+NO_PARAMETER_FILE = about(
+    'launch.no-parameter-file',
+    what='there is no parameter file {wanted}',
+    do=("write '{near}'", 'write its path from the folder in which you type, or a whole one'),
+)
+PARAMETER_FILE_ENCODING = about(
+    'launch.parameter-file-encoding',
+    what='the parameter file {unreadable} is not UTF-8 text',
+    do='save it again with the encoding UTF-8',
+)
 PARAMETERS_KEY = about(
     'launch.parameters-key', what="'{found}' is no word of parameter files", do='write ros__parameters, with two underscores'
 )

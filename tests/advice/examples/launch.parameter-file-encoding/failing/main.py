@@ -1,0 +1,5 @@
+import os
+
+import rclpy
+
+rclpy.init(args=['--ros-args', '--params-file', os.path.join(os.path.dirname(__file__), 'robot.yaml')])
