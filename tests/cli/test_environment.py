@@ -77,6 +77,15 @@ def test_a_python_of_such_a_shell_that_needs_no_ros_loads_nothing_of_it(ws: Path
     assert said == "the hidden one\nNo module named 'no_such' False\n"
 
 
+@pytest.mark.processes
+@pytest.mark.skipif(os.name == 'nt', reason='a POSIX shell')
+def test_in_a_workspace_of_such_a_shell_names_that_python_itself_tries_read_nothing(ws: Path) -> None:
+    code = "import copy, sys; before = any('robo' in p for p in sys.path); import robo; print(before)"
+    line = f'eval "$({sys.executable} -m edulaunch env --shell)"; {sys.executable} -c "{code}"'
+    assert run('sh', '-c', line, cwd=ws) == 'False\n'
+    assert 'usage: edugrade' in run('sh', '-c', line.partition(';')[0] + f'; {sys.executable} -m edugrade --help', cwd=ws)
+
+
 def test_env_prints_the_folder_with_rclpy(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['env']) == 0
     assert capsys.readouterr().out == f'{underlay_python()}\n'

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 
@@ -76,7 +76,7 @@ def _outside(recording: Recording) -> Iterator[Finding]:
             yield found('process', name, file=recording.launch.file, code=code, at=None, error=None, **_last_words(said))
 
 
-def _last_words(said: list[str]) -> dict[str, str]:
+def _last_words(said: list[str]) -> dict[str, Any]:
     """As the fact `help` what a command of ours said to help, in full; else as `said` the last line with an error: what a C++
     program ends with, `terminate called ...`, tells less than its log.
     """

@@ -1,7 +1,8 @@
 """Makes `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in one where ROS 2 is sourced.
 
 Every Python of such a shell reads this file while it starts. It only waits for the first import of a ROS package, or of one
-that nothing else finds, and sources edulaunch then.
+that nothing else finds, and sources edulaunch then. Python's own modules, and installed ones, try names that are not there all
+the time (`copy` asks for `org.python.core`); these are not asked for in a workspace, whose reading would need such modules.
 """
 
 import os
@@ -10,6 +11,16 @@ from importlib.machinery import PathFinder
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
 _UNDERLAY = os.path.dirname(_HERE)
+_INSTALLED = tuple(folder + os.sep for folder in (os.path.dirname(os.__file__), sys.prefix, os.path.dirname(_UNDERLAY)))
+
+
+def _is_asked_by_installed():
+    """Whether the module that imports is Python's own, an installed one or ours; the machinery of imports stands in between."""
+    frame = sys._getframe(2)
+    while frame is not None and frame.f_globals.get('__name__', '').partition('.')[0] in ('importlib', 'pkgutil', 'runpy'):
+        frame = frame.f_back
+    file = '' if frame is None else frame.f_code.co_filename
+    return file.startswith(_INSTALLED) or '-packages' + os.sep in file
 
 
 class _Sourcing:
@@ -20,6 +31,8 @@ class _Sourcing:
 
     def find_spec(self, name, path=None, target=None):
         if path is not None or self._names is not None and name not in self._names:
+            return None
+        if self._names is None and _is_asked_by_installed():
             return None
         sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, _Sourcing)]
         try:

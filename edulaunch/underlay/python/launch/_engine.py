@@ -46,9 +46,9 @@ def environment() -> MutableMapping[str, str]:
     return running_process().env
 
 
-def inside(path: str) -> str:
+def inside(path: str | os.PathLike[str]) -> str:
     """A path as the running process means it: each terminal of a machine has a folder of its own."""
-    return running_process().path(path)
+    return running_process().path(os.fspath(path))
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:

@@ -95,7 +95,7 @@ class ParameterArguments:
         self._add((file.path, True), values, written)
 
     def _add_file(self, path: Path) -> None:
-        if os.path.isfile(inside(str(path))):
+        if os.path.isfile(inside(path)):
             self._add((str(path), True))
             return
         import launch.logging

@@ -180,7 +180,7 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     assumed = assumptions()
     if assumed is not None and assumed.lacks_file(str(path)):
         return ''
-    with open(inside(str(path)), encoding='utf-8') as file:
+    with open(inside(path), encoding='utf-8') as file:
         text = perform_substitutions(context, parse_substitution(file.read()))
     try:
         yaml.safe_load(text)

@@ -48,7 +48,7 @@ def to_parameters_list(
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     from launch.utilities.yaml_reader import read
 
-    with open(inside(str(path)), encoding='utf-8') as file:
+    with open(inside(path), encoding='utf-8') as file:
         content = read(file.read())
     if content is None:
         error = AttributeError("'NoneType' object has no attribute 'items'")
