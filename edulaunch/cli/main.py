@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import errno
+import os
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
@@ -68,13 +70,21 @@ def main(argv: Sequence[str] | None = None) -> int:
         parser.print_help()
         return 2
     try:
-        return load(arguments.verb)[1](arguments)
+        code = load(arguments.verb)[1](arguments)
+        sys.stdout.flush()
+        return code
     except EdulaunchError as error:
         print(f'error: {error}', file=sys.stderr)
         return 2 if isinstance(error, UnusableInput) else 1
     except BrokenPipeError:
         sys.stderr.close()
         return 141
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+            raise
+        print(f'error: {error.strerror}: what the command says or keeps cannot be written', file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # else Python tries once more at its end
+        return 1
 
 
 def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:

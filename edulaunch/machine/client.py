@@ -183,6 +183,8 @@ class Client:
             return self._follow(first)
         except _NobodyReads:
             return BROKEN_PIPE
+        except _CannotWrite as error:
+            return _failed(f'what the command says cannot be written: {error}')
         except (ConnectionError, wire.BadFrame):
             return self._lost()
         except _GaveUp:
@@ -256,6 +258,10 @@ class _GaveUp(Exception):
     """Nothing came back for too long."""
 
 
+class _CannotWrite(Exception):
+    """What the command says has no place: a full disk."""
+
+
 class _NobodyReads(Exception):
     """The pipe that we write into is closed at its other end."""
 
@@ -266,6 +272,8 @@ def _write(number: int, data: bytes) -> None:
             data = data[os.write(number, data) :]
     except BrokenPipeError:
         raise _NobodyReads from None
+    except OSError as error:
+        raise _CannotWrite(error.strerror) from None
 
 
 def has_terminals_machine() -> bool:

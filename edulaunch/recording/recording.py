@@ -89,12 +89,17 @@ class Recording(Messages, Shown):
         return file_format.encode(self._content)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a recording file, whole or not at all. Raises RecordingError when it cannot be written."""
-        temporary = f'{os.fspath(path)}.part'
+        """Write a recording file, whole or not at all; what is no regular file (`/dev/stdout`, a pipe) is written to.
+
+        :raises RecordingError: when it cannot be written.
+        """
+        target = os.path.realpath(path)
+        draft = target if os.path.exists(target) and not os.path.isfile(target) else f'{target}.part'
         try:
-            with open(temporary, 'wb') as file:
+            with open(draft, 'wb') as file:
                 file.write(self.to_bytes())
-            os.replace(temporary, path)
+            if draft != target:
+                os.replace(draft, target)
         except OSError as error:
             raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: {error.strerror or error}') from None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import io
 import os
 import sys
@@ -48,19 +49,31 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Grade launch files and print the reports. Returns the exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     try:
-        return _command(words)
+        code = _command(words)
+        sys.stdout.flush()
+        return code
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
     except RubricMistake as error:
         print(f'edugrade: the rubric is wrong: {error}', file=sys.stderr)
         return 3
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+            return _broke(error)
+        print(f'edugrade: the report cannot be written: {error.strerror}', file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # else Python tries once more at its end
+        return 2
     except Exception as error:
-        print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
-        return 3
+        return _broke(error)
     except KeyboardInterrupt:
         print('edugrade: stopped', file=sys.stderr)
         return 130
+
+
+def _broke(error: Exception) -> int:
+    print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
+    return 3
 
 
 def _command(words: list[str]) -> int:

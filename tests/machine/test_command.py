@@ -44,6 +44,23 @@ def test_it_steps_aside_for_a_real_one_that_is_sourced(desk: Desk, real: Path, s
     assert (done.returncode, done.stdout, done.stderr) == (7, 'real ros2 topic list\n', '')
 
 
+@pytest.mark.skipif(not os.path.exists('/dev/full'), reason='no such device')
+@pytest.mark.parametrize(
+    ('line', 'said'),
+    [
+        ([*ROS2, 'topic', 'list'], 'what the command says cannot be written: No space left on device\n'),
+        ([sys.executable, '-m', 'edulaunch', 'explain', 'turtlesim', 'multisim.launch.py'], 'error: No space left on device: '),
+        ([sys.executable, '-m', 'edugrade', 'doctor'], 'edugrade: the report cannot be written: No space left on device\n'),
+    ],
+)
+def test_a_full_disk_is_told(desk: Desk, line: list[str], said: str) -> None:
+    with open('/dev/full', 'w') as full:
+        done = subprocess.run(
+            line, env=desk.env, cwd=desk.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=PATIENCE_S
+        )
+    assert done.returncode in (1, 2) and 'Traceback' not in done.stderr and said in done.stderr
+
+
 def test_verbose_says_so(desk: Desk, real: Path) -> None:
     done = run(desk, '--verbose', 'topic', 'list', PATH=str(real), ROS_DISTRO='jazzy')
     assert done.stdout == 'real ros2 topic list\n' and f'stepping aside for {real}/ros2' in done.stderr

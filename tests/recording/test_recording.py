@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -169,6 +170,19 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
         Recording.load(tmp_path / 'gone.rec')
     with pytest.raises(RecordingError, match='cannot write the recording'):
         turtle_run().save(tmp_path / 'no' / 'folder.rec')
+
+
+@pytest.mark.skipif(not hasattr(os, 'mkfifo'), reason='no pipes with names')
+def test_what_is_no_file_is_written_to_and_stays(recording: Recording, tmp_path: Path) -> None:
+    pipe, file = tmp_path / 'pipe', tmp_path / 'file.rec'
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    (tmp_path / 'link.rec').symlink_to(file)
+    recording.save(pipe)
+    recording.save(tmp_path / 'link.rec')
+    assert os.read(reader, 1 << 16) == file.read_bytes() == recording.to_bytes()
+    os.close(reader)
+    assert pipe.is_fifo() and (tmp_path / 'link.rec').is_symlink()
 
 
 def test_what_is_unwound_at_the_end_is_not_recorded(stage: Any) -> None:

@@ -191,6 +191,7 @@ def run_program(main: Callable[[], int | None]) -> int:
     runtime does, and aborts (signal 6).
     """
     try:
+        rclpy.init()
         return _run(main)
     except KeyboardInterrupt:
         get_logger('rclcpp').info('signal_handler(signum=2)')
@@ -201,7 +202,6 @@ def run_program(main: Callable[[], int | None]) -> int:
 
 def _run(main: Callable[[], int | None]) -> int:
     try:
-        rclpy.init()
         return main() or 0
     except ExternalShutdownException:
         return 0
