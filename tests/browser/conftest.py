@@ -18,8 +18,10 @@ import pytest
 from tests.browser.lab import Lab
 
 ROOT = Path(__file__).resolve().parents[2]
-START_S = 60.0
+START_S = 240.0
 GO_S = 15.0
+NOBODY_ELSE = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'
+"""A browser that finds no other machine, whatever a page asks for."""
 OWN_FOLDERS = (
     'JUPYTER_CONFIG_DIR',
     'JUPYTER_DATA_DIR',
@@ -30,7 +32,7 @@ OWN_FOLDERS = (
 QUIET = ['--LabApp.news_url=None', '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate']
 
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='package')
 def browser() -> Iterator[Any]:
     """Debian's Chromium without a window, driven by playwright."""
     api = pytest.importorskip('playwright.sync_api', reason='playwright is not installed: pip install "edulaunch[browser]"')
@@ -38,12 +40,13 @@ def browser() -> Iterator[Any]:
     if program is None:
         pytest.skip('no Chromium on this machine: apt-get install chromium')
     with api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=program, args=['--no-sandbox', '--disable-dev-shm-usage'])
+        words = ['--no-sandbox', '--disable-dev-shm-usage', NOBODY_ELSE]
+        found = playwright.chromium.launch(executable_path=program, args=words)
         yield found
         found.close()
 
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='package')
 def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The course as a fresh clone has it: lessons, exercises and solutions, nothing of a student's."""
     place = tmp_path_factory.mktemp('course')
@@ -52,7 +55,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='package')
 def shots(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where pictures of the pages go: the folder that EDULAUNCH_SCREENSHOTS names, else a temporary one."""
     place = Path(os.environ.get('EDULAUNCH_SCREENSHOTS') or tmp_path_factory.mktemp('shots'))
@@ -60,7 +63,7 @@ def shots(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='package')
 def lab(browser: Any, course: Path, shots: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     """A JupyterLab that serves the course, with settings of its own."""
     pytest.importorskip('jupyterlab', reason='JupyterLab is not installed')

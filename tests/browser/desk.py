@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-WAIT_MS = 15_000
+from tests.browser.lab import WAIT_MS
 
 
 class Desk:
@@ -21,6 +21,7 @@ class Desk:
         self.processes: dict[str, Any] = {}
         self.address = ''
         self.env: dict[str, str] = {}
+        page.set_default_timeout(WAIT_MS)
         page.on('console', lambda message: self.errors.append(message.text) if message.type == 'error' else None)
         page.on('pageerror', lambda error: self.errors.append(str(error)))
         if own:
@@ -58,6 +59,15 @@ class Desk:
         slider.evaluate(f'slider => {{ slider.value = {round(part * 1e6)}; slider.dispatchEvent(new Event("input")); }}')
         self.frame()
 
+    def seek_first(self, name: str) -> None:
+        """Go to the first instant at which somebody is there. That is not the first of the run: the machine may be older than the launch."""
+        self.seek(0.0)
+        while name not in self.label():
+            before = self.time()
+            self.press('one step on')
+            self.frame()
+            assert self.time() > before, f'{name} is never there: {self.label()}'
+
     def frame(self) -> None:
         """Wait until what was asked for is drawn."""
         self.page.evaluate('() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))')
@@ -65,7 +75,7 @@ class Desk:
     def until(self, what: str, expected: str) -> None:
         """Wait until an element's text holds something."""
         try:
-            self.page.locator(what).filter(has_text=expected).first.wait_for(timeout=WAIT_MS)
+            self.page.locator(what).filter(has_text=expected).first.wait_for()
         except Exception:
             raise AssertionError(f'{expected!r} never came; there is {self.page.locator(what).all_inner_texts()}') from None
 
@@ -73,8 +83,7 @@ class Desk:
         """Wait for a condition of the desk (`desk`)."""
         self.page.wait_for_function(
             '() => { const host = [...document.querySelectorAll("*")].find(e => e.shadowRoot?.querySelector(".desk"));'
-            f' const root = host?.shadowRoot; return root && ({condition}); }}',
-            timeout=WAIT_MS,
+            f' const root = host?.shadowRoot; return root && ({condition}); }}'
         )
 
     def press(self, title: str) -> None:

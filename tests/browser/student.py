@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.browser.answers import ANSWERS, Edit
-from tests.browser.lab import Page
+from tests.browser.lab import WAIT_MS, Page
 from tests.lessons.notebook import Cell, Lesson
 
 FIND = """ident => {
@@ -35,7 +35,6 @@ PREDICT = re.compile(r"predict\('([\w-]+)', \.\.\.\)")
 COMPARE = re.compile(r"compare\('([\w-]+)'")
 CHECK = re.compile(r"(?m)^(?:edulaunch\.)?check\('(\w+)'\)")
 WAS = re.compile(r'It was (.*?)\. You had not said anything')
-WAIT_MS = 60_000
 
 
 class BrowserStudent:

@@ -17,7 +17,7 @@ import edulaunch
 from edulaunch.view.page import recorded_page
 from edulaunch.view.replay import film_of
 from tests.browser.desk import Desk
-from tests.browser.lab import Lab
+from tests.browser.lab import WAIT_MS, Lab
 
 pytestmark = pytest.mark.browser
 
@@ -49,14 +49,14 @@ def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
     yield desk
     for process in desk.processes.values():
         process.terminate()
-        process.wait(timeout=20)
+        process.wait(timeout=WAIT_MS / 1000)
         process.stdout.close()
 
 
 def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) -> None:
     """Watch, drive, pause, step, go back, ask tf, change a parameter, plot, read the log, type a command."""
-    drive_and_stop(desk)
-    look_back(desk, shots / f'{name}-frames.png', can_continue=can_continue)
+    quiet_s = drive_and_stop(desk)
+    look_back(desk, quiet_s, shots / f'{name}-frames.png', can_continue=can_continue)
     use_the_tabs(desk)
     desk.page.screenshot(path=shots / f'{name}-graph.png')
     use_the_terminals(desk)
@@ -65,10 +65,11 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     assert desk.errors == []
 
 
-def drive_and_stop(desk: Desk) -> None:
-    """One arrow key, the space bar, and one tick."""
+def drive_and_stop(desk: Desk) -> float:
+    """One arrow key, the space bar, and one tick; returns a time at which both turtles were there and the first had not moved."""
     page = desk.page
     desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
+    quiet_s = desk.time()
     page.locator('.worlds canvas').first.click()
     page.keyboard.press('ArrowUp')
     desk.until_js("parseFloat(root.querySelector('.worlds canvas').ariaLabel.match(/turtle1 at .([0-9.]+)/)[1]) > 7.4")
@@ -82,12 +83,13 @@ def drive_and_stop(desk: Desk) -> None:
     x, y = desk.pose('turtle1')
     red, green, blue = desk.pixel(x, y)
     assert green > red and green > blue, 'the first turtle is green where its pose says that it is'
+    return quiet_s
 
 
-def look_back(desk: Desk, shot: Path, *, can_continue: bool) -> None:
-    """An instant near the start, tf asked there, and from there on, or back to now."""
+def look_back(desk: Desk, quiet_s: float, shot: Path, *, can_continue: bool) -> None:
+    """An instant before the drive, tf asked there, and from there on, or back to now."""
     page = desk.page
-    desk.seek(0.02)
+    desk.seek(quiet_s / desk.time())
     assert desk.pose('turtle1') == (5.54, 5.54)
     desk.until('.state', 'looking back')
     desk.open('frames')
@@ -113,8 +115,7 @@ def use_the_tabs(desk: Desk) -> None:
     page.get_by_label('/sim background_r', exact=True).evaluate('e => { e.value = 250; e.dispatchEvent(new Event("change")); }')
     page.wait_for_function(
         """() => { const root = [...document.querySelectorAll('*')].find(e => e.shadowRoot?.querySelector('.desk')).shadowRoot;
-        return root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] > 240; }""",
-        timeout=15_000,
+        return root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] > 240; }"""
     )
     desk.open('plot')
     page.get_by_label('add a field to the plot').select_option('/turtle1/pose x')
@@ -146,14 +147,14 @@ def use_the_terminals(desk: Desk) -> None:
 
 def export_and_replay(desk: Desk) -> None:
     """A file with all that has happened, opened from disk in a browser without a network."""
-    with desk.page.expect_download(timeout=30_000) as waiting:
+    with desk.page.expect_download() as waiting:
         desk.press('save what has happened')
     assert waiting.value.suggested_filename in ('turtle_tf2_demo.html', 'machine.html')
     context = desk.page.context.browser.new_context(offline=True)
     replay = Desk(context.new_page(), ('file:',))
     replay.page.goto(Path(waiting.value.path()).rename(Path(waiting.value.path()).with_suffix('.html')).as_uri())
     replay.page.locator('.worlds canvas').first.wait_for()
-    replay.seek(0.0)
+    replay.seek_first('turtle1')
     assert replay.pose('turtle1') == (5.54, 5.54)
     replay.seek(1.0)
     assert 'turtle2' in replay.label() and replay.time() > 1
@@ -176,7 +177,7 @@ def test_a_tab_that_is_closed_in_mid_run_loses_nothing(beside_terminal: Desk) ->
     new = Desk(context.new_page(), (old.address, old.address.replace('http', 'ws')))
     new.page.goto(old.address)
     new.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
-    new.seek(0.0)
+    new.seek_first('turtle1')
     assert new.pose('turtle1') == (5.54, 5.54) and 'turtle2' not in new.label()
     new.open('terminal')
     new.page.get_by_label('a command for the machine', exact=True).fill('ros2 node list')
@@ -190,7 +191,7 @@ def test_the_page_server_dies_and_the_machine_goes_on(beside_terminal: Desk) -> 
     desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
     desk.processes['view'].kill()
     desk.until('.state', 'has ended')
-    desk.seek(0.0)
+    desk.seek_first('turtle1')
     assert desk.pose('turtle1') == (5.54, 5.54), 'what was seen stays'
     assert desk.processes['launch'].poll() is None
     words = [sys.executable, '-m', 'edulaunch', 'view', '--no-browser']
@@ -201,7 +202,7 @@ def test_the_page_server_dies_and_the_machine_goes_on(beside_terminal: Desk) -> 
     assert address
     new.page.goto(address[0])
     new.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
-    new.seek(0.0)
+    new.seek_first('turtle1')
     assert new.pose('turtle1') == (5.54, 5.54), 'and the machine has everything from its start'
 
 
@@ -210,9 +211,9 @@ def test_the_machine_dies_and_the_page_keeps_what_it_has_seen(beside_terminal: D
     desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
     subprocess.run([sys.executable, '-m', 'edulaunch', 'machine', 'stop'], env=desk.env, check=True, stdout=subprocess.DEVNULL)
     desk.until('.state', 'has ended')
-    desk.seek(0.5)
-    assert 'turtle1' in desk.label()
-    assert desk.processes['launch'].wait(timeout=20) == 1
+    desk.seek_first('turtle1')
+    assert desk.pose('turtle1') == (5.54, 5.54)
+    assert desk.processes['launch'].wait(timeout=WAIT_MS / 1000) == 1
 
 
 def test_a_page_of_another_origin_gets_nothing(beside_terminal: Desk) -> None:
@@ -296,7 +297,7 @@ def test_a_kernel_that_dies_leaves_the_page_with_what_it_has_seen(lab: Lab, cour
         page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
         desk.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
         page.page.evaluate('() => window.jupyterapp.serviceManager.sessions.shutdownAll()')
-        desk.seek(0.0)
+        desk.seek_first('turtle1')
         assert desk.pose('turtle1') == (5.54, 5.54)
         desk.open('log')
         desk.until('.log td', 'Spawning turtle [turtle1]')
