@@ -16,7 +16,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-PATIENCE_S = 20.0
+PATIENCE_S = 240.0
+"""Real seconds after which something will never come, however busy the computer is; nothing is measured by it."""
 ROS2 = [sys.executable, '-c', 'import sys; from edulaunch.machine.command import ros2; sys.exit(ros2())']
 
 
@@ -118,7 +119,6 @@ class Desk:
             **{name: value for name, value in os.environ.items() if name in ('PATH', 'HOME', 'LANG', 'PYTHONPATH')},
             'XDG_RUNTIME_DIR': str(runtime),
             'EDULAUNCH_GRACE_S': '0.2',
-            'EDULAUNCH_TURN_LIMIT_S': '0.5',
         }
         self.shells: list[Shell] = []
 

@@ -136,7 +136,7 @@ def address(shell: Shell) -> str:
 def page(url: str) -> str | None:
     """What is there; None when nobody serves it."""
     try:
-        with urllib.request.urlopen(url, timeout=10) as answer:
+        with urllib.request.urlopen(url, timeout=PATIENCE_S) as answer:
             return str(answer.read().decode())
     except urllib.error.URLError:
         return None

@@ -22,7 +22,7 @@ class Notebook:
         self._manager = manager
         self._client = manager.client()
         self._client.start_channels()
-        self._client.wait_for_ready(timeout=60)
+        self._client.wait_for_ready(timeout=PATIENCE_S)
         assert self.run('%load_ext edulaunch.jupyter') == ''
 
     def run(self, code: str) -> str:

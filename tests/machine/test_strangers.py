@@ -23,7 +23,7 @@ NOBODY = 65534
 
 def connected(address: Address) -> socket.socket:
     client = socket.socket(socket.AF_UNIX)
-    client.settimeout(20)
+    client.settimeout(PATIENCE_S)
     client.connect(address.place)
     return client
 
@@ -166,6 +166,6 @@ def test_without_unix_sockets_a_port_of_the_loopback_serves_who_knows_the_token(
         address = read_address(str(desk.runtime / 'edulaunch'), '0')
         assert address is not None and address.kind == 'tcp'
         for said in (b'\0' * 100, hello('guess', ['ros2', 'node', 'list'])):
-            with socket.create_connection(('127.0.0.1', int(address.place)), timeout=20) as client:
+            with socket.create_connection(('127.0.0.1', int(address.place)), timeout=PATIENCE_S) as client:
                 client.sendall(said)
                 assert answer(client) == b''

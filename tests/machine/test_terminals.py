@@ -39,7 +39,7 @@ def test_ctrl_c_reaches_the_programs_of_its_terminal_only(desk: Desk) -> None:
     other.until('Publishing: "Hello World: 1"')
     launch.until('[turtlesim_node-2]: process started with pid')
     launch.type('\x03')
-    launch.until('process has finished cleanly', seconds=10)
+    launch.until('process has finished cleanly')
     assert launch.end() == 0
     before = other.output.count('Publishing')
     other.until(lambda output: output.count('Publishing') > before)

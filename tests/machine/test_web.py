@@ -101,7 +101,7 @@ import os, sys, urllib.error, urllib.request
 os.setgid(65534); os.setuid(65534)
 for path in ('', 'x' * 32 + '/', '../'):
     try:
-        print(urllib.request.urlopen(sys.argv[1] + path, timeout=10).status)
+        print(urllib.request.urlopen(sys.argv[1] + path, timeout=240).status)
     except urllib.error.HTTPError as error:
         print(error.code)
 """

@@ -12,8 +12,6 @@ from tests.terminals.pages import Page, Step
 
 COMMANDS = {'ros2': 'machine.command:ros2', 'rosdep': 'cli.rosdep:command', 'edulaunch': 'cli.main:main'}
 SPEED = 10
-LONGEST_S = 60.0
-"""Real seconds that anything may take on a busy computer."""
 PROMPT = re.compile(r'<(\d+)>\$ $')
 ESCAPES = re.compile(r'\x1b\[[0-9;?]*[A-Za-z]|\r')
 SEEDS = Path(__file__).resolve().parents[2].parent / 'shared' / 'seeds' / 'files'
@@ -35,7 +33,7 @@ class Terminal:
 
     def wait(self) -> int:
         """Wait for the prompt; returns the exit code of the last command."""
-        self._shell.until(lambda output: PROMPT.search(ESCAPES.sub('', output)), LONGEST_S)
+        self._shell.until(lambda output: PROMPT.search(ESCAPES.sub('', output)))
         self.busy = None
         found = PROMPT.search(ESCAPES.sub('', self._shell.output))
         assert found is not None
@@ -52,7 +50,7 @@ class Terminal:
         """Read until the patterns have come, in this order."""
         for count in range(1, len(patterns) + 1):
             whole = re.compile('(?s)' + '.*?'.join(f'(?m:{pattern})' for pattern in patterns[:count]))
-            self._shell.until(lambda output, whole=whole: whole.search(ESCAPES.sub('', output[self._seen :])), LONGEST_S)
+            self._shell.until(lambda output, whole=whole: whole.search(ESCAPES.sub('', output[self._seen :])))
 
     def press(self, keys: str) -> None:
         """Press keys; what was there before is not looked at any more."""
