@@ -23,7 +23,13 @@ CLOSE = """async () => {
   widget.context.model.dirty = false;  // or JupyterLab would ask whether it should be saved
   widget.close();
 }"""
-RUN_ALL = "() => window.jupyterapp.commands.execute('notebook:run-all-cells')"
+RUN_ALL = "() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }"
+ALL_RAN = """() => {
+  const cells = window.jupyterapp.shell.currentWidget.content.widgets.filter(cell => cell.model.type === 'code');
+  const failed = cell => !(cell.model.getMetadata('tags') || []).includes('raises-exception')
+    && cell.model.outputs.toJSON().some(output => output.output_type === 'error');
+  return cells.every(cell => cell.model.executionCount !== null) || cells.some(failed);
+}"""
 CELLS = """() => {
   const notebook = window.jupyterapp.shell.currentWidget.content;
   return notebook.widgets.filter(cell => cell.model.type === 'code').map(cell => ({
@@ -46,6 +52,8 @@ class Page:
     def run_all(self) -> None:
         """*Run → Run All Cells*, and wait until the last one has run, or one has failed."""
         self.page.evaluate(RUN_ALL)
+        self.page.wait_for_function(ALL_RAN, polling=500)  # not with every picture of the screen: it looks at all outputs
+        self.page.get_by_text('Python 3 (ipykernel) | Idle').wait_for()
 
     def cells(self) -> dict[str, dict[str, Any]]:
         """The code cells as the page has them now, by id: count and outputs."""

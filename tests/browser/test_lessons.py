@@ -41,7 +41,7 @@ def test_a_student_goes_through_a_lesson(lab: Lab, course: Path, name: str) -> N
 EARLY = """() => {
   const cells = window.jupyterapp.shell.currentWidget.content.widgets.filter(cell => cell.model.type === 'code');
   const picture = cells.find(cell => cell.model.id === 'multisim-picture').model, last = cells[cells.length - 1].model;
-  picture.outputs.changed.connect(() => { window.isEarly ??= picture.outputs.length > 0 && last.executionCount === null; });
+  picture.outputs.changed.connect(() => { if (picture.outputs.length) window.isEarly ??= last.executionCount === null; });
 }"""
 
 
