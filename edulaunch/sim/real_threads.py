@@ -27,6 +27,7 @@ class RealThreads:
         self._host = host
         self._threads: list[threading.Thread] = []
         self._bell = threading.Event()
+        self._setting_time = threading.Lock()
         self._anchor = host.sim.now_ns, time.monotonic_ns()
         self._keeps_time = False
 
@@ -61,13 +62,15 @@ class RealThreads:
         return bool(self._threads)
 
     def now_ns(self) -> int:
-        """The simulated time that belongs to the present real time."""
-        here = time.monotonic_ns()
-        now = self._anchor[0] + here - self._anchor[1]
-        if self._host.sim.now_ns > now:
-            now = self._host.sim.now_ns
-            self._anchor = now, here
-        return now
+        """Make simulated time what belongs to the present real time; it never goes back, whichever threads ask."""
+        with self._setting_time:
+            sim, here = self._host.sim, time.monotonic_ns()
+            now = self._anchor[0] + here - self._anchor[1]
+            if sim.now_ns > now:
+                now = sim.now_ns
+                self._anchor = now, here
+            sim.now_ns = now
+            return now
 
     def ring(self) -> None:
         """Let the main thread look again at once."""
@@ -75,7 +78,7 @@ class RealThreads:
 
     def await_turn(self, due_ns: int | None) -> bool:
         """Whether it is time for what is due at `due_ns` (None: never); if not, wait a moment, or for :meth:`ring`."""
-        self._host.sim.now_ns = now = self.now_ns()
+        now = self.now_ns()
         if due_ns is not None and now >= due_ns:
             return True
         self._bell.wait(LOOK_EVERY_S if due_ns is None else min(LOOK_EVERY_S, (due_ns - now) / 1e9))
@@ -96,7 +99,9 @@ class RealThreadTask(AmbientTask):
         self._clock.add(threading.current_thread())
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """As :meth:`Task.park`, in real time; may end early, as if woken, because a wake can get lost between threads."""
+        """As :meth:`Task.park`, in real time; may end early, as if woken: not everything that ends a wait wakes whoever waits, so
+        it looks again now and then. A wake is never lost: whoever waits looks at what it waits for after the flag went down.
+        """
         self._clock.ring()
         wait_s = LOOK_EVERY_S
         if deadline_ns is not None:
@@ -104,14 +109,11 @@ class RealThreadTask(AmbientTask):
         if not self._woken and wait_s > 0:
             self._bell.wait(wait_s)
         self._bell.clear()
-        sim = self.sim
-        sim.now_ns = now = self._clock.now_ns()
+        now = self._clock.now_ns()
         if not self._woken and deadline_ns is not None and now >= deadline_ns:
             return False
         self._woken = False
-        if self._killed:
-            raise TaskKilled
-        self._deliver_interrupts()
+        self.attend()
         return True
 
     def wake(self) -> None:

@@ -83,49 +83,37 @@ class Simulation:
             return self.now_ns
         return agenda[0][0] if agenda else None
 
-    def _take(self) -> Item | None:
-        """The next item, taken off the agenda; None when there is none."""
-        agenda, soon = self.agenda, self._soon
-        while soon or agenda:
-            if not soon or (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
-                item = heappop(agenda)
-            else:
-                item = soon.popleft()
-            if item[3] is not None:
-                return item
-        return None
-
     def step(self) -> bool:
         """Run the next item. False when there is none."""
-        item = self._take()
-        if item is None:
-            return False
         self.hub = getcurrent()
         self.hands_on = False
-        self.now_ns = max(self.now_ns, item[0])
-        item[3]()
-        return True
+        return self._run_next(FAR_NS)
+
+    def _run_next(self, limit_ns: int) -> bool:
+        """Run the next item; False when there is none until `limit_ns`."""
+        agenda, soon = self.agenda, self._soon
+        while soon or agenda:
+            if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
+                callback = soon.popleft()[3]
+            else:
+                if agenda[0][0] > limit_ns:
+                    return False
+                at_ns, _, _, callback = heappop(agenda)
+                if callback is not None and at_ns > self.now_ns:
+                    self.now_ns = at_ns
+            if callback is not None:
+                callback()
+                return True
+        return False
 
     def run(self, until_ns: int | None = None) -> None:
         """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
         self._stopped = False
         self.hands_on = True
         self.hub = getcurrent()
-        agenda, soon = self.agenda, self._soon
-        limit = FAR_NS if until_ns is None else until_ns
-        while not self._stopped:
-            if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
-                callback = soon.popleft()[3]
-                if callback is not None:
-                    callback()
-                continue
-            if not agenda or agenda[0][0] > limit:
-                break
-            item = heappop(agenda)
-            callback = item[3]
-            if callback is not None:
-                self.now_ns = item[0]
-                callback()
+        limit_ns = FAR_NS if until_ns is None else until_ns
+        while not self._stopped and self._run_next(limit_ns):
+            pass
         self.hands_on = False
         if until_ns is not None and not self._stopped and self.now_ns < until_ns:
             self.now_ns = until_ns

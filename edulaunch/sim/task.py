@@ -70,8 +70,8 @@ class Task:
     def start(self) -> None:
         """Give the task its first turn, at the present simulated time."""
         starter = running_task()
-        if starter is not None and starter.is_real_thread:  # a greenlet must be made in the thread that switches to it
-            self.sim.schedule(self.sim.now_ns, lambda: self._make_greenlet()())
+        if starter is not None and starter.is_real_thread:  # only the main thread makes greenlets, and knows what time it is
+            self._soon.append([self.sim.start_ns, 0, 1, lambda: self._make_greenlet()()])
         else:
             self.sim.schedule(self.sim.now_ns, self._make_greenlet())
 
@@ -102,9 +102,7 @@ class Task:
 
     def _run(self) -> None:
         try:
-            if self._killed:
-                raise TaskKilled
-            self._deliver_interrupts()
+            self.attend()
             self.result = self._body()
         except TaskKilled:
             pass
@@ -136,11 +134,11 @@ class Task:
         :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
         """
         self._polls = 0
+        self._parked = True  # before the look at `_woken`: a wake, perhaps in another thread, does and looks the other way round
         if not self._woken and not self._killed:
             timer = self._timer
             if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:
                 self._set_timer(deadline_ns)
-            self._parked = True
             sim, soon = self.sim, self._soon
             agenda = sim.agenda
             if self.loop is not None:
@@ -151,13 +149,16 @@ class Task:
                 soon.popleft()[3]()
             else:
                 sim.hub.switch()
-            self._parked = False
+        self._parked = False
         woken = self._woken
-        self._woken = False
+        if woken:
+            self._woken = False
         if self._killed:
             raise TaskKilled
         if self._interrupts:
             self._deliver_interrupts()
+        if not woken and (deadline_ns is None or self._timer is not None):  # a turn that the wake before this park left, late
+            return self.park(deadline_ns)
         return woken
 
     def waits_for_ever(self) -> bool:
@@ -178,7 +179,10 @@ class Task:
             self._greenlet.switch()
 
     def wake(self) -> None:
-        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once."""
+        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once.
+
+        A real thread may do so at any moment: no wake gets lost, whatever the task does meanwhile.
+        """
         if not self._woken:
             self._woken = True
             if self._parked:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -172,3 +173,23 @@ def test_two_threads_of_an_executor_clash_only_with_equal_calls(world: World, fi
     """As in Jazzy: the wait belongs to the arguments, and two threads cannot take from one."""
     said = two_threads(world, first, second)
     assert [what for what in said if 'generator' in what] == (CLASH if clash else [])
+
+
+def test_a_shutdown_by_another_thread_just_before_a_wait_ends_it(ros: Ros, world: World) -> None:
+    def body() -> None:
+        executor = SingleThreadedExecutor()
+
+        class Waiters(list[Any]):
+            """Another thread comes in just before somebody joins."""
+
+            def append(self, task: Any) -> None:
+                thread = threading.Thread(target=executor.shutdown)
+                thread.start()
+                thread.join()
+                super().append(task)
+
+        executor._waiting = Waiters()
+        executor.spin_once(timeout_sec=5.0)
+        world.say(current_process().sim.elapsed_s)
+
+    assert ros(body) == [0.0]

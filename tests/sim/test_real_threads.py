@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
+import sys
 import threading
 import time
 from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -13,8 +16,10 @@ from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
+from edulaunch.sim import real_threads
 from edulaunch.sim.real_threads import RealThreadTask
-from edulaunch.sim.task import current_task
+from edulaunch.sim.simulation import Simulation
+from edulaunch.sim.task import Task, current_task
 
 
 def answer(_: Any, response: Any) -> Any:
@@ -106,3 +111,61 @@ def test_time_of_such_a_thread_is_real(node: Any) -> None:
     thread.start()
     thread.join(5)
     assert slept[0] >= 0.045 and slept[1] >= 0.045
+
+
+def test_a_program_that_a_thread_starts_is_begun_by_the_main_thread_whatever_time_it_is(node: Any) -> None:
+    sim = current_task().sim
+    asked: list[threading.Thread] = []
+
+    class Ticking(Simulation):
+        """The time goes on whenever somebody looks."""
+
+        @property
+        def now_ns(self) -> int:  # type: ignore[override]
+            self.__dict__['now'] += 1
+            return int(self.__dict__['now'])
+
+        @now_ns.setter
+        def now_ns(self, now: int) -> None:
+            self.__dict__['now'] = now
+
+    def start() -> None:
+        current_task()
+        sim.__class__, sim.__dict__['now'] = Ticking, sim.__dict__.pop('now_ns')
+        try:
+            Task(sim, lambda: asked.append(threading.current_thread())).start()
+        finally:
+            sim.__class__, sim.__dict__['now_ns'] = Simulation, sim.__dict__.pop('now')
+
+    thread = threading.Thread(target=start)
+    thread.start()
+    thread.join(5)
+    rclpy.spin_once(node, timeout_sec=0.01)
+    assert asked == [threading.main_thread()]
+
+
+def test_time_never_goes_back_wherever_threads_change(node: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    clock, sim = current_task().real_threads, current_task().sim
+    ticks, times = itertools.count(time.monotonic_ns(), 1000), []
+    monkeypatch.setattr(real_threads, 'time', SimpleNamespace(monotonic_ns=lambda: next(ticks)))
+
+    def at_each_line(frame: Any, event: str, _: Any) -> Any:
+        if frame.f_code.co_filename != real_threads.__file__:
+            return None
+        times.append(sim.now_ns)
+        if not clock._setting_time.locked():
+            times.append(clock.now_ns())  # as the main thread does, when it comes in here
+        return at_each_line
+
+    def park() -> None:
+        task = current_task()
+        sys.settrace(at_each_line)
+        try:
+            task.park(sim.now_ns + 10)
+        finally:
+            sys.settrace(None)
+
+    thread = threading.Thread(target=park)
+    thread.start()
+    thread.join(5)
+    assert len(times) > 10 and times == sorted(times)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -88,3 +90,16 @@ def test_a_leap_takes_the_agenda_along() -> None:
     assert sim.now_ns == 100 and sim.next_time_ns() == 110
     sim.run()
     assert log == [(110, 10), (110, 10), (120, 20), (130, 30)]
+
+
+def test_an_item_that_another_thread_cancels_as_it_is_taken_does_not_break_the_run() -> None:
+    class Cancelled(list[Any]):
+        looks = 0
+
+        def __getitem__(self, index: Any) -> Any:
+            self.looks += index == 3
+            return None if index == 3 and self.looks > 1 else super().__getitem__(index)
+
+    sim, log = Simulation(), []
+    sim._soon.append(Cancelled([sim.now_ns, 0, 1, lambda: log.append('once')]))
+    assert sim.step() and log == ['once']

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 
 import pytest
@@ -290,3 +291,73 @@ def test_a_step_is_one_turn_though_the_next_task_waits() -> None:
     for task in tasks:
         task.wake()
     assert (sim.step(), log) == (True, [(0.0, 'a')])
+
+
+def in_a_thread(body: Callable[[], object]) -> None:
+    thread = threading.Thread(target=body)
+    thread.start()
+    thread.join()
+
+
+class WokenWhileItParks(Task):
+    """Another thread wakes it in the middle of parking, at each of its parks."""
+
+    def _set_timer(self, deadline_ns: int | None) -> None:
+        super()._set_timer(deadline_ns)
+        in_a_thread(self.wake)
+
+
+def test_a_wake_of_another_thread_in_the_middle_of_parking_is_not_lost() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        for seconds in (1, 2, 3):
+            note(sim, log, current_task().park(sim.now_ns + seconds * 10**9))
+
+    task = WokenWhileItParks(sim, body)
+    task.start()
+    sim.run()
+    assert log == [(0.0, 'True')] * 3 and task.finished
+
+
+class LateWake(Task):
+    """Another thread's wake halts between raising the flag and looking whether the task is parked."""
+
+    def __init__(self, sim: Simulation, body: Callable[[], object]) -> None:
+        self.halted, self.go_on = threading.Event(), threading.Event()
+        self._is_parked = False
+        super().__init__(sim, body)
+
+    @property
+    def _parked(self) -> bool:
+        if threading.current_thread() is not threading.main_thread():
+            self.halted.set()
+            self.go_on.wait()
+        return self._is_parked
+
+    @_parked.setter
+    def _parked(self, parked: bool) -> None:
+        self._is_parked = parked
+
+
+def test_a_wake_that_comes_in_two_parts_ends_one_park_and_no_later_one() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        note(sim, log, current_task().park(sim.now_ns + 10**9))
+        note(sim, log, current_task().park(sim.now_ns + 10**9))
+        note(sim, log, current_task().park())
+
+    task = LateWake(sim, body)
+    task.start()
+    thread = threading.Thread(target=task.wake)
+    thread.start()
+    task.halted.wait()
+    sim.run(sim.start_ns + 10**8)  # sees the flag, and parks again
+    task.go_on.set()
+    thread.join()
+    sim.run(sim.start_ns + 3 * 10**9)
+    assert log == [(0.0, 'True'), (1.0, 'False')]
+    in_a_thread(task.wake)
+    sim.run()
+    assert log[2:] == [(3.0, 'True')] and task.finished

@@ -91,7 +91,7 @@ class Waiting:
             self._look_again()
 
     def _look_again(self) -> None:
-        for waiting in self._waiting:
+        for waiting in tuple(self._waiting):
             waiting.wake()
 
     def _collect(self) -> list[Entity]:
@@ -133,13 +133,13 @@ class Waiting:
                 for timer in ready_list.timers:
                     if timer.due_ns < due and _may_begin(timer):
                         due = timer.due_ns
-        if not self._woken and self._context.alive and not self._is_shutdown:
-            task = current_task()
-            self._waiting.append(task)
-            try:
+        task = current_task()
+        self._waiting.append(task)  # before the look: another thread's wake either finds it there, or is seen
+        try:
+            if not self._woken and self._context.alive and not self._is_shutdown:
                 task.park(due if due < NEVER_NS else None)
-            finally:
-                self._waiting.remove(task)
+        finally:
+            self._waiting.remove(task)
         self._woken = False
         self._raise_if_over()
 
