@@ -142,7 +142,6 @@ def best_ms(measured_s: Callable[[Path], float], path: Path, rounds: int = ROUND
     """The shortest of several; what else the machine does can only add time. The files of the folder change each time."""
     texts = {file: file.read_text(encoding='utf-8') for file in path.parent.iterdir()}
     gc.collect()
-    gc.freeze()  # what was measured before is still about; a program that has just begun need not collect it
     times = []
     for number in range(rounds):
         for file, text in texts.items():

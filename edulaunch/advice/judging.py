@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import gc
 import re
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
+from edulaunch.collector_pause import collector_paused
 from edulaunch.errors import EdulaunchError
 
 if TYPE_CHECKING:
@@ -31,20 +30,8 @@ MOST = 20
 
 def judge(recording: Recording) -> list[Finding]:
     """What is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
-    with _collector_paused():
+    with collector_paused():  # takes longer than the rules, where the recording is large
         return _judge(recording)
-
-
-@contextmanager
-def _collector_paused() -> Iterator[None]:
-    """Rules make many small things and no cycles: looking through a large recording for those takes longer than the rules do."""
-    was_on = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_on:
-            gc.enable()
 
 
 def _judge(recording: Recording) -> list[Finding]:

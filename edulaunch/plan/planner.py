@@ -9,6 +9,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.attached import attached
+from edulaunch.collector_pause import collector_paused
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
@@ -74,8 +75,6 @@ class Planner:
 
     def plan(self) -> Plan:
         """Run it, and tell what happened."""
-        from launch.frontend.collector_pause import collector_paused
-
         with collector_paused():
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter('default')

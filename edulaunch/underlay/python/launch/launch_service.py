@@ -9,6 +9,8 @@ from collections.abc import Awaitable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.collector_pause import collector_paused
+
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
 from ._engine import new_event_loop, running_process
@@ -17,7 +19,6 @@ from ._origin import note_origin
 from .event_handler import BaseEventHandler
 from .event_handlers.general import OnIncludeLaunchDescription, OnShutdown
 from .events import Event, IncludeLaunchDescription, Shutdown
-from .frontend.collector_pause import collector_paused
 from .launch_context import LaunchContext
 from .launch_description_entity import LaunchDescriptionEntity
 from .logging import get_logger, launch_config, log_launch_config

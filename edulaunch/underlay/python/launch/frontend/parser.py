@@ -7,12 +7,12 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
+from edulaunch.collector_pause import collector_paused
 from edulaunch.nearest import nearest
 
 from .._engine import inside
 from .._origin import MAKERS
 from . import places
-from .collector_pause import collector_paused
 from .entity import Entity
 from .expose import action_parse_methods
 from .extensions import load_launch_extensions, load_parsers
