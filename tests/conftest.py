@@ -13,6 +13,7 @@ from hypothesis import settings
 
 import edulaunch
 from edulaunch.sim.task import AmbientTask, current_task
+from tests.house import EXAMPLES
 from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, kinds_of
 
 edulaunch.source()
@@ -22,7 +23,6 @@ for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SI
     if number is not None and signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, usual)
 HERE = (Path(__file__).parent, Path(__file__).parents[1])
-EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
 

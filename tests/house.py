@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / 'edulaunch'
+EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
+"""How many a test of a property tries, where it says nothing else; others try so many times that."""
 UNDERLAY = PACKAGE / 'underlay' / 'python'
 FACES = sorted(path.name for path in UNDERLAY.iterdir() if path.is_dir() and path.name != '__pycache__')
 

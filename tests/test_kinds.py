@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
@@ -17,6 +18,7 @@ UNIT_TESTS = '<!-- tests -->'
 """How `.ci/run` finds the README's command, which leaves out every kind."""
 
 
+@cache
 def steps() -> list[tuple[str, list[str]]]:
     """(expression of marks, folders) of the calls of pytest in `.ci/run`, but for lessons, and for what installs a second Python."""
     calls = re.findall(r'(?m)^[^#\n]*\b(?:pytest|hurried \w+) (-[^;\n]*)$|\{ (?:pytest|hurried \w+) ([^;]*);', RUN)

@@ -12,6 +12,8 @@ from launch.frontend.parse_substitution import (
     parse_template,
 )
 
+from tests.house import EXAMPLES
+
 
 @pytest.mark.parametrize(
     ('text', 'pieces'),
@@ -85,14 +87,14 @@ def test_long_texts_take_linear_time():
     assert len(parse_template('$(var x)' * 10_000)) == 10_000
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=3 * EXAMPLES)
 @given(st.text())
 def test_every_text_can_be_written_by_escaping(text):
     written = text.replace('\\', '\\\\').replace('$', '\\$')
     assert ''.join(parse_template(written)) == text
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=3 * EXAMPLES)
 @given(st.text(alphabet=st.sampled_from('$()\'"\\ varx\n')))
 def test_no_text_breaks_the_parser(text):
     try:

@@ -6,6 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from launch_xml.entity import typed
 
+from tests.house import EXAMPLES
+
 
 @pytest.mark.parametrize(
     ('text', 'data_type', 'value'),
@@ -40,7 +42,7 @@ def test_a_text_that_is_not_convertible_is_an_error_when_texts_are_not_allowed()
         typed('yes please', bool, False)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=2 * EXAMPLES)
 @given(st.text('abT$_/ .,:#-[]{}()!"\'0123456789~=<>|&*%@', min_size=1) | st.sampled_from(['NULL', 'On', 'nO', 'y']))
 def test_the_quick_way_agrees_with_yaml(text):
     try:

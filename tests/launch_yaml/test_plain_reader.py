@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 from launch.utilities.yaml_reader import read
 from launch_yaml.plain_reader import NotPlain, read_plain
 
+from tests.house import EXAMPLES
+
 PIECES = (
     '- ',
     '-',
@@ -56,7 +58,7 @@ def lines(value):
     return [lines(item) for item in value] if isinstance(value, list) else None
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=5 * EXAMPLES)
 @given(st.lists(st.sampled_from(PIECES), max_size=14).map(''.join))
 def test_both_read_the_same(text):
     try:

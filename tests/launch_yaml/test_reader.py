@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from launch.utilities.yaml_reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
 
 from edulaunch.facts import facts_of
+from tests.house import EXAMPLES
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
     f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n' for before, name in zip('abcdefgh', 'bcdefghi', strict=True)
@@ -61,7 +62,7 @@ def depth_of(node):
     return 1 + max(map(depth_of, parts), default=0)
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=4 * EXAMPLES)
 @given(
     st.lists(st.sampled_from([*'[]{}#,a"\'', '\n', '\n ', '\n  ', '\r', ': ', '- ', '? ', 'a]]]: [', 'a:\n- ']), max_size=30).map(
         ''.join

@@ -14,6 +14,7 @@ from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, dump, load
 from edulaunch.link.half import Gone, Half
 from edulaunch.sim.simulation import EPOCH_NS, Simulation
+from tests.house import EXAMPLES
 
 END_NS = EPOCH_NS + 8
 
@@ -109,7 +110,7 @@ def in_two(item: Item) -> list[tuple[int, Item]]:
     return log
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=3 * EXAMPLES // 2)
 @given(items.filter(lambda item: not at_this_instant_elsewhere(item)))
 def test_two_halves_do_what_one_agenda_does(item: Item) -> None:
     assert in_two(item) == in_one(item)

@@ -18,6 +18,7 @@ from edulaunch.link.replica import ENDS
 from edulaunch.link.trusted import Trusted
 from edulaunch.link.trusted_host import shipped_path
 from edulaunch.sim.simulation import EPOCH_NS
+from tests.house import EXAMPLES
 
 SIM, FAKE = shipped_path('turtlesim', 'turtlesim_node'), '/home/me/fake'
 POSE = 'turtlesim/msg/Pose'
@@ -249,7 +250,7 @@ def test_half_a_frame_and_silence_is_an_end() -> None:
 PARTS = [MINE, WITH_SIM, token(EPOCH_NS, 7), node(3), end('publisher', 4, 1, '/a'), frame(Kind.ADVANCE, TIME.pack(EPOCH_NS))]
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=2 * EXAMPLES)
 @given(st.lists(st.sampled_from(PARTS), max_size=6), st.lists(st.tuples(st.integers(0), st.integers(0, 255)), max_size=4))
 def test_noise_ends_the_run(parts: list[bytes], changes: list[tuple[int, int]]) -> None:
     sent = bytearray(b''.join(parts) or b'x')

@@ -20,6 +20,7 @@ from edulaunch.recording import Recording
 from edulaunch.recording.frames import frame_links
 from edulaunch.recording.misfits import misfits
 from edulaunch.recording.trajectory import moving_things
+from tests.house import EXAMPLES
 
 from .conftest import turtle_run
 
@@ -90,7 +91,7 @@ def test_an_undamaged_one_answers() -> None:
     assert level.at == level.more[0]
 
 
-@settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+@settings(max_examples=4 * EXAMPLES, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(st.tuples(st.sampled_from(PLACES), PLAIN | st.just(...)), min_size=1, max_size=3))
 def test_another_value_anywhere(changes: list[tuple[tuple[Any, ...], Any]]) -> None:
     parts = copy.deepcopy(WHOLE)
@@ -111,7 +112,7 @@ def test_another_value_anywhere(changes: list[tuple[tuple[Any, ...], Any]]) -> N
         assert str(error)
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=3 * EXAMPLES)
 @given(st.data())
 def test_other_bytes_anywhere(data: Any) -> None:
     text = bytearray(text_of(WHOLE))

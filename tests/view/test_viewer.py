@@ -17,6 +17,7 @@ from edulaunch.sim.pacing import RealTime
 from edulaunch.view import Living
 from edulaunch.view.film import Mark
 from edulaunch.view.viewer import TICK_NS, Viewer
+from tests.house import EXAMPLES
 
 
 class Desk(Living):
@@ -232,7 +233,7 @@ FIELDS = st.sampled_from(
 )
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=150)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=3 * EXAMPLES // 2)
 @given(
     words=ANYTHING | st.tuples(OPS, st.dictionaries(FIELDS, ANYTHING, max_size=4)).map(lambda pair: {**pair[1], 'op': pair[0]})
 )
