@@ -17,6 +17,7 @@ from typing import Any
 
 import rclpy
 from rcl_interfaces.srv import GetParameters, ListParameters
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -26,6 +27,9 @@ from edulaunch.interfaces.importer import installed_registry
 
 NAME = '_edulaunch_observer'
 LOOK_EVERY_S = 0.25
+LOOK_AT_ALL_EVERY_S = 1.0
+"""So often also the ends of nodes are asked for when no node and no topic has come: asking costs."""
+TAKE_EVERY_S = 0.05
 MOST_MESSAGES = 20_000
 """Of one topic; what comes after that is left out."""
 PATIENCE_S = 10.0
@@ -38,23 +42,28 @@ class Observer:
     def __init__(self) -> None:
         self.node = rclpy.create_node(NAME, start_parameter_services=False, enable_rosout=False)
         self.executor = SingleThreadedExecutor()
-        self.executor.add_node(self.node)
         self.nodes: dict[str, float] = {}
         self.ends: dict[tuple[str, str, str, str, str], float] = {}
         self.messages: dict[str, tuple[str, list[tuple[float, str]]]] = {}
         self.parameters: dict[str, dict[str, Any]] = {}
-        self.is_over = False
-        self._subscriptions: list[Any] = []
+        self._subscriptions: dict[str, Any] = {}
+        self._counts: dict[str, int] = {}
+        self._known: Any = None
+        self._looked_s = 0.0
 
     def look(self) -> None:
         """Note who is there now, and listen to topics that are new."""
         now = time.time()
-        for name, namespace in self.node.get_node_names_and_namespaces():
+        names, topics = self.node.get_node_names_and_namespaces(), self.node.get_topic_names_and_types()
+        if (names, topics) == self._known and now < self._looked_s + LOOK_AT_ALL_EVERY_S:
+            return
+        self._known, self._looked_s = (names, topics), now
+        for name, namespace in names:
             full = f'{namespace.rstrip("/")}/{name}'
             if name != NAME:
                 self.nodes.setdefault(full, now)
                 self._look_at_services(name, namespace, full, now)
-        for topic, types in self.node.get_topic_names_and_types():
+        for topic, types in topics:
             publishers = self.node.get_publishers_info_by_topic(topic)
             self._note('publisher', topic, publishers, now)
             self._note('subscription', topic, self.node.get_subscriptions_info_by_topic(topic), now)
@@ -96,21 +105,27 @@ class Observer:
             reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
             durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
         )
+        silent = SubscriptionEventCallbacks(use_default_callbacks=False)
+        self._subscriptions[topic] = self.node.create_subscription(
+            message_class, topic, _leave, qos, raw=True, event_callbacks=silent
+        )
 
-        count = 0
-
-        def heard(data: bytes, info: Any) -> None:
-            nonlocal count
-            count += 1
-            if count <= MOST_MESSAGES and not self.is_over:
-                sent_s = info['source_timestamp'] / 1e9 or time.time()
-                self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
-
-        self._subscriptions.append(self.node.create_subscription(message_class, topic, heard, qos, raw=True))
+    def take(self) -> None:
+        """Take what was said. No executor does it: one turn of it for each message takes longer than everything else here."""
+        for topic, subscription in self._subscriptions.items():
+            while (taken := subscription.handle.take_message(subscription.msg_type, True)) is not None:
+                data, info = taken
+                self._counts[topic] = self._counts.get(topic, 0) + 1
+                if self._counts[topic] <= MOST_MESSAGES:
+                    sent_s = info['source_timestamp'] / 1e9 or time.time()
+                    self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
 
     def ask(self) -> None:
-        """Ask all nodes for their parameters; what is said meanwhile is not noted."""
-        self.is_over = True
+        """Ask all nodes for their parameters, and listen to nothing else from now on."""
+        for subscription in self._subscriptions.values():
+            self.node.destroy_subscription(subscription)
+        self._subscriptions.clear()
+        self.executor.add_node(self.node)
         until = time.monotonic() + PATIENCE_S
         for full in self.nodes:
             if not full.rpartition('/')[2].startswith('_'):
@@ -139,6 +154,10 @@ class Observer:
         return json.dumps(told, default=list)
 
 
+def _leave(data: bytes) -> None:
+    """In place of a callback: :meth:`Observer.take` is faster."""
+
+
 def _read(words: queue.SimpleQueue[str]) -> None:
     for line in sys.stdin:
         words.put(line.strip())
@@ -158,10 +177,11 @@ def main() -> int:
         if word or time.monotonic() - looked > LOOK_EVERY_S:
             observer.look()
             looked = time.monotonic()
+        observer.take()
         if word == 'end':
             observer.ask()
         if word:
             print(observer.told(), flush=True)
-        observer.executor.spin_once(timeout_sec=0.05)
+        time.sleep(TAKE_EVERY_S)
     rclpy.try_shutdown()
     return 0
