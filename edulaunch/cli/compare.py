@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
 from typing import TYPE_CHECKING
 
@@ -25,7 +26,7 @@ EXAMPLES = """examples:
   edulaunch compare src/my_package                       all launch files in a folder
   edulaunch compare demo_nodes_cpp other.launch.py --jobs 4
 
-exit codes: 0 nothing differs, 1 something does, 2 the comparison is not possible"""
+exit codes: 0 nothing differs, 1 something does, 2 the comparison is not possible, 130 it was stopped by Ctrl-C"""
 WIDEST = 60
 """Letters of a cell of the table; --json has all of them."""
 
@@ -50,13 +51,18 @@ def compare_arguments(parser: argparse.ArgumentParser) -> None:
 
 def compare_verb(arguments: argparse.Namespace) -> int:
     """Run all in both worlds, and say what differs."""
-    from edulaunch.comparing.known import read_known
+    from edulaunch.comparing.known import BY_DESIGN, read_known
     from edulaunch.native.environment import needed
 
     needed()
-    known = read_known(arguments.known) if arguments.known else []
+    known = [*(read_known(arguments.known) if arguments.known else []), *BY_DESIGN]
     items = _items(arguments)
-    return _many(arguments, items, known) if len(items) != 1 else _one(arguments, items[0], known)
+    signal.signal(signal.SIGTERM, lambda *_: os.kill(os.getpid(), signal.SIGINT))  # it ends in order, and all that it has started
+    try:
+        return _many(arguments, items, known) if len(items) != 1 else _one(arguments, items[0], known)
+    except KeyboardInterrupt:
+        print('stopped before the comparison was through; what it had started has ended', file=sys.stderr)
+        return 130
 
 
 def _items(arguments: argparse.Namespace) -> list[tuple[str, ...]]:
@@ -86,7 +92,7 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
 
     path, file, given = split_words(words[0], list(words[1:]))
     workspaces = list(workspaces_of_command(arguments.workspace, path))
-    print(f'running it for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
+    print(f'{" ".join(words)}: in simulation, then for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
     found, chance, not_up, simulated, real = compare(
         path, file, given, arguments.seconds, workspaces, lambda each: reason(known, words, each) is not None
     )
@@ -101,7 +107,7 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
             print('left out: what differs between simulations of different random numbers, too: ' + _subjects(chance))
         for name in sorted(not_up):
             print(f'left out: what {name} said, and its exit code: it was stopped before it was up')
-        print(f'compared: {counts(simulated, real)}')
+        print(f'compared, in simulation/for real: {counts(simulated, real)}')
     return 1 if found else 0
 
 
@@ -111,7 +117,7 @@ def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: 
     jobs = arguments.jobs or os.cpu_count() or 1
     print(f'{len(items)} launch files, {jobs} at a time ...', file=sys.stderr)
     options = [f'--workspace={folder}' for folder in arguments.workspace]
-    options += [f'--known={arguments.known}'] if known else []
+    options += [f'--known={arguments.known}'] if arguments.known else []
     rows = sweep(items, arguments.seconds, jobs, options, progress=lambda row: print(told(row), file=sys.stderr))
     if arguments.json:
         _print_rows_as_json(rows)

@@ -7,6 +7,7 @@ quarter of their length.
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator, Sequence
 from itertools import permutations
 from typing import Any, NamedTuple
@@ -25,6 +26,7 @@ _CHANCE = (
     'rcl_shutdown already called',
     'Failed to publish log message to rosout',
     "publisher's context is invalid",
+    "node's context is invalid",
     'the given context is not valid',
     'feedback publisher is invalid',
     'the client may have gone away',
@@ -36,6 +38,8 @@ _CHANCE = (
     'object type name: ',
 )
 """What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment."""
+_CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
+"""How it ends when that is in C++ code."""
 
 
 class Difference(NamedTuple):
@@ -196,14 +200,21 @@ def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
 
 def _unlucky(seen: Observation) -> set[str]:
     """Programs that a signal found at a bad moment. What they said from then on is a matter of chance, and their exit code."""
-    return {line.process for line in seen.lines if any(words in line.text for words in _CHANCE) and _is_last(seen, line)}
+    crashed = {
+        program_of(name) for name, each in seen.programs.items() if each.signalled_s < BRIEFLY and each.returncode in _CRASHES
+    }
+    lines = (line for line in seen.lines if any(words in line.text for words in _CHANCE))
+    return crashed | {line.process for line in lines if line.time_s >= _signalled_s(seen, line.process)}
+
+
+def _signalled_s(seen: Observation, process: str) -> float:
+    return min([seen.asked_s, *(each.signalled_s for name, each in seen.programs.items() if program_of(name) == process)])
 
 
 def _is_last(seen: Observation, line: Line) -> bool:
-    """Whether its program had got a signal by then; in simulation that ends it at that moment."""
-    programs = [program for name, program in seen.programs.items() if program_of(name) == line.process]
-    ends = [min(each.signalled_s, BRIEFLY if each.ended_s is None else each.ended_s) for each in programs]
-    return line.time_s >= min([seen.asked_s, *ends])
+    """Whether its program had got a signal by then; in simulation, where nobody notes who gets one, whether it ended then."""
+    ends = (each.ended_s for name, each in seen.programs.items() if program_of(name) == line.process)
+    return line.time_s >= min([_signalled_s(seen, line.process), *(end_s for end_s in ends if end_s is not None)])
 
 
 def _codes(simulated: Observation, real: Observation) -> Iterator[Difference]:

@@ -63,6 +63,7 @@ def run_for_real(
 
     :param seconds: the run lasts so long, and up to `patience_s` longer until `is_enough` of what was seen.
     :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
+    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
     """
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # of a shell's background job, and programs inherit it
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -71,17 +72,26 @@ def run_for_real(
         with NativeSession(workspaces=workspaces, env=env) as session, _observer(session) as ask:
             watch = _Watch(session)
             launch = session.launch(path, file, arguments)
-            session.run(seconds, speed=1.0)
+            _run(session, seconds)
             watch.add(ask('look'))
             while not session.is_over and watch.now_s < seconds + patience_s and not is_enough(watch.seen()):
-                session.run(LOOK_EVERY_S, speed=1.0)
+                _run(session, LOOK_EVERY_S)
                 watch.add(ask('look'))
             launch.raise_error()
             watch.add(ask('end'))
             asked_s = watch.now_s
             session.interrupt()
-            session.run(END_S, speed=1.0)
+            _run(session, END_S)
             return watch.seen()._replace(asked_s=asked_s)
+
+
+def _run(session: Session, seconds: float) -> None:
+    """Let real time pass.
+
+    :raises KeyboardInterrupt: somebody pressed Ctrl-C; what was seen until then is no comparison.
+    """
+    if session.run(seconds, speed=1.0):
+        raise KeyboardInterrupt
 
 
 @contextmanager
@@ -121,7 +131,7 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
             tell.write(f'{word}\n')
             tell.flush()
             while answers.empty() and not session.is_over:
-                session.run(0.05, speed=1.0)
+                _run(session, 0.05)
             answer = answers.get()
             if not answer:
                 raise EdulaunchError('the observer of the real run died.')

@@ -88,15 +88,17 @@ def simulate(
     :param start_s: the time of day at which it begins, in seconds since 1970.
     :param seed: of its random numbers.
     :raises UnusableInput: when it cannot be launched at all.
+    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
     """
     with LateSession(workspaces=workspaces, start_ns=round(start_s * 1e9), seed=seed) as session:
         assert isinstance(session.host, LateHost) and isinstance(session.recorder, EndsRecorder)
         session.host.delays_s = delays_s or {}
         launch = session.launch(path, file, arguments)
-        session.run(seconds)
+        was_stopped = session.run(seconds)
         launch.raise_error()
         session.interrupt()
-        session.run(END_S)
+        if session.run(END_S) or was_stopped:
+            raise KeyboardInterrupt
         recording = session.recording()
         gone = [session.recorder.gone_s.get(row[4], END_S + seconds) for row in session.recorder.endpoints]
         return observe(recording, gone, seconds, interfaces_of(session.index)[1].get)
@@ -120,7 +122,7 @@ def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class
             is_brief = nodes[name] == BRIEFLY or end_s < min(asked_s, record.made_s + FOUND_S)
             when = BRIEFLY if is_brief else record.made_s
             end = End(record.kind, steady_name(record.name), record.type, name)
-            ends[end] = min((words, when), ends.get(end, (words, BRIEFLY)), key=lambda each: each[1])
+            ends[end] = min(ends.get(end, (words, when)), (words, when), key=lambda each: each[1])
     known = dict.fromkeys(node.name for node in recording.nodes if is_compared(node.name))
     parameters = {steady_name(name): {key: each.value for key, each in recording.parameters(name).items()} for name in known}
     flows: dict[str, Flow] = {}

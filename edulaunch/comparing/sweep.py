@@ -66,28 +66,42 @@ def sweep(
     :param options: further ones of each comparison.
     :param folder_of: where each is launched, if not here.
     :param progress: told of each row when it is there.
+    :raises KeyboardInterrupt: after Ctrl-C, when those that ran have ended.
     """
     rows: dict[int, Row] = {}
+    running: list[subprocess.Popen[str]] = []
     with ThreadPoolExecutor(jobs) as pool:
         futures = {
-            pool.submit(_row, tuple(words), seconds, options, folder_of(words)): number for number, words in enumerate(items)
+            pool.submit(_row, tuple(words), seconds, options, folder_of(words), running): number
+            for number, words in enumerate(items)
         }
-        for future in as_completed(futures):
-            rows[futures[future]] = future.result()
-            progress(future.result())
+        try:
+            for future in as_completed(futures):
+                rows[futures[future]] = future.result()
+                progress(future.result())
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)
+            for child in list(running):
+                child.terminate()
+            raise
     return [rows[number] for number in sorted(rows)]
 
 
-def _row(words: tuple[str, ...], seconds: float, options: Sequence[str], folder: str | None) -> Row:
+def _row(
+    words: tuple[str, ...], seconds: float, options: Sequence[str], folder: str | None, running: list[subprocess.Popen[str]]
+) -> Row:
     command = [sys.executable, '-m', 'edulaunch', 'compare', *words, '--for', str(seconds), '--json', *options]
     with subprocess.Popen(
         command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors='replace'
     ) as child:
+        running.append(child)
         try:
             told, complaint = child.communicate(timeout=seconds + LONGEST_S)
         except subprocess.TimeoutExpired:
             child.kill()  # which ends what it has started, too
             return Row(words, trouble=f'took more than {seconds + LONGEST_S:g} s')
+        finally:
+            running.remove(child)
     if child.returncode not in (0, 1) or not told:
         lines = [line for line in complaint.splitlines() if line.strip()] or ['no result']
         return Row(words, trouble=next((line for line in lines if 'error: ' in line), lines[-1]))

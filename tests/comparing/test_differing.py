@@ -6,7 +6,7 @@ import pytest
 
 from edulaunch.comparing import differing
 from edulaunch.comparing.differing import Difference
-from edulaunch.comparing.observation import End, Flow, Line, Observation, Program, Values
+from edulaunch.comparing.observation import BRIEFLY, End, Flow, Line, Observation, Program, Values
 
 ASKED_S = 10.0
 
@@ -171,6 +171,22 @@ def test_what_launch_itself_ended_at_a_bad_moment_is_no_difference_either() -> N
     assert differences(here, seen(lines=[error, Line('a', 'KeyboardInterrupt', 5.3)], programs=there)) == []
     found = differences(here, seen(lines=[error._replace(time_s=4.0)], programs=there))
     assert [each.kind for each in found] == ['output', 'output', 'exit code']
+
+
+def test_the_same_last_words_without_a_signal_are_compared() -> None:
+    said = [Line('a', "Failed to publish: publisher's context is invalid", 2.0)]
+    here = seen(lines=said, programs={'a-1': Program(0.0, 2.0, 1)})
+    there = {'a-1': Program(0.1, 2.8, 1, spoke_s=2.5)}
+    assert differences(here, seen(lines=[said[0]._replace(time_s=2.5)], programs=there)) == []
+    assert [each.kind for each in differences(here, seen(programs=there))] == ['output']
+
+
+def test_a_crash_after_a_signal_is_no_difference() -> None:
+    here = seen(lines=[Line('a', 'the end', 10.0)], programs={'a-1': Program(0.0, 10.0, 0)})
+    there = Program(0.1, 10.6, -11, signalled_s=10.1, spoke_s=1.0)
+    assert differences(here, seen(programs={'a-1': there})) == []
+    found = differences(here, seen(programs={'a-1': there._replace(signalled_s=BRIEFLY)}))
+    assert [each.kind for each in found] == ['output', 'exit code']
 
 
 def test_what_other_random_numbers_change_is_by_chance() -> None:

@@ -27,12 +27,14 @@ def test_a_node_that_was_there_only_briefly_need_not_be_found(tmp_path) -> None:
 
 
 BRIEF = """
-import rclpy
+import rclpy, rclpy.qos
 from std_msgs.msg import String
 
 rclpy.init()
 node = rclpy.create_node('brief')
 brief, lasting = (node.create_publisher(String, name, 10) for name in ('brief', 'lasting'))
+for depth in (10, rclpy.qos.QoSProfile(depth=1, durability=rclpy.qos.DurabilityPolicy.TRANSIENT_LOCAL)):
+    node.create_publisher(String, 'twice', depth)
 node.create_timer(2.0, lambda: node.destroy_publisher(brief))
 node.create_timer(5.0, lambda: node.create_publisher(String, 'last', 10))
 rclpy.spin(node)
@@ -44,7 +46,6 @@ def test_a_publisher_that_was_there_only_briefly_need_not_be_found(tmp_path: Pat
     file = tmp_path / 'x.launch.xml'
     file.write_text(f'<launch><executable cmd="python3 {tmp_path}/brief.py"/></launch>')
     seen = simulate(str(file), None, {}, 6.0, [])
-    made = {
-        end.name: when for end, (_, when) in seen.ends.items() if end.kind == 'publisher' and end.type == 'std_msgs/msg/String'
-    }
-    assert made == {'/brief': BRIEFLY, '/lasting': 0.0, '/last': 5.0}
+    made = {end.name: row for end, row in seen.ends.items() if end.kind == 'publisher' and end.type == 'std_msgs/msg/String'}
+    usual = 'reliable volatile'
+    assert made == {'/brief': (usual, BRIEFLY), '/lasting': (usual, 0.0), '/twice': (usual, 0.0), '/last': (usual, 5.0)}

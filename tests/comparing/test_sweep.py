@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from edulaunch.cli.compare import table
+from edulaunch.comparing import sweep as sweep_room
 from edulaunch.comparing.differing import Difference
 from edulaunch.comparing.known import Known
 from edulaunch.comparing.sweep import Row, launch_files, sweep
@@ -64,3 +68,25 @@ def test_what_differs_once_is_chance_in_the_sweep_of_the_tests() -> None:
     assert both(first, second).found == (lost,) and both(second, Row(('a.launch.py',))).is_well
     stuck = Row(('a.launch.py',), trouble='not in time')
     assert both(stuck, first) == first == both(first, stuck) and not both(stuck, stuck).is_well
+
+
+def test_ctrl_c_ends_a_sweep(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list[str] = []
+    at_work, stopped = threading.Event(), threading.Event()
+
+    def row(words: tuple[str, ...], seconds: float, options: object, folder: object, running: list[Any]) -> Row:
+        begun.append(words[0])
+        if len(begun) > 1:
+            running.append(SimpleNamespace(terminate=stopped.set))
+            at_work.set()
+            stopped.wait()
+        return Row(words)
+
+    def stop(row: Row) -> None:
+        at_work.wait()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(sweep_room, '_row', row)
+    with pytest.raises(KeyboardInterrupt):
+        sweep([('a',), ('b',), ('c',)], 1.0, 1, progress=stop)
+    assert begun == ['a', 'b']
