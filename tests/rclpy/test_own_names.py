@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 import rclpy
+from rclpy.impl.own_names import private_names
 from rclpy.node import Node
 
 from edulaunch.facts import facts_of
@@ -118,3 +119,36 @@ def test_the_error_names_the_class_as_python_does(program: Program) -> None:
 
         with pytest.raises(AttributeError, match=r"property 'timers' of 'test_\w+\.\S+\.Robot' object has no setter"):
             Robot('robot').timers = []  # type: ignore[misc]
+
+
+@pytest.mark.parametrize(
+    ('name', 'value', 'is_told'),
+    [
+        ('_clients', {}, True),
+        ('_publishers', None, True),
+        ('_timers', [], False),
+        ('_parameters', [], True),
+        ('_parameters', {}, False),
+        ('_clock', 3, True),
+        ('_logger', 'robot', True),
+        ('_mine', {}, False),
+    ],
+)
+def test_private_names_of_the_real_rclpy(program: Program, name: str, value: object, is_told: bool) -> None:
+    @program
+    def body() -> None:
+        class Robot(Node):
+            def __init__(self) -> None:
+                super().__init__('robot')
+                setattr(self, name, value)
+
+        told = [(kind, data['node'], data['attribute'], data['file']) for kind, data in private_names(Robot())]
+        assert told == ([('private name', '/robot', name, __file__)] if is_told else [])
+
+
+def test_what_rclpy_itself_gave_may_be_kept_under_its_private_name(program: Program) -> None:
+    @program
+    def body() -> None:
+        node = Node('robot')
+        node._logger, node._clock, node._context = node.get_logger(), node.get_clock(), node.context  # type: ignore[attr-defined]
+        assert list(private_names(node)) == []

@@ -25,6 +25,20 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
 
 
 @rule(
+    'programs.private-name',
+    what='{node} keeps something of its own as self.{attribute}, where the real rclpy keeps a part of every node',
+    why='here that part is elsewhere; with the real rclpy the node breaks as soon as that part is needed',
+    do='choose another name, such as self.my{attribute}',
+)
+def private_name(recording: Recording) -> Iterator[Finding]:
+    """Of a value that cannot stand in for what rclpy keeps there: a dictionary for its list of clients."""
+    for fact in recording.facts:
+        if fact.kind == 'private name':
+            place = {'file': fact.data['file'], 'line': fact.data['line']}
+            yield found('node', fact.data['node'], **place, node=fact.data['node'], attribute=fact.data['attribute'])
+
+
+@rule(
     'programs.died',
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
     why='the other programs go on without it, and launch itself ends as if all were well',

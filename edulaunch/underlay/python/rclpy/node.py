@@ -82,7 +82,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         if use_global_arguments:
             arguments.append(context.arguments)
         core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
-        core.graph.tracer.watch(core.entry, lambda: _odd_facts(core))
+        core.graph.tracer.watch(core.entry, lambda: _odd_facts(self))
         core.logger = RcutilsLogger(core.logger_name)
         core.default_callback_group = MutuallyExclusiveCallbackGroup()
         core.clock = ROSClock()
@@ -204,11 +204,13 @@ def _finish_node_class() -> None:
 _finish_node_class()
 
 
-def _odd_facts(core: NodeCore) -> Iterator[tuple[str, dict[str, Any]]]:
+def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
     """Only asked for when the node leaves, or at the end of the record."""
     from rclpy.impl.facts import odd_facts
+    from rclpy.impl.own_names import private_names
 
-    return odd_facts(core)
+    yield from odd_facts(node._rclpy)
+    yield from private_names(node)
 
 
 def _start_services(node: Node, parameters: bool, logger: bool) -> None:

@@ -1,8 +1,9 @@
-"""Names of `Node` that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles."""
+"""Names of a node that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles, or told."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from linecache import getlines
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
@@ -30,11 +31,29 @@ def check_own_names(node: Node, names: tuple[str, ...]) -> None:
             raise with_facts(error, 'programs.own-name', node=type(node).__name__, attribute=name) from None
 
 
+def private_names(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
+    """What a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
+    own = vars(node)
+    for name in sorted(_PRIVATE_USES.keys() & own.keys()):
+        if not hasattr(own[name], _PRIVATE_USES[name]):
+            file = type(node).__init__.__code__.co_filename
+            line = next((number for number, text in enumerate(getlines(file), 1) if f'self.{name}' in text), None)
+            yield 'private name', {'node': node.get_fully_qualified_name(), 'attribute': name, 'file': file, 'line': line}
+
+
 def _enter(held: Any) -> None:
     if not hasattr(type(held), '__enter__'):  # in the words of Python 3.11 and later, whichever runs
         raise TypeError(f"'{type(held).__name__}' object does not support the context manager protocol")
 
 
+_PRIVATE_USES = {
+    **dict.fromkeys(('_publishers', '_subscriptions', '_clients', '_services', '_timers'), 'append'),
+    **dict.fromkeys(('_parameters', '_descriptors'), 'keys'),
+    **dict.fromkeys(('_clock', '_context'), 'handle'),
+    '_default_callback_group': 'add_entity',
+    '_logger': 'debug',
+}
+"""Private names of the real rclpy's node, and what it asks of what it keeps there."""
 _USES: dict[str, Callable[[Any], object]] = {
     'handle': _enter,
     'default_callback_group': lambda group: group.add_entity,
