@@ -1,4 +1,6 @@
-"""Names of a node that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles, or told."""
+"""Names of a node that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles, or
+told.
+"""
 
 from __future__ import annotations
 
