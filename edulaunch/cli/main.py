@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 import errno
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
+from typing import NoReturn
 
 from edulaunch.cli import options_of
 from edulaunch.errors import EdulaunchError, UnusableInput
@@ -93,6 +95,16 @@ def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable
     return names[f'{verb}_arguments'], names[f'{verb}_verb']
 
 
+class _Parser(argparse.ArgumentParser):
+    """With the nearest of the words that can stand where an unknown one does."""
+
+    def error(self, message: str) -> NoReturn:
+        """Usage and message on standard error; exit code 2."""
+        said = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
+        near = did_you_mean(said[1], re.findall(r'[\w-]+', said[2])) if said else None
+        super().error(f'{message}\n  help: {near}' if near else message)
+
+
 def _unrecognized(words: Sequence[str], verb: str) -> str:
     """What argparse says of words that are no option, with the option that was meant."""
     sub = argparse.ArgumentParser(prog=verb)
@@ -104,7 +116,7 @@ def _unrecognized(words: Sequence[str], verb: str) -> str:
 
 def _parser(wanted: str | None) -> argparse.ArgumentParser:
     """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog='edulaunch',
         description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
         epilog=EXAMPLES,

@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Sequence
 
 from edulaunch.errors import UnusableInput
+from edulaunch.version import __version__
 
 from .rubrics.catalogue import exercises
 
@@ -44,6 +45,7 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+    parser.add_argument('--version', action='version', version=f'edugrade {__version__}')
     parser.add_argument('paths', metavar='PATH', nargs='+', help="a launch file, or a package's folder")
     parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
     parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')

@@ -99,3 +99,14 @@ def test_a_launch_file_that_was_deleted_meanwhile(tmp_path: Path) -> None:
         (package / 'launch' / 'go.launch.py').unlink()
         with pytest.raises(UnusableInput, match='does not exist|was not found'):
             session.launch('robo', 'go.launch.py')
+
+
+@pytest.mark.parametrize(
+    ('words', 'near'), [('lanch x', 'launch'), ('view --tab grph', 'graph'), ('course lst', 'list'), ('machine stats', 'status')]
+)
+def test_a_misspelt_word_is_told_with_the_nearest_that_there_is(
+    words: str, near: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(words.split())
+    assert ended.value.code == 2 and capsys.readouterr().err.endswith(f"  help: did you mean '{near}'?\n")
