@@ -21,7 +21,7 @@ from .rubric import RubricMistake
 from .submission import ENDINGS, Submission
 from .turn import find_turn, grade_turn, turns
 
-_BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em'
+_BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em;overflow-wrap:anywhere'
 
 
 class CheckReport:

@@ -82,6 +82,7 @@ def plain(value: str) -> str:
 
 STYLE = (
     'body{font:16px/1.45 system-ui,sans-serif;margin:2em;color:#222}'
+    'table{display:block;overflow-x:auto}a,td:last-child{overflow-wrap:anywhere}td:last-child{min-width:12em}'
     'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
 )
 SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'first_problem')
@@ -108,7 +109,7 @@ def student_file(name: str, number: str = '') -> str:
 
 def class_page(results: Results, pages: dict[str, str]) -> str:
     """All marks, what went wrong most often, and how often each check passed and failed."""
-    table = [table_row('student', 'submission', *SHOWN, kind='th')]
+    table = [table_row('student', 'submission', *(column.replace('_', ' ') for column in SHOWN), kind='th')]
     for (entry, _), row in zip(results, rows(results), strict=True):
         name = element('a', entry.student, href=quote(student_file(entry.student, entry.id)))
         table.append(table_row(name, _link(entry.path, pages), *(row[column] for column in SHOWN)))

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'unsafe-inline'"
 STYLE = """
-body { font: 16px/1.45 system-ui, sans-serif; max-width: 62em; margin: 2em auto; padding: 0 1em; color: #222; }
+body { font: 16px/1.45 system-ui, sans-serif; max-width: 62em; margin: 2em auto; padding: 0 1em; color: #222;
+  overflow-wrap: anywhere; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.25em; margin: 2em 0 .2em; }
 table.sum { border-collapse: collapse; } table.sum th, table.sum td { text-align: left; padding: .2em 1.2em .2em 0; }
 table.sum tr + tr { border-top: 1px solid #ddd; }
@@ -83,7 +84,7 @@ def _refused(refusal: Refusal) -> Markup:
 COLOURS = {PASSED: '#1a6e2e', FAILED: '#a3231f', NOT_RUN: '#7a5b00', GRADER_BROKE: '#6b2a8c'}
 _MARK = 'display:inline-block;min-width:4.6em;font-weight:bold;color:'
 _FIELDS = 'border-collapse:collapse;margin:.3em 0 .3em 4.6em'
-_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;opacity:.75'
+_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;opacity:.75;white-space:nowrap'
 _VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:monospace;padding:.1em 0'
 
 
