@@ -71,6 +71,13 @@ def test_no_function_is_long() -> None:
     assert set(BUDGET['standing']['long_functions']) <= found, f'no longer so long: take it out of {TABLE.name}'
 
 
+def test_no_test_file_is_long() -> None:
+    most = BUDGET['total']['test_file_lines']
+    tests = [path for path in (ROOT / 'tests').rglob('test_*.py') if not {'corpus', 'golden'} & set(path.parts)]
+    long = {str(path.relative_to(ROOT)): count for path in tests if (count := path.read_text('utf-8').count('\n')) > most}
+    assert long == {}, f'over {most} lines: a file for each module that it tests'
+
+
 @cache
 def private() -> list[str]:
     """Every reach of the house for what is another's own: `file:line: text`."""

@@ -1,4 +1,5 @@
-"""Every module has tests: a file of its name, tests that import what it defines, or a line of tested_by.toml that says who runs it."""
+"""Every module has tests: a file of its name in a folder of its room, tests that import what it defines, or a line of tested_by.toml
+that says who runs it."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.house import ROOT, modules
+from tests.house import FACES, ROOT, modules
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -27,8 +28,10 @@ NOT_RUN = {'corpus', 'golden'}
 
 @cache
 def untested() -> list[str]:
-    """Modules without a test file of their name, and of which no test imports anything by name."""
-    files = {path.stem.removeprefix('test_') for path in TESTS.rglob('test_*.py')}
+    """Modules without a test file of their name in a folder of their room, and of which no test imports anything by name."""
+    files: dict[str, list[set[str]]] = {}
+    for path in TESTS.rglob('test_*.py'):
+        files.setdefault(path.stem.removeprefix('test_'), []).append(set(path.relative_to(TESTS).parts[:-1]))
     names = {
         name
         for path in [*TESTS.rglob('test_*.py'), *TESTS.rglob('conftest.py')]
@@ -38,8 +41,17 @@ def untested() -> list[str]:
     return [
         name
         for name, path in modules().items()
-        if path.name != '__init__.py' and name.rpartition('.')[2].lstrip('_') not in files and not _is_imported(name, path, names)
+        if path.name != '__init__.py' and not _is_mirrored(name, files) and not _is_imported(name, path, names)
     ]
+
+
+def _is_mirrored(name: str, files: dict[str, list[set[str]]]) -> bool:
+    """Whether a test file has the name of a module, and its folder that of a package which the module is in. Tests of edugrade
+    lie in tests/grader, tests of ROS's smaller packages in tests/underlay, those of modules in no room at the top.
+    """
+    *packages, last = name.split('.')
+    rooms = {*packages, 'grader' if packages[0] == 'edugrade' else '', 'underlay' if packages[0] in FACES else ''}
+    return any(folders & rooms or (not folders and packages == ['edulaunch']) for folders in files.get(last.lstrip('_'), ()))
 
 
 def _imported(text: str) -> Iterator[str]:
@@ -57,6 +69,21 @@ def _is_imported(name: str, path: Path, names: set[str]) -> bool:
     places = ['.'.join(parts[: count + 1]) for count in range(len(parts))]
     defined = re.findall(r'(?m)^(?:class|(?:async )?def) (\w+)', path.read_text(encoding='utf-8'))
     return name in names or any(f'{place}.{word}' in names for place in places for word in defined)
+
+
+@pytest.mark.parametrize(
+    ('name', 'folders', 'answer'),
+    [
+        ('edulaunch.graph.names', {'graph'}, True),
+        ('edulaunch.graph.names', {'tf'}, False),
+        ('edulaunch.graph.names', set(), False),
+        ('edulaunch.nearest', set(), True),
+        ('edugrade.reports.names', {'grader', 'reports'}, True),
+        ('rclpy.impl._names', {'underlay'}, True),
+    ],
+)
+def test_a_test_counts_where_its_folder_is_that_of_the_module(name: str, folders: set[str], answer: bool) -> None:
+    assert _is_mirrored(name, {'names': [folders], 'nearest': [folders]}) is answer
 
 
 def test_every_module_has_tests_or_a_reason() -> None:
