@@ -11,13 +11,13 @@ from launch.actions import DeclareLaunchArgument
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
 from ros2launch.api import (
+    arguments_text,
     is_launch_file,
     launch_a_launch_file,
     parse_launch_arguments,
     print_a_launch_file,
     print_arguments_of_launch_file,
 )
-from ros2launch.api.api import arguments_text
 
 GOLDEN = """\
 Arguments (pass arguments as '<name>:=<value>'):

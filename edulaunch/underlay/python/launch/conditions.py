@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from ._bases import StableRepr
 from ._lazy import has_ros_paths
 from .substitution import SomeSubstitutionsType, Substitution
+from .substitutions.text_substitution import describe_all
 from .utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
@@ -65,49 +66,44 @@ def evaluate_condition_expression(context: LaunchContext, expression: Iterable[S
     )
 
 
-class IfCondition(Condition):
+class _ExpressionCondition(Condition):
+    """A condition whose name in a launch file is `_word`."""
+
+    _word: ClassVar[str]
+
+    def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
+        self._expression = normalize_to_list_of_substitutions(predicate_expression)
+        super().__init__(predicate=self._predicate_func)
+
+    @property
+    def in_words(self) -> str:
+        return f'{self._word} {describe_all(self._expression)}'
+
+    def describe(self) -> str:
+        """`IfCondition(LaunchConfig('x'))`."""
+        return f'{self._word.capitalize()}Condition({describe_all(self._expression)})'
+
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        return evaluate_condition_expression(context, self._expression) == (self._word == 'if')
+
+
+class IfCondition(_ExpressionCondition):
     """Execute the action only if the expression is `true` or `1` (any case); `false` and `0` are the only
     other texts.
 
     :raises InvalidConditionExpressionError: on evaluation, for any other text.
     """
 
-    def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
-        self.__predicate_expression = normalize_to_list_of_substitutions(predicate_expression)
-        super().__init__(predicate=self._predicate_func)
-
-    @property
-    def in_words(self) -> str:
-        return 'if ' + ' + '.join(part.describe() for part in self.__predicate_expression)
-
-    def describe(self) -> str:
-        """`IfCondition(LaunchConfig('x'))`."""
-        return f'IfCondition({" + ".join(part.describe() for part in self.__predicate_expression)})'
-
-    def _predicate_func(self, context: LaunchContext) -> bool:
-        return evaluate_condition_expression(context, self.__predicate_expression)
+    _word = 'if'
 
 
-class UnlessCondition(Condition):
+class UnlessCondition(_ExpressionCondition):
     """Execute the action only if the expression is `false` or `0` (any case).
 
     :raises InvalidConditionExpressionError: on evaluation, for a text that is neither true nor false.
     """
 
-    def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
-        self.__predicate_expression = normalize_to_list_of_substitutions(predicate_expression)
-        super().__init__(predicate=self._predicate_func)
-
-    @property
-    def in_words(self) -> str:
-        return 'unless ' + ' + '.join(part.describe() for part in self.__predicate_expression)
-
-    def describe(self) -> str:
-        """`UnlessCondition(LaunchConfig('x'))`."""
-        return f'UnlessCondition({" + ".join(part.describe() for part in self.__predicate_expression)})'
-
-    def _predicate_func(self, context: LaunchContext) -> bool:
-        return not evaluate_condition_expression(context, self.__predicate_expression)
+    _word = 'unless'
 
 
 class LaunchConfigurationEquals(Condition):
@@ -132,9 +128,7 @@ class LaunchConfigurationEquals(Condition):
 
     @property
     def in_words(self) -> str:
-        if self.__expected is None:
-            return f"if '{self.__name}' {self._sign} unset"
-        return f"if '{self.__name}' {self._sign} " + ' + '.join(part.describe() for part in self.__expected)
+        return f"if '{self.__name}' {self._sign} {'unset' if self.__expected is None else describe_all(self.__expected)}"
 
     def _predicate_func(self, context: LaunchContext) -> bool:
         expected = None if self.__expected is None else perform_substitutions(context, self.__expected)

@@ -6,6 +6,8 @@ from collections import deque
 from collections.abc import Iterable, MutableMapping
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from edulaunch.read_only import ReadOnly
+
 from ._engine import environment, process_state, running_process
 from ._run_notes import names_read
 from .event_handler import BaseEventHandler, HandlerTable
@@ -74,38 +76,23 @@ class LaunchContext:
         self.starts_are_abandoned = False
         """Set after an exception: processes that are scheduled but not started yet must not start."""
 
-    @property
-    def argv(self) -> list[str]:
-        """The command line arguments."""
-        return self.__argv
+    argv: ReadOnly[list[str]] = ReadOnly('The command line arguments.')
 
-    @property
-    def noninteractive(self) -> bool:
-        """Whether no terminal is attached."""
-        return self.__noninteractive
+    noninteractive: ReadOnly[bool] = ReadOnly('Whether no terminal is attached.')
 
-    @property
-    def is_shutdown(self) -> bool:
-        """Whether the launch is ending: nothing new is started any more."""
-        return self.__is_shutdown
+    is_shutdown: ReadOnly[bool] = ReadOnly('Whether the launch is ending: nothing new is started any more.')
 
     def _set_is_shutdown(self, state: bool) -> None:
         self.__is_shutdown = state
 
-    @property
-    def asyncio_loop(self) -> Any:
-        """The loop that launch runs on, None while it does not run."""
-        return self.__asyncio_loop
+    asyncio_loop: ReadOnly[Any] = ReadOnly('The loop that launch runs on, None while it does not run.')
 
     def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self.__asyncio_loop = loop
 
     # -- values
 
-    @property
-    def launch_configurations(self) -> dict[str, Any]:
-        """Name -> value of all launch configurations, live."""
-        return self.__launch_configurations
+    launch_configurations: ReadOnly[dict[str, Any]] = ReadOnly('Name -> value of all launch configurations, live.')
 
     def _push_launch_configurations(self) -> None:
         self.__launch_configurations_stack.append(dict(self.__launch_configurations))
@@ -115,10 +102,7 @@ class LaunchContext:
             raise RuntimeError('launch_configurations stack unexpectedly empty')
         self.__launch_configurations = self.__launch_configurations_stack.pop()
 
-    @property
-    def environment(self) -> MutableMapping[str, str]:
-        """The environment variables of launch's process, live."""
-        return self.__environment
+    environment: ReadOnly[MutableMapping[str, str]] = ReadOnly("The environment variables of launch's process, live.")
 
     def _push_environment(self) -> None:
         self.__environment_stack.append(dict(self.__environment))

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.collector_pause import collector_paused
+from edulaunch.read_only import ReadOnly
 
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
@@ -81,20 +82,11 @@ class LaunchService:
         self.__interrupted = False
         self.__return_code = 0
 
-    @property
-    def context(self) -> LaunchContext:
-        """The launch context."""
-        return self.__context
+    context: ReadOnly[LaunchContext] = ReadOnly('The launch context.')
 
-    @property
-    def event_loop(self) -> asyncio.AbstractEventLoop | None:
-        """The loop while the service runs, else None."""
-        return self.__loop
+    event_loop: ReadOnly[asyncio.AbstractEventLoop | None] = ReadOnly('The loop while the service runs, else None.', '__loop')
 
-    @property
-    def task(self) -> asyncio.Task[Any] | None:
-        """The task that runs the service, else None."""
-        return self.__task
+    task: ReadOnly[asyncio.Task[Any] | None] = ReadOnly('The task that runs the service, else None.')
 
     # -- from outside
 

@@ -40,10 +40,7 @@ class ParameterValue:
         self.__value_type = value_type
         self.__evaluated: Any = None
 
-    @property
-    def written(self) -> Any:
-        """What is to be evaluated, also afterwards."""
-        return self.__value
+    written: ReadOnly[Any] = ReadOnly('What is to be evaluated, also afterwards.', '__value')
 
     def __str__(self) -> str:
         return f'launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})'
@@ -83,20 +80,11 @@ class Parameter:
         """The evaluated name once there is one, until then what is to be evaluated."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
-    @property
-    def written(self) -> Any:
-        """What is to be evaluated, also afterwards."""
-        return self.__value.written
+    written: ReadOnly[Any] = ReadOnly('What is to be evaluated, also afterwards.', '__value.written')
 
-    @property
-    def value(self) -> Any:
-        """As :attr:`ParameterValue.value`."""
-        return self.__value.value
+    value: ReadOnly[Any] = ReadOnly('As :attr:`ParameterValue.value`.', '__value.value')
 
-    @property
-    def value_type(self) -> Any:
-        """The stated type, or None."""
-        return self.__value.value_type
+    value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.', '__value.value_type')
 
     def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
         """Name and value."""

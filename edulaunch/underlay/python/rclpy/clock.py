@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.read_only import ReadOnly
 from edulaunch.sim.task import current_task
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
@@ -70,15 +71,9 @@ class TimeJump:
         self._clock_change = clock_change
         self._delta = delta
 
-    @property
-    def clock_change(self) -> ClockChange:
-        """How the time source changed."""
-        return self._clock_change
+    clock_change: ReadOnly[ClockChange] = ReadOnly('How the time source changed.', '_clock_change')
 
-    @property
-    def delta(self) -> Duration:
-        """How far time jumped."""
-        return self._delta
+    delta: ReadOnly[Duration] = ReadOnly('How far time jumped.', '_delta')
 
 
 class JumpHandle:
@@ -140,10 +135,7 @@ class Clock:
     jump_handles: list[JumpHandle]
     timers: list[Timer]
 
-    @property
-    def clock_type(self) -> ClockType:
-        """The kind of this clock."""
-        return self._clock_type
+    clock_type: ReadOnly[ClockType] = ReadOnly('The kind of this clock.', '_clock_type')
 
     @property
     def handle(self) -> Handle:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.read_only import ReadOnly
 from rclpy.constants import S_TO_NS
 from rclpy.impl.passed_on import passed_on
 
@@ -27,10 +28,7 @@ class Duration:
             raise OverflowError('Total nanoseconds value is too large to store in C duration.')
         self._nanoseconds = total
 
-    @property
-    def nanoseconds(self) -> int:
-        """The whole length in nanoseconds."""
-        return self._nanoseconds
+    nanoseconds: ReadOnly[int] = ReadOnly('The whole length in nanoseconds.', '_nanoseconds')
 
     def __repr__(self) -> str:
         return f'Duration(nanoseconds={self._nanoseconds})'

@@ -6,27 +6,7 @@ from typing import Any
 
 from edulaunch.facts import with_facts
 from edulaunch.graph.names import caret_text
-from rclpy._rclpy_pybind11 import InvalidHandle
-
-__all__ = [
-    'InvalidHandle',
-    'InvalidNamespaceException',
-    'InvalidNodeNameException',
-    'InvalidParameterException',
-    'InvalidParameterTypeException',
-    'InvalidParameterValueException',
-    'InvalidServiceNameException',
-    'InvalidTopicNameException',
-    'NameValidationException',
-    'NoTypeSupportImportedException',
-    'NotInitializedException',
-    'ParameterAlreadyDeclaredException',
-    'ParameterException',
-    'ParameterImmutableException',
-    'ParameterNotDeclaredException',
-    'ParameterUninitializedException',
-    'ROSInterruptException',
-]
+from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
 
 
 class NotInitializedException(Exception):

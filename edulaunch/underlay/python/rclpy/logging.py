@@ -5,25 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from edulaunch.facts import with_facts
-from rclpy.impl.logging_severity import LoggingSeverity
+from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = [
-    'LoggingSeverity',
-    'clear_config',
-    'get_logger',
-    'get_logger_effective_level',
-    'get_logger_level',
-    'get_logging_directory',
-    'get_logging_severity_from_string',
-    'initialize',
-    'set_logger_level',
-    'shutdown',
-]
 
 _root_logger = RcutilsLogger()  # what programs use as the root logger, for want of a public name
 

@@ -7,6 +7,7 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
+from edulaunch.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
@@ -139,10 +140,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             core.executor = new_executor
             add_node(self)
 
-    @property
-    def context(self) -> Context:
-        """The context that the node lives in."""
-        return self._rclpy.context
+    context: ReadOnly[Context] = ReadOnly('The context that the node lives in.', '_rclpy.context')
 
     @property
     def default_callback_group(self) -> CallbackGroup:

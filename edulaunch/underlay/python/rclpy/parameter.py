@@ -6,6 +6,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph import parameters as rules
+from edulaunch.read_only import ReadOnly
 from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
@@ -88,20 +89,11 @@ class Parameter:
         value = param_msg.value
         return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
-    @property
-    def name(self) -> str:
-        """The name."""
-        return self._name
+    name: ReadOnly[str] = ReadOnly('The name.', '_name')
 
-    @property
-    def type_(self) -> ParameterType:
-        """The type."""
-        return self._type_
+    type_: ReadOnly[ParameterType] = ReadOnly('The type.', '_type_')
 
-    @property
-    def value(self) -> Any:
-        """The value; None when not set."""
-        return self._value
+    value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
     def get_parameter_value(self) -> ParameterValue:
         """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
+from edulaunch.read_only import ReadOnly
 from rclpy.duration import Duration
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
@@ -38,20 +39,11 @@ class QoSOverridingOptions:
         self._callback = callback
         self._entity_id = entity_id
 
-    @property
-    def policy_kinds(self) -> Iterable[QoSPolicyKind]:
-        """The policies."""
-        return self._policy_kinds
+    policy_kinds: ReadOnly[Iterable[QoSPolicyKind]] = ReadOnly('The policies.', '_policy_kinds')
 
-    @property
-    def callback(self) -> QosCallbackType | None:
-        """The callback that may refuse."""
-        return self._callback
+    callback: ReadOnly[QosCallbackType | None] = ReadOnly('The callback that may refuse.', '_callback')
 
-    @property
-    def entity_id(self) -> str | None:
-        """The endpoint's own id."""
-        return self._entity_id
+    entity_id: ReadOnly[str | None] = ReadOnly("The endpoint's own id.", '_entity_id')
 
     @classmethod
     def with_default_policies(

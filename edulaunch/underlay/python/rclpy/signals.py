@@ -9,14 +9,6 @@ from enum import IntEnum
 from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
-__all__ = [
-    'SignalHandlerGuardCondition',
-    'SignalHandlerOptions',
-    'get_current_signal_handlers_options',
-    'install_signal_handlers',
-    'uninstall_signal_handlers',
-]
-
 
 class SignalHandlerOptions(IntEnum):
     """Which signals rclpy handles."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.read_only import ReadOnly
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
@@ -45,15 +46,9 @@ class Time:
         self._nanoseconds = total
         self._clock_type = clock_type
 
-    @property
-    def nanoseconds(self) -> int:
-        """Nanoseconds since the clock's epoch."""
-        return self._nanoseconds
+    nanoseconds: ReadOnly[int] = ReadOnly("Nanoseconds since the clock's epoch.", '_nanoseconds')
 
-    @property
-    def clock_type(self) -> ClockType:
-        """The kind of clock that this time belongs to."""
-        return self._clock_type
+    clock_type: ReadOnly[ClockType] = ReadOnly('The kind of clock that this time belongs to.', '_clock_type')
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
         """Whole seconds, and the nanoseconds beyond them."""

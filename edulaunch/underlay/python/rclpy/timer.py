@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.read_only import ReadOnly
 from rclpy.exceptions import ROSInterruptException
 from rclpy.impl.entity import NEVER_NS, TIMER, Entity, Handle, ReadyList
 from rclpy.impl.passed_on import passed_on
@@ -55,10 +56,7 @@ class Timer(Entity):
         self.ready_list.timers.append(self)
         self._plan()
 
-    @property
-    def clock(self) -> Clock:
-        """The clock that the timer goes by."""
-        return self._clock
+    clock: ReadOnly[Clock] = ReadOnly('The clock that the timer goes by.', '_clock')
 
     @property
     def handle(self) -> Handle:

@@ -8,47 +8,24 @@ import sys
 from importlib import import_module
 from typing import Any
 
-_EXPORTS = {
-    **dict.fromkeys(
-        (
-            'BufferCore',
-            'ConnectivityException',
-            'ExtrapolationException',
-            'InvalidArgumentException',
-            'LookupException',
-            'TimeoutException',
-            'TransformException',
-        ),
-        'tf2_py',
+_NAMES = {
+    'tf2_py': (
+        'BufferCore ConnectivityException ExtrapolationException InvalidArgumentException LookupException TimeoutException '
+        'TransformException'
     ),
-    **dict.fromkeys(
-        (
-            'BufferInterface',
-            'ConvertRegistration',
-            'NotImplementedException',
-            'Stamped',
-            'TransformRegistration',
-            'TypeException',
-            'convert',
-        ),
-        'tf2_ros.buffer_interface',
+    'tf2_ros.buffer': 'Buffer',
+    'tf2_ros.buffer_client': 'BufferClient',
+    'tf2_ros.buffer_interface': (
+        'BufferInterface ConvertRegistration NotImplementedException Stamped TransformRegistration TypeException convert'
     ),
-    'Buffer': 'tf2_ros.buffer',
-    'BufferClient': 'tf2_ros.buffer_client',
-    'MessageFilter': 'message_filters.tf2_message_filter',
-    'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
-    'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
-    'TransformListener': 'tf2_ros.transform_listener',
+    'tf2_ros.static_transform_broadcaster': 'StaticTransformBroadcaster',
+    'tf2_ros.transform_broadcaster': 'TransformBroadcaster',
+    'tf2_ros.transform_listener': 'TransformListener',
+    'message_filters.tf2_message_filter': 'MessageFilter',
 }
-_MODULES = (
-    'buffer',
-    'buffer_client',
-    'buffer_interface',
-    'static_transform_broadcaster',
-    'transform_broadcaster',
-    'transform_listener',
-)
-
+"""Module -> the names that are taken from it, with blanks between."""
+_EXPORTS = {name: module for module, names in _NAMES.items() for name in names.split()}
+_MODULES = [module.partition('.')[2] for module in _NAMES if module.startswith('tf2_ros.')]
 __all__ = sorted(_EXPORTS)  # noqa: PLE0605
 
 

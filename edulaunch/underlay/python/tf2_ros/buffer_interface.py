@@ -91,16 +91,6 @@ class ConvertRegistration:
         return _find('convert', key)
 
 
-__all__ = [
-    'BufferInterface',
-    'ConvertRegistration',
-    'NotImplementedException',
-    'Stamped',
-    'TransformRegistration',
-    'TypeException',
-    'convert',
-]
-
 NO_WAIT = Duration()
 
 

@@ -105,10 +105,7 @@ class ExecuteLocal(Action):
         """
         return self.__options.respawn
 
-    @property
-    def respawn_delay(self) -> Any:
-        """Seconds until then; None for at once. (edulaunch only.)"""
-        return self.__options.respawn_delay
+    respawn_delay: ReadOnly[Any] = ReadOnly('Seconds until then; None for at once. (edulaunch only.)', '__options.respawn_delay')
 
     @property
     def respawn_limit(self) -> int:

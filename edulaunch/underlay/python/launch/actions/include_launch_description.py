@@ -55,10 +55,7 @@ class IncludeLaunchDescription(Action):
         )
         self.__launch_arguments = () if launch_arguments is None else tuple(launch_arguments)
 
-    @property
-    def launch_description_source(self) -> LaunchDescriptionSource:
-        """Where the description comes from."""
-        return self.__source
+    launch_description_source: ReadOnly[LaunchDescriptionSource] = ReadOnly('Where the description comes from.', '__source')
 
     launch_arguments: ReadOnly[tuple[tuple[SomeSubstitutionsType, SomeSubstitutionsType], ...]] = ReadOnly(
         'The (name, value) pairs.'

@@ -32,15 +32,9 @@ class RunningProcessEvent(Event):
 
     action: ReadOnly[ExecuteLocal] = ReadOnly('The action that started the process.')
 
-    @property
-    def execute_process_action(self) -> ExecuteLocal:
-        """The same, by an older name."""
-        return self.__action
+    execute_process_action: ReadOnly[ExecuteLocal] = ReadOnly('The same, by an older name.', '__action')
 
-    @property
-    def process_name(self) -> str:
-        """The unique name, such as 'talker-1'."""
-        return self.__name
+    process_name: ReadOnly[str] = ReadOnly("The unique name, such as 'talker-1'.", '__name')
 
     cmd: ReadOnly[list[str]] = ReadOnly('The command line.')
     cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
@@ -176,10 +170,7 @@ class SignalProcess(ProcessTargetedEvent):
 
     signal: ReadOnly[Signals] = ReadOnly('The signal.')
 
-    @property
-    def signal_name(self) -> str:
-        """Its name."""
-        return self.__signal.name
+    signal_name: ReadOnly[str] = ReadOnly('Its name.', '__signal.name')
 
 
 class ShutdownProcess(ProcessTargetedEvent):

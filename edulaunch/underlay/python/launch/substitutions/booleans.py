@@ -91,10 +91,7 @@ class OrSubstitution(_CombinedPair):
 
 
 class _CombinedMany(_Combined):
-    @property
-    def args(self) -> list[list[Substitution]]:
-        """The operands."""
-        return self._operands
+    args: ReadOnly[list[list[Substitution]]] = ReadOnly('The operands.', '_operands')
 
 
 class AnySubstitution(_CombinedMany):

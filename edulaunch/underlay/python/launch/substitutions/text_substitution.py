@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from edulaunch.read_only import ReadOnly
+
 from .._lazy import has_ros_paths
 from ..substitution import Substitution
 
@@ -23,10 +25,7 @@ class TextSubstitution(Substitution):
             raise TypeError(f"TextSubstitution expected Text object got '{type(text)}' instead.")
         self._text = text
 
-    @property
-    def text(self) -> str:
-        """The text."""
-        return self._text
+    text: ReadOnly[str] = ReadOnly('The text.', '_text')
 
     def describe(self) -> str:
         """The text in quotes."""

@@ -104,10 +104,7 @@ class Node(ExecuteProcess):
         arguments.write_files()
         return arguments.items
 
-    @property
-    def node_package(self) -> SomeSubstitutionsType | None:
-        """The package, as given."""
-        return self.__package
+    node_package: ReadOnly[SomeSubstitutionsType | None] = ReadOnly('The package, as given.', '__package')
 
     node_executable: ReadOnly[SomeSubstitutionsType] = ReadOnly('The executable, as given.')
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
 
+from edulaunch.read_only import ReadOnly
 from edulaunch.sim.task import current_task
 from rclpy.client import Asker, parked_until_done
 from rclpy.impl.entity import check_endpoint
@@ -45,15 +46,9 @@ class ClientGoalHandle:
     def __repr__(self) -> str:
         return f'ClientGoalHandle <id={self._goal_id.uuid}, accepted={self.accepted}, status={self.status}>'
 
-    @property
-    def goal_id(self) -> Any:
-        """The goal's id, a unique_identifier_msgs/UUID."""
-        return self._goal_id
+    goal_id: ReadOnly[Any] = ReadOnly("The goal's id, a unique_identifier_msgs/UUID.", '_goal_id')
 
-    @property
-    def stamp(self) -> Any:
-        """When the server accepted it."""
-        return self._goal_response.stamp
+    stamp: ReadOnly[Any] = ReadOnly('When the server accepted it.', '_goal_response.stamp')
 
     @property
     def accepted(self) -> bool:

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
+from edulaunch.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
 from rclpy.impl.passed_on import passed_on
@@ -115,10 +116,7 @@ class ActionServer(Waitable):
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
         return core.graph.create_publisher(core.entry, name, msg_type, engine_qos(qos))
 
-    @property
-    def action_type(self) -> Any:
-        """The class of the action."""
-        return self._action_type
+    action_type: ReadOnly[Any] = ReadOnly('The class of the action.', '_action_type')
 
     @property
     def _goal_handles(self) -> dict[bytes, ServerGoalHandle]:

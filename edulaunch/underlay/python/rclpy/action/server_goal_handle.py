@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.read_only import ReadOnly
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import RCLError
 
@@ -78,15 +79,9 @@ class ServerGoalHandle:
     def __hash__(self) -> int:
         return hash(bytes(self._goal_id.uuid))
 
-    @property
-    def request(self) -> Any:
-        """The goal message."""
-        return self._goal_request
+    request: ReadOnly[Any] = ReadOnly('The goal message.', '_goal_request')
 
-    @property
-    def goal_id(self) -> Any:
-        """The goal's id, a unique_identifier_msgs/UUID."""
-        return self._goal_id
+    goal_id: ReadOnly[Any] = ReadOnly("The goal's id, a unique_identifier_msgs/UUID.", '_goal_id')
 
     @property
     def is_active(self) -> bool:

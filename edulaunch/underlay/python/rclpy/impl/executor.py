@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
 from edulaunch.processes.current import current_process
+from edulaunch.read_only import ReadOnly
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.impl.entity import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
@@ -53,10 +54,7 @@ class Executor(Waiting):
         current_process().on_sleep = note_sleep
         self._context.executors.append(self)
 
-    @property
-    def context(self) -> Context:
-        """The context that ends the executor with it."""
-        return self._context
+    context: ReadOnly[Context] = ReadOnly('The context that ends the executor with it.', '_context')
 
     def __enter__(self) -> Executor:
         return self

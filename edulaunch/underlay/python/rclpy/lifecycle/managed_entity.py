@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import wraps
 from typing import Any
 
+from edulaunch.read_only import ReadOnly
 from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
 
 
@@ -52,10 +53,7 @@ class SimpleManagedEntity(ManagedEntity):
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS
 
-    @property
-    def is_activated(self) -> bool:
-        """Whether it is enabled."""
-        return self._enabled
+    is_activated: ReadOnly[bool] = ReadOnly('Whether it is enabled.', '_enabled')
 
     @staticmethod
     def when_enabled(wrapped: Any = None, *, when_not_enabled: Any = None) -> Any:

@@ -20,6 +20,7 @@ from edulaunch.graph.names import (
 )
 from edulaunch.graph.ros_arguments import Override, RosArguments
 from edulaunch.processes.current import current_process
+from edulaunch.read_only import ReadOnly
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
@@ -96,10 +97,7 @@ class NodeCore:
         self._number += 1
         return self._number
 
-    @property
-    def logger_name(self) -> str:
-        """The full name with dots: `a.b.c` for node c in /a/b."""
-        return self.entry.logger_name
+    logger_name: ReadOnly[str] = ReadOnly('The full name with dots: `a.b.c` for node c in /a/b.', 'entry.logger_name')
 
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+from launch._lazy import has_ros_paths
 
 if TYPE_CHECKING:
     from launch.launch_description import LaunchDescription
@@ -154,3 +155,10 @@ def _print(text: str) -> None:
     from edulaunch.processes import current_process
 
     current_process().stdout.write(text + '\n')
+
+
+has_ros_paths(
+    __name__,
+    'MultipleLaunchFilesError=api get_share_file_path_from_package=api is_launch_file=api launch_a_launch_file=api '
+    'parse_launch_arguments=api print_a_launch_file=api print_arguments_of_launch_file=api',
+)
