@@ -78,6 +78,7 @@ class Session:
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []
+        self.follow: Callable[[int | None, Callable[[], bool]], object] | None = None
         self._name_roots([os.path.abspath(os.fspath(path)) for path in workspaces])
 
     def __enter__(self) -> Session:
@@ -131,7 +132,9 @@ class Session:
         """
         until = None if duration_s is None else self.sim.now_ns + round(duration_s * 1e9)
         with streams_of_programs(), Interruption(self.sim) as interruption:
-            if speed == 0 and until is not None:
+            if self.follow is not None:
+                self.follow(until, lambda: interruption.came or (until is None and self.is_over))
+            elif speed == 0 and until is not None:
                 self.sim.run(until)
             else:
                 Pacer(self.sim, speed).run(until, lambda: self.is_over or interruption.came)

@@ -31,7 +31,10 @@ from edulaunch.sim.loops import outer_loop_set_aside
 
 
 class Hosting(Host):
-    """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it."""
+    """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it.
+
+    :ivar joins_next: whether the next machine joins a real network.
+    """
 
     def __init__(self) -> None:
         self._server: Server | None = None
@@ -40,12 +43,13 @@ class Hosting(Host):
         self._door: tuple[str, str, Address] | None = None
         self._is_going = False
         self.pages: list[Page] = []
+        self.joins_next = False
 
     def has_programs(self) -> bool:
         """Whether programs may have been left running in a terminal, or in one of a desk. To look at a desk is not enough."""
         if self._server is None:
             return False
-        return self._server.has_terminals() or any(page.viewer.has_programs() for page in self.pages)
+        return self._server.has_terminals() or bool(self.is_on_network) or any(page.viewer.has_programs() for page in self.pages)
 
     def soon(self, action: Callable[[], object]) -> None:
         """Do something where the machine runs, and look again at what is due; from any thread."""
@@ -56,6 +60,26 @@ class Hosting(Host):
 
         if self._loop is not None:
             self._loop.call_soon_threadsafe(act)
+
+    @property
+    def is_on_network(self) -> bool | None:
+        """See `Living.is_on_network`."""
+        return None if self._server is None else self._server.terminals.is_on_network
+
+    def join_network(self, joins: bool) -> str:
+        """Join, or leave; returns what to say. While it has joined time goes on by itself.
+
+        What runs in the time of the simulation stays there: the next launch joins.
+        """
+        from edulaunch.network.switch import is_walls_time
+
+        assert self._server is not None
+        self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)
+        if self.joins_next:
+            return "the next %ros2 launch joins the network: its clock is that of the wall, this one's is that of the simulation"
+        said = self._server.terminals.join_network(joins)
+        self._look_again(0.0)
+        return said
 
     def serve(self, session: Session) -> None:
         """From now on terminals find this session; the notebook that was used last is the one that they find."""
@@ -114,7 +138,7 @@ class Hosting(Host):
         server = self._server
         assert server is not None
         is_seen = any(page.is_shown() for page in self.pages)
-        if not (is_seen or server.has_terminals()):
+        if not (is_seen or server.has_terminals() or self.is_on_network):
             self._is_going = False
             return
         if not self._is_going:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
+import time
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
@@ -26,6 +27,7 @@ from edulaunch.processes.spec import ProcessSpec, Signals
 from edulaunch.recording import Recording
 from edulaunch.session import Session, index_for
 from edulaunch.sim.loops import outer_loop_set_aside
+from edulaunch.sim.simulation import EPOCH_NS
 
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
@@ -112,7 +114,8 @@ class Machine:
         self.show_keyboard: Callable[[Callable[[str], str], str], object] = lambda press, title: None
 
     def _new_session(self, seed: int) -> Session:
-        return Session(seed=seed, workspaces=list(self._workspaces()), console=self._write)
+        start_ns = time.time_ns() if self.hosting.joins_next else EPOCH_NS
+        return Session(seed=seed, workspaces=list(self._workspaces()), console=self._write, start_ns=start_ns)
 
     def _index(self, session: Session) -> Index:
         """The packages for a command: those of the machine; of workspaces as they are now, for a cell may have written one."""
@@ -140,6 +143,9 @@ class Machine:
         here = self.session
         stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_programs())
         session = here if here is not None and stays else self._new_session(line.seed)
+        if self.hosting.joins_next and session is not here:
+            self._use(session)
+            self._write('stdout', f'{self.hosting.join_network(True)}\n')
         began_s = session.sim.elapsed_s
         launch = self._begin(session, words, stays)
         note = OTHER_MACHINE if here is None and has_terminals_machine() else ''
@@ -150,9 +156,9 @@ class Machine:
             session.run(0.0)
         else:
             session.run(LAUNCH_S if line.seconds is None else line.seconds)
-        if launch.error is None or here is None:
+        if launch.error is None or here is None or self.session is session:
             self._use(session)
-        elif session is not here:
+        else:
             session.close()
         launch.raise_error()
         if line.stays:

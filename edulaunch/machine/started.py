@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import shlex
 import signal
+import time
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import suppress
 from types import TracebackType
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
 from edulaunch.machine.host import Host, Page
+from edulaunch.machine.on_network import OnNetwork
 from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
@@ -23,6 +25,7 @@ from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import PathLike, Session
 from edulaunch.sim.loops import outer_loop_set_aside
 from edulaunch.sim.pacing import RealTime
+from edulaunch.sim.simulation import EPOCH_NS
 from edulaunch.view import TABS
 from edulaunch.view.viewer import Viewer
 
@@ -40,7 +43,7 @@ PATIENCE_S = 15.0
 """Simulated seconds that a command has, and then to end after Ctrl-C."""
 
 
-class Machine(Host):
+class Machine(OnNetwork, Host):
     """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
 
     Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
@@ -51,12 +54,14 @@ class Machine(Host):
     """
 
     can_continue = True
+    """Until it joins a real network: what comes from there cannot be repeated."""
 
-    def __init__(self, make: Callable[[], Session], speed: float = 1.0, keep_s: float | None = None) -> None:
+    def __init__(self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None) -> None:
         self._make = make
         self._keep_s = keep_s
         self._forgot_s = 0.0
         self._done: list[tuple[int, dict[str, Any]]] = []
+        self._start_ns = EPOCH_NS
         self._is_again = False
         self.pages: list[Page] = []
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -68,7 +73,7 @@ class Machine(Host):
 
     def _begin(self, speed: float) -> None:
         with outer_loop_set_aside():
-            self.session = self._make()
+            self.session = self._make(self._start_ns)
         self.time = RealTime(self.session.sim, speed)
         self._forgot_s = 0.0
         self._hand = Viewer(self, lambda message: None)
@@ -94,9 +99,35 @@ class Machine(Host):
 
     def _advance(self) -> float | None:
         with outer_loop_set_aside(), streams_of_programs():
+            if self.network is not None:
+                self.network.listen(0)
             wait_s = self.time.advance()
+            if self.network is not None:
+                self.network.after_turn()
         self._forget()
         return wait_s
+
+    @property
+    def is_on_network(self) -> bool | None:
+        """See `OnNetwork.is_on_network`; None also where time passes in `run` only."""
+        return None if self._loop is None else super().is_on_network
+
+    def join_network(self, joins: bool) -> str:
+        """Join a real network, in the environment in which Python was started, or leave it; returns what to say.
+
+        For that everything runs again up to this instant, as if it had begun so long ago by the clock on the wall.
+        """
+        from edulaunch.network.switch import is_walls_time
+
+        if self._loop is None:
+            return 'a machine joins a network while an asyncio loop runs, as in a notebook'
+        if joins and self.can_continue and not is_walls_time(self.session.sim.now_ns):
+            elapsed_ns = self.session.sim.now_ns - self._start_ns
+            self._start_ns = time.time_ns() - elapsed_ns
+            self._reach(elapsed_ns)
+            self.time.paused = False
+        self.can_continue = False
+        return super().join_network(joins)
 
     def _forget(self) -> None:
         """Let go of old messages now and then, by simulated time: a machine that goes on for hours stays small."""
@@ -188,7 +219,7 @@ class Machine(Host):
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this; kept with its time."""
         if not self._is_again:
-            self._done.append((self.session.sim.now_ns, dict(words)))
+            self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
 
     def continue_at(self, time_s: float) -> None:
         """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.
@@ -197,8 +228,11 @@ class Machine(Host):
 
         :param time_s: simulated seconds since the start.
         """
+        self._reach(round(time_s * 1e9))
+        self.time.paused = True
+
+    def _reach(self, until: int) -> None:
         old, speed = self.session, self.time.speed
-        until = old.sim.start_ns + round(time_s * 1e9)
         self._done = [(at, words) for at, words in self._done if at <= until]
         old.close()
         self._begin(speed)
@@ -207,18 +241,20 @@ class Machine(Host):
         try:
             with outer_loop_set_aside(), streams_of_programs():
                 for at, words in self._done:
-                    sim.run(at)
+                    sim.run(self._start_ns + at)
                     self._hand.take(words)
-                sim.run(max(until, sim.now_ns))
+                sim.run(max(self._start_ns + until, sim.now_ns))
         finally:
             self._is_again = False
-        self.time.paused = True
 
     def close(self) -> None:
         """End everything that runs on it."""
         if self._task is not None:
             self._task.cancel()
             self._task = None
+        if self.network is not None and self.selector is not None:
+            self.network.off()
+            self.selector.close()
         with outer_loop_set_aside():
             self.session.close()
 
@@ -276,8 +312,8 @@ def start(
     texts = {name: str(value) for name, value in (arguments or {}).items()}
     folders = workspaces_of_command((), path_or_package or '.') if workspaces is None else workspaces
 
-    def make() -> Session:
-        session = Session(seed=seed, workspaces=folders)
+    def make(start_ns: int) -> Session:
+        session = Session(seed=seed, workspaces=folders, start_ns=start_ns)
         if path_or_package is not None:
             session.launch(path_or_package, file, texts)
         return session

@@ -12,25 +12,22 @@ import selectors
 import signal
 from codecs import getincrementaldecoder
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
-from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.reader import Reader, reader_of
 from edulaunch.advice.wording import diagnosis, said_at_the_end
 from edulaunch.machine import wire
 from edulaunch.machine.connection import RemoteInput
+from edulaunch.machine.on_network import OnNetwork
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session, index_for, machine_environment
 from edulaunch.sim.pacing import RealTime
-from edulaunch.view import Living
 
 if TYPE_CHECKING:
     from edulaunch.machine.connection import Connection
     from edulaunch.machine.desk import Desk
-    from edulaunch.network.switch import Switch
 
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
@@ -102,12 +99,7 @@ def status(terminals: Terminals) -> str:
     return '\n'.join(lines) + '\n'
 
 
-@cache
-def _can_join() -> bool:
-    return find_spec('cyclonedds') is not None
-
-
-class Terminals(Living):
+class Terminals(OnNetwork):
     """All terminals of a machine, in the order in which they came.
 
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
@@ -117,25 +109,16 @@ class Terminals(Living):
     def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
         self.session = session
         self.time = time
-        self.network: Switch | None = None
-        self._selector = selector
+        self.selector = selector
         session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
         self.said: set[str] = set()
         self._count = 0
 
-    def switch(self) -> Switch:
-        """What joins this machine to a real network; loaded when first asked for."""
-        if self.network is None:
-            from edulaunch.network.switch import Switch
-
-            self.network = Switch(self.session, self.time, self._selector)
-        return self.network
-
     def tell(self, text: str) -> None:
         """Say something to everybody who has a command running, and for the record."""
-        self.session.recorder.note(None, 'network', text)
+        super().tell(text)
         for terminal in self.open_ones:
             terminal.show('stderr', f'warning: {text}\n')
 
@@ -148,21 +131,6 @@ class Terminals(Living):
 
     def _where_on_network(self) -> str | None:
         return self.network.where() if self.network is not None and self.network.bridge is not None else None
-
-    @property
-    def is_on_network(self) -> bool | None:
-        """Whether it has joined a real network; None where Cyclone DDS is not installed."""
-        if self.network is None:
-            return False if _can_join() else None
-        return self.network.bridge is not None
-
-    def join_network(self, joins: bool) -> str:
-        """What the button of a page does, in the environment in which the machine was started."""
-        from edulaunch.network.switch import run_network
-
-        said: list[str] = []
-        run_network(self.switch(), ['on' if joins else 'off'], os.environ, said.append, self.tell)
-        return ''.join(said).strip()
 
     def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
         """A terminal for what somebody said first.

@@ -21,11 +21,17 @@ from edulaunch.sim.pacing import RealTime
 MOST_MISTAKES = 20
 FARTHEST_NS = 24 * 3600 * 10**9
 """A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
+LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
 """So long after joining those who are there have been found."""
 ALONE_NS = 10 * 10**9
 """Who has found nobody then, is told so by the doctor, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
+
+
+def is_walls_time(now_ns: int) -> bool:
+    """Whether a machine's time is about that of the clock on the wall."""
+    return -(10**9) < wall.time_ns() - now_ns < FARTHEST_NS
 
 
 class Wish(NamedTuple):
@@ -63,16 +69,17 @@ class Switch:
         :raises EdulaunchError: when that cannot be.
         """
         settings = settings_of(env)
-        if not -(10**9) < wall.time_ns() - self._session.sim.now_ns < FARTHEST_NS:
+        if not is_walls_time(self._session.sim.now_ns):
             raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
         made = make_link(wish.link)
         self.off()
         bridge = Bridge(self._session, made, chooser(wish.topics), tell)
         self._time.is_wall = True
+        self._session.follow = self.follow
         try:
             bridge.open(settings)
         except EdulaunchError:
-            self._time.is_wall = False
+            self._no_more()
             made.close()
             raise
         self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: self._safely(bridge.take))
@@ -105,8 +112,22 @@ class Switch:
             self._clock.stop()
         self._selector.unregister(bridge.link.fileno())
         bridge.close()
-        self._time.is_wall = False
+        self._no_more()
         return True
+
+    def _no_more(self) -> None:
+        self._time.is_wall, self._session.follow = False, None
+
+    def follow(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
+        """Let time pass with the clock on the wall, for who waits for it: as :meth:`Simulation.run`."""
+        sim, wait_s = self._session.sim, 0.0
+        while self.bridge is not None and not is_over():
+            self.listen(wait_s)
+            due_s = self._time.advance()
+            self.after_turn()
+            if sim.was_stopped or (until_ns is not None and sim.now_ns >= until_ns):
+                break
+            wait_s = LONGEST_WAIT_S if due_s is None else min(due_s, LONGEST_WAIT_S)
 
     def join(
         self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object], say: Callable[[str], object]
@@ -131,6 +152,11 @@ class Switch:
                 say('left the real ROS 2 network')
 
         return leave
+
+    def listen(self, seconds: float) -> None:
+        """Take what has come, and wait for it at most so long."""
+        for key, events in self._selector.select(seconds):
+            key.data(events)
 
     def after_turn(self) -> None:
         """Called after each turn of the machine."""

@@ -123,6 +123,11 @@ class Simulation:
         self._stopped = True
         self.hands_on = False
 
+    @property
+    def was_stopped(self) -> bool:
+        """Whether the last :meth:`run` ended by :meth:`stop`."""
+        return self._stopped
+
     def leap(self, to_ns: int) -> None:
         """Let it be later at once: what is on the agenda stays as far ahead as it was. A time that is over changes nothing."""
         by_ns = max(0, to_ns - self.now_ns)

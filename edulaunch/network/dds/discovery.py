@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -51,6 +52,7 @@ class Discovery:
         self._nodes: dict[bytes, dict[FarNode, Sequence[bytes]]] = {}
         self._claims: dict[bytes, FarNode] = {}
         self._machines: set[bytes] = set()
+        self._gone: deque[bytes] = deque(maxlen=MOST_PARTICIPANTS)
         self._listener = Listener(on_data_available=lambda reader: wake())
         topic = Topic(participant, 'ros_discovery_info', idl_class(INFO, underlay_registry()), qos=Qos(PLAIN))
         common = (PLAIN, Policy.Reliability.Reliable(10_000_000), Policy.Durability.TransientLocal)
@@ -100,6 +102,7 @@ class Discovery:
                 self._claim(key, {node._replace(is_simulated=True): gids for node, gids in before.items()})
         else:
             self._machines.discard(key)
+            self._gone.append(key)
             for gid in [gid for gid, whose in self._participant_of.items() if whose == key]:
                 self._forget(gid)
             self._claim(key, {})
@@ -146,7 +149,7 @@ class Discovery:
         except InterfaceError as error:
             self.troubles.append(Trouble('ros_discovery_info', f'what somebody tells of its nodes makes no sense: {error}'))
             return
-        if participant == self.own:
+        if participant == self.own or participant in self._gone:  # the last that it said may be read after its end
             return
         if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
             self.troubles.append(

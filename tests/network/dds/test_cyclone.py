@@ -67,6 +67,18 @@ def test_a_peer_that_leaves_is_gone_and_one_that_comes_back_is_heard(wire: Any) 
         wire.until(lambda: here.nodes() == ['/a'] and '/chatter' not in here.graph.publishers)
 
 
+def test_who_told_of_his_nodes_just_before_he_left_is_gone(wire: Any) -> None:
+    """What he said and his end are read together."""
+    here, real = wire.link(), wire.link()
+    real.add_node('/', 'talker')
+    wire.until(lambda: [node.name for node in here.graph().nodes] == ['talker'], here.take)
+    real.add_node('/', 'late')
+    real.flush()
+    wire.links.remove(real)
+    real.close()
+    wire.until(lambda: not here.graph().nodes, here.take)
+
+
 def test_services_of_two_bridges_answer_each_other(wire: Any) -> None:
     here, there = wire.place('a'), wire.place('b')
     client, other = here.client('/reset'), wire.place('c').client('/reset')
