@@ -120,7 +120,7 @@ class Watchdog:
             if is_library(frame.f_code.co_filename):
                 return Turn(task, sim.now_ns, None)
             frame = frame.f_back
-        return Turn(task, sim.now_ns, frame and (id(frame), *map(_held, frame.f_locals.values())))
+        return Turn(task, sim.now_ns, frame and (id(frame), *map(_held, list(frame.f_locals.values()))))
 
     def _running(self) -> tuple[Task | None, FrameType | None]:
         """The task that has its turn, found at the bottom of what the simulation's thread executes, and the top of that."""

@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -162,3 +163,13 @@ def test_where_nothing_changes_less_time_is_given(watched: Any, monkeypatch: pyt
     watched.run(text)
     assert watched.codes == {'program-1': 1}
     assert 0.2 * factor <= stopped[0] < 0.2 * (factor + 2), 'not before its limit, and before the next one: 1, 3 or 5 times'
+
+
+def test_variables_that_come_while_it_looks_at_the_others_do_not_end_it(watched: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a busy machine the watched thread goes on between two of them."""
+    names: dict[str, Any] = {'one': 1}
+    frame = SimpleNamespace(f_code=SimpleNamespace(co_filename=watched.write('own.py', '')), f_locals=names, f_back=None)
+    monkeypatch.setattr(watched.host.watchdog, '_running', lambda: ('task', frame))
+    monkeypatch.setattr('edulaunch.processes.watchdog._held', lambda value: names.setdefault(f'new {len(names)}', value))
+    seen = watched.host.watchdog._look()
+    assert seen is not None and seen.state == (id(frame), 1)
