@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from edulaunch.errors import UnusableInput
-from edulaunch.nearest import nearest
+from edulaunch.nearest import nearest_file
 from edulaunch.packages import Index
 
 SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
@@ -49,7 +49,7 @@ def _existing_file(path: str) -> str:
     if not os.path.isfile(absolute):
         folder = os.path.dirname(absolute)
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
-        near = nearest(os.path.basename(absolute), names)
+        near = nearest_file(os.path.basename(absolute), names)
         raise UnusableInput(
             f'launch file {path!r} does not exist.',
             help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
@@ -76,7 +76,7 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     not_installed = missing_launch_file(index, package, file)
     if not_installed:
         return help_of_facts(not_installed)
-    near = None if file is None else nearest(file, names)
+    near = None if file is None else nearest_file(file, names)
     listed = f'launch files of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
     return f'did you mean {near!r}?' if near else listed
 

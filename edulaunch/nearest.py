@@ -27,6 +27,18 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
     return [folded[close] for close in get_close_matches(_folded(name), list(folded), n=most, cutoff=0.6)]
 
 
+def nearest_file(name: str, names: Iterable[str]) -> str | None:
+    """The same for names of files, by what stands before their endings: two are not alike because both end in `.launch.py`."""
+    files = sorted(file for file in names if _stem(file))
+    stem = nearest(_stem(name), map(_stem, files))
+    alike = [file for file in files if _stem(file) == stem]
+    return nearest(name, alike) or next(iter(alike), None)
+
+
+def _stem(file: str) -> str:
+    return file.partition('.')[0].removesuffix('_launch')
+
+
 def _folded(name: str) -> str:
     return name.lower().replace('-', '_').replace('.', '_')
 

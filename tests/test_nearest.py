@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.nearest import nearest, nearest_few
+from edulaunch.nearest import nearest, nearest_few, nearest_file
 
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 
@@ -33,3 +33,19 @@ def test_several_that_are_close_come_with_the_nearest_first_and_one_that_is_mean
     assert nearest_few('two_robot', names, 3) == ['two_robots', 'two_robotss', 'two_rooms']
     assert nearest_few('two_robot', names, 1) == ['two_robots']
     assert nearest_few('Two-Rooms', names, 3) == ['two_rooms']
+
+
+@pytest.mark.parametrize(
+    ('name', 'expected'),
+    [
+        ('cart.launch.py', None),
+        ('colur.launch.py', 'colour.launch.py'),
+        ('two.launch.pyy', 'two.launch.py'),
+        ('two_launch.xml', 'two.launch.xml'),
+        ('notes', 'notes.txt'),
+        ('.hidden', None),
+    ],
+)
+def test_files_are_alike_by_their_names_and_not_by_their_endings(name: str, expected: str | None) -> None:
+    files = ['top.launch.py', 'colour.launch.py', 'two.launch.py', 'two.launch.xml', 'notes.txt', '.hidden.launch.py']
+    assert nearest_file(name, files) == expected

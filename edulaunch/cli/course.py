@@ -241,8 +241,15 @@ def _lite(arguments: argparse.Namespace) -> int:
 
 def _store(arguments: argparse.Namespace) -> int:
     from edulaunch.course.stored import store_outputs
+    from edulaunch.errors import UnusableInput
+    from edulaunch.nearest import nearest_file
 
     for notebook in arguments.notebooks:
+        if not os.path.isfile(notebook):
+            folder, name = os.path.split(notebook)
+            beside = os.listdir(folder or '.') if os.path.isdir(folder or '.') else []
+            near = nearest_file(name, [file for file in beside if file.endswith('.ipynb')])
+            raise UnusableInput(f'{notebook} does not exist', help=near and f'did you mean {os.path.join(folder, near)!r}?')
         store_outputs(notebook)
         print(f'{notebook}: its outputs are kept, the notebook itself has none')
     return 0

@@ -27,7 +27,7 @@ from edulaunch.graph.rule_reader import (
     read_new_namespace,
     read_parameter_name,
 )
-from edulaunch.nearest import nearest
+from edulaunch.nearest import nearest_file
 
 _NAME = r'(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?(?:/(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?)*'
 _PLAIN_RULE = re.compile(f'((?:~?/)?{_NAME}|(__node)|(__ns)):=((?:~?/)?{_NAME})')
@@ -251,7 +251,7 @@ def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[
 
 def _near_file(path: str) -> str | None:
     folder, name = os.path.split(path)
-    return nearest(name, os.listdir(folder or '.')) if os.path.isdir(folder or '.') else None
+    return nearest_file(name, os.listdir(folder or '.')) if os.path.isdir(folder or '.') else None
 
 
 def _add_log_level(result: RosArguments, flag: str, text: str) -> None:

@@ -64,3 +64,10 @@ def test_a_lesson_without_kept_outputs_says_how_to_make_them(tmp_path: Path) -> 
 def test_the_place_of_a_run_is_no_difference() -> None:
     given = [{'text': '/home/me/course/my_launch/a.launch.py:3 (line 4 of cell [12]), and /home/you/x\n'}]
     assert without_place(given, '/home/me/course') == [{'text': 'my_launch/a.launch.py:3, and /home/you/x\n'}]
+
+
+def test_a_lesson_that_is_not_there_is_told_with_the_nearest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / '16_silent_systems.ipynb').write_text('{}')
+    assert main(['course', 'store', str(tmp_path / '16_silent_system.ipynb')]) == 2
+    near = tmp_path / '16_silent_systems.ipynb'
+    assert capsys.readouterr().err.endswith(f"16_silent_system.ipynb does not exist\n  help: did you mean '{near}'?\n")

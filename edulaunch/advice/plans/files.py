@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.nearest import nearest
+from edulaunch.nearest import nearest, nearest_file
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
@@ -78,7 +78,7 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
                 beside = os.listdir(folder) if os.path.isdir(folder) else []
                 is_shared = f'{os.sep}share{os.sep}' in path
                 shared = os.path.basename(folder) if is_shared else None
-                near = nearest(name, beside)
+                near = nearest_file(name, beside)
                 yield found('file', name, **place_of(branch), node=name_of(item), near=near, folder=shared)
 
 

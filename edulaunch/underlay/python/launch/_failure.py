@@ -13,7 +13,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import facts_of
-from edulaunch.nearest import nearest
+from edulaunch.nearest import nearest_file
 
 from ._engine import running_process
 from .launch_description_source import InvalidLaunchFileError
@@ -138,9 +138,7 @@ def _about_file(path: str) -> dict[str, Any]:
     if not os.path.isdir(folder):
         return {'wanted': path, 'no_folder': folder}
     name, ending = os.path.basename(path), os.path.splitext(path)[1]
-    stems = {other.partition('.')[0]: other for other in os.listdir(folder) if other.endswith(ending)}
-    near = nearest(name.partition('.')[0], stems)  # without endings: two names are not alike because both end in .launch.py
-    return {'wanted': path, 'near': stems[near] if near else None}
+    return {'wanted': path, 'near': nearest_file(name, [other for other in os.listdir(folder) if other.endswith(ending)])}
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:
