@@ -16,7 +16,7 @@ _HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
 _STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')
 _NUMBER = re.compile(r'-?\d+(\.\d+)?(e[+-]?\d+)?')
 _ROW = re.compile(r'#(,? +#)+')
-_UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+|(?<=_)[A-Za-z0-9]{16}(?=\W|$)')
+_UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+|(?<=_)[A-Za-z0-9]{16}(?=\W|$)|(?<=edulaunch-compare-)\w+')
 _SOURCE = re.compile(r', at /\S+\.\w+:\d+')
 """Where in its own source rcl found a mistake."""
 _NOISE = re.compile(r'\x1b\[[\d;]*m\[?\x1b|RTPS_TRANSPORT_SHM')

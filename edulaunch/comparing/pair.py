@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from edulaunch.comparing.apart import apart
 from edulaunch.comparing.differing import Difference, by_chance, differences, not_up, subject
 from edulaunch.comparing.for_real import run_for_real
 from edulaunch.comparing.observation import Observation
@@ -46,19 +48,21 @@ def compare(
     :param is_known: what nobody waits for.
     :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
     """
-    what = path, file, arguments
-    simulated = [simulate(*what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
+    what = path if file else os.path.abspath(path), file, arguments
+    workspaces = [os.path.abspath(folder) for folder in workspaces]
+    simulated = [apart(simulate, *what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
     goals = [each.until_asked() for each in simulated]
-    real = run_for_real(*what, seconds, workspaces, lambda seen: all(map(is_known, differences(goals, seen))), PATIENCE_S)
+    is_enough = lambda seen: all(map(is_known, differences(goals, seen)))  # noqa: E731
+    real = apart(run_for_real, *what, seconds, workspaces, is_enough, PATIENCE_S)
     found = differences(simulated, real)
     for late in _lates(simulated[0], real):
         if not all(map(is_known, found)):
-            simulated.append(simulate(*what, real.asked_s, workspaces, late, real.start_s))
+            simulated.append(apart(simulate, *what, real.asked_s, workspaces, late, real.start_s))
             found = differences(simulated, real)
     chance: list[Difference] = []
     if not all(map(is_known, found)):
         late = delays(simulated[0], real)
-        others = [simulate(*what, real.asked_s, workspaces, late, real.start_s, seed) for seed in OTHER_SEEDS]
+        others = [apart(simulate, *what, real.asked_s, workspaces, late, real.start_s, seed) for seed in OTHER_SEEDS]
         subjects = by_chance([simulated[2], *others])
         chance = [each for each in found if subject(each) in subjects]
         found = [each for each in differences([*simulated, *others], real) if subject(each) not in subjects]

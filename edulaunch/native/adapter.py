@@ -9,7 +9,7 @@ from collections.abc import Callable
 from functools import cached_property
 from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import module_from_spec, spec_from_file_location
-from types import ModuleType, SimpleNamespace
+from types import ModuleType
 from typing import Any
 
 from edulaunch.interfaces.cdr import decode, encode
@@ -54,7 +54,7 @@ def _own_module(name: str, path: str) -> None:
 
 def _modules() -> None:
     core = sys.modules['rclpy.node_parts.core'] = ModuleType('rclpy.node_parts.core')
-    core.core_of = lambda node: SimpleNamespace(destroyed=True)  # type: ignore[attr-defined]  # nothing to tell of it
+    core.core_of = _NodeFacts.of  # type: ignore[attr-defined]
     sys.modules['rclpy.node_parts'] = ModuleType('rclpy.node_parts')
 
 
@@ -91,6 +91,8 @@ def _park(context: Any, deadline_ns: int | None) -> None:
 
 class _NodeFacts:
     """What a node of ours knows of itself: its names, and the parameter values given from outside."""
+
+    destroyed = True  # to those that ask whether there is anything to tell of it
 
     def __init__(self, node: Any) -> None:
         self._node = node

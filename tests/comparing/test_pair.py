@@ -106,3 +106,21 @@ def test_random_numbers_and_the_time_of_day_are_no_difference(
     compared = pair.compare(str(file), None, {}, 6.0)
     assert [each[:4] for each in compared.found] == found
     assert [each.name for each in compared.chance] == ['/number data']
+
+
+MAKER = """
+import os
+os.mkdir('made')
+print('made in', os.getcwd())
+"""
+
+
+def test_no_run_finds_what_another_one_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / 'maker.py').write_text(MAKER)
+    (tmp_path / 'x.launch.xml').write_text('<launch><executable cmd="python3 maker.py" output="screen"/></launch>')
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(pair, 'run_for_real', lambda *what: simulate(*what[:5]))
+    compared = pair.compare('x.launch.xml', None, {}, 6.0)
+    assert compared.found == []
+    assert [line.text for line in compared.real.lines][0].startswith('made in ')
+    assert sorted(path.name for path in tmp_path.iterdir()) == ['maker.py', 'x.launch.xml']
