@@ -48,7 +48,7 @@ def compare(
     :param is_known: what nobody waits for.
     :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
     """
-    what = path if file else os.path.abspath(path), file, arguments
+    what = os.path.abspath(path) if not file and os.path.exists(path) else path, file, arguments
     workspaces = [os.path.abspath(folder) for folder in workspaces]
     simulated = [apart(simulate, *what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
     goals = [each.until_asked() for each in simulated]
