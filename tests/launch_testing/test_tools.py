@@ -9,6 +9,8 @@ import pytest
 from launch_testing.decorator import keep_alive, retry_on_failure
 from launch_testing.tools import build_text_match
 
+from edulaunch.processes.current import current_process
+
 
 def test_a_match_says_where_it_is() -> None:
     match = build_text_match(['a', re.compile('c')])
@@ -43,6 +45,10 @@ def test_retry_on_failure_counts_the_last() -> None:
         return len(tries)
 
     assert flaky() == 3
+    began = current_process().sim.elapsed_s
+    tries.clear()
+    assert retry_on_failure(times=3, delay=2.5)(flaky.__wrapped__)() == 3  # type: ignore[attr-defined]
+    assert current_process().sim.elapsed_s - began == 5.0
     with pytest.raises(ValueError, match='at least 1, got 0'):
         retry_on_failure(times=0)
 

@@ -8,6 +8,8 @@ from typing import Any, TypeVar
 
 from launch._lazy import has_ros_paths
 
+from edulaunch.sim.sync import sleep
+
 T = TypeVar('T', bound=Callable[..., Any])
 DEFAULT_TIMEOUT_S = 15
 
@@ -40,9 +42,10 @@ def keep_alive(test_description: T) -> T:
     return _with_marker(test_description, 'keep_alive', True)
 
 
-def retry_on_failure(*, times: int) -> Callable[[T], T]:
+def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[T], T]:
     """Run a test method again when it fails, up to `times` times in all; the last failure counts.
 
+    :param delay: simulated seconds between two times; None: none.
     :raises ValueError: for `times` below 1.
     """
     if times < 1:
@@ -55,7 +58,7 @@ def retry_on_failure(*, times: int) -> Callable[[T], T]:
                 try:
                     return function(*args, **kwargs)
                 except AssertionError:
-                    continue
+                    sleep(delay or 0)
             return function(*args, **kwargs)
 
         return _with_marker(repeated, 'retry_on_failure', {'times': times})  # type: ignore[return-value]
