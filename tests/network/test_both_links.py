@@ -1,10 +1,13 @@
-"""Two machines at once on one network, one on the default link and one on the full link, and a second one on the full link."""
+"""Machines on both links at once on one network, and what either link has to endure."""
 
 from __future__ import annotations
 
 import select
+import socket
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
+from random import Random
 from typing import Any
 
 import pytest
@@ -99,3 +102,50 @@ def test_a_machine_of_which_no_topic_crosses_is_known_and_two_nodes_of_one_name_
     places.until(lambda: plain.said and full.said)
     told = 'there are two nodes called /turtle: one of this machine, and one of another machine'
     assert [text.split('\n')[0] for text in (*plain.said, *full.said)] == [told, told]
+
+
+def hostile_packets() -> Iterator[bytes]:
+    """What looks like RTPS and is none, and what does not even look so: lengths too large, cut off, noise."""
+    random = Random(7)
+    for number in range(1500):
+        kind = random.choice((0x01, 0x06, 0x07, 0x08, 0x09, 0x0E, 0x12, 0x13, 0x15, 0x16, 0x80, 0xFF))
+        length = random.choice((0, 1, 4, 20, 24, 0xFFFF, random.randrange(0x10000)))
+        body = random.randbytes(random.choice((0, 3, 16, 24, 60, 400)))
+        header = b'RTPS\x02\x03' + random.choice((b'\x01\x0f', b'\x01\x10')) + random.randbytes(12)
+        submessage = bytes((kind, random.randrange(256))) + length.to_bytes(2, 'little')
+        yield (header + submessage + body, header[: random.randrange(20)], random.randbytes(random.randrange(1400)))[number % 3]
+
+
+@pytest.mark.parametrize('make', [default_link, RclpyLink])
+def test_packets_that_are_none_do_no_harm(places: Places, make: Callable[[], Any]) -> None:
+    here, there = places.add(make(), 'here'), places.add(make(), 'there')
+    mouth = here.publisher('/chatter')
+    there.subscription('/chatter')
+    places.until(lambda: there.heard, lambda: mouth.publish(('before',)))
+    ports = [7400 + 250 * places.settings.domain + offset for offset in (0, 1, *range(10, 18))]
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as enemy:
+        for packet in hostile_packets():
+            for port in ports:
+                with suppress(ConnectionRefusedError):
+                    enemy.sendto(packet, ('127.0.0.1', port))
+    places.until(lambda: there.heard[-1] == ('after',), lambda: mouth.publish(('after',)))
+    late = places.add(make(), 'late')
+    late.subscription('/chatter')
+    places.until(lambda: late.heard, lambda: mouth.publish(('late',)))
+    assert sorted(late.nodes()) == ['/here', '/late', '/there'], 'who comes afterwards is met as before'
+    assert not [text for place in places.made for text in place.said]
+
+
+@pytest.mark.parametrize('make', [default_link, RclpyLink])
+def test_another_type_on_a_topic_and_hundreds_of_endpoints_do_no_harm(places: Places, make: Callable[[], Any]) -> None:
+    here, there = places.add(make(), 'here'), places.add(make(), 'there')
+    here.subscription('/chatter')
+    wrong = there.publisher('/chatter', 'geometry_msgs/msg/Twist')
+    many = [there.publisher(f'/many/topic{number}') for number in range(300)]
+    right = places.add(make(), 'third').publisher('/chatter')
+    places.until(lambda: sum(topic.startswith('/many/') for topic in here.graph.publishers) == 300)
+    places.until(lambda: here.heard, lambda: (wrong.publish((0.0,) * 6), right.publish(('right',))))
+    assert set(here.heard) == {('right',)}
+    for publisher in many:
+        publisher.destroy()
+    places.until(lambda: not any(here.graph.publishers.get(f'/many/topic{number}') for number in range(300)))

@@ -158,3 +158,63 @@ def test_a_peer_that_sends_broken_bytes_another_type_and_far_too_much_does_no_ha
     assert 'data' not in ''.join(heard['/number']), 'an Int32 is no String'
     peer.kill()
     machine.until(lambda: not any(node.name == 'hostile' for node in machine.place.graph.nodes))
+
+
+LOOSE = """
+import sys
+import rclpy
+from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('loose')
+loose = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+told = PublisherEventCallbacks(incompatible_qos=lambda event: open('told', 'w').write(event.last_policy_kind.name))
+node.create_publisher(String, '/strict', loose, event_callbacks=told)
+talker = node.create_publisher(String, '/chatter', 10)
+node.create_timer(0.05, lambda: talker.publish(String(data='hello')))
+rclpy.spin(node)
+"""
+
+
+def test_a_quality_of_service_that_does_not_fit_is_told_on_both_sides_and_a_peer_that_was_killed_comes_back(
+    machine: Machine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'loose.py').write_text(LOOSE)
+    policies: list[str] = []
+    machine.place.subscription('/strict').on_incompatible = policies.append
+    machine.place.subscription('/chatter')
+    peer = machine.script(tmp_path / 'loose.py')
+    machine.until(lambda: machine.place.heard and '/loose' in machine.place.nodes())
+    machine.until(lambda: policies and (tmp_path / 'told').exists() and (tmp_path / 'told').read_text())
+    assert (policies[0], (tmp_path / 'told').read_text()) == ('RELIABILITY', 'RMW_QOS_POLICY_RELIABILITY')
+    peer.kill()
+    machine.until(lambda: '/loose' not in machine.place.nodes())
+    machine.place.heard.clear()
+    machine.script(tmp_path / 'loose.py')
+    machine.until(lambda: machine.place.heard and '/loose' in machine.place.nodes())
+
+
+def test_two_thousand_messages_a_second_arrive_all_in_order(machine: Machine, tmp_path: Path) -> None:
+    (tmp_path / 'fast.py').write_text("""
+import time
+import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('fast')
+publisher = node.create_publisher(String, '/fast', 5000)
+while not publisher.get_subscription_count():
+    time.sleep(0.01)
+begun = time.monotonic()
+for number in range(4000):
+    time.sleep(max(0.0, begun + number / 2000 - time.monotonic()))
+    publisher.publish(String(data=str(number)))
+rclpy.spin(node)
+""")
+    machine.place.subscription('/fast')
+    machine.script(tmp_path / 'fast.py')
+    machine.until(lambda: machine.place.heard[-1:] == [('3999',)])
+    assert machine.place.heard == [(str(number),) for number in range(4000)]
