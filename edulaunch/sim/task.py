@@ -243,27 +243,22 @@ class AmbientTask(Task):
             next_ns = sim.next_time_ns()
             is_over = deadline_ns is not None and (next_ns is None or next_ns > deadline_ns)
             if next_ns != sim.now_ns and threading.active_count() != self._threads:
-                self._let_threads_begin()
+                self._threads = threading.active_count()  # some were started, or have ended: let them come in before time passes
+                if self.real_threads is not None:
+                    self.real_threads.let_begin()
                 continue
             due_ns = deadline_ns if is_over else next_ns
             beside = self.real_threads
             if beside is not None and beside.set_the_pace(due_ns) and not beside.await_turn(due_ns):
                 break
             if is_over:
-                assert deadline_ns is not None
-                sim.now_ns = max(sim.now_ns, deadline_ns)
+                sim.now_ns = max(sim.now_ns, deadline_ns or 0)
                 return False
             if not sim.step():
                 raise SimulationError('waiting for ever: nothing that is scheduled could end this wait')
         self._woken = False
         self._deliver_interrupts()
         return True
-
-    def _let_threads_begin(self) -> None:
-        """Threads were started (or have ended): before time passes, let them come in."""
-        self._threads = threading.active_count()
-        if self.real_threads is not None:
-            self.real_threads.let_begin()
 
     def wake(self) -> None:
         """As :meth:`Task.wake`; perhaps from another thread."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -62,3 +64,18 @@ print(isinstance(share, Path), share == Path(str(share)), share.parent / 'turtle
         session.run(1.0)
         recording = session.recording()
     assert [piece.text for piece in recording.output if piece.text.startswith('True')] == ['True True True\n']
+
+
+@pytest.mark.processes
+def test_who_only_looks_for_folders_does_not_wait_for_pathlib() -> None:
+    code = f"""if True:
+        import sys
+        sys.path[:] = {sys.path!r}
+        import edulaunch
+        edulaunch.source()
+        from ament_index_python.packages import get_package_share_directory
+        get_package_share_directory('turtlesim')
+        print([name for name in ('pathlib', 'urllib.parse') if name in sys.modules])
+    """
+    done = subprocess.run([sys.executable, '-S', '-c', code], capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ('[]\n', '')

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
-import pathlib as real_pathlib
 import re
+from typing import TYPE_CHECKING
 
 from edulaunch.facts import with_facts
 from edulaunch.processes import current_process
 
 from ._index import index_in_force
 from .search_paths import get_search_paths
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 
@@ -42,10 +45,12 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
     return _share(package_name, 'directory' if print_warning else None)
 
 
-def get_package_share_path(package_name: str, print_warning: bool = True) -> real_pathlib.Path:
+def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
     """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
-    pathlib = current_process().loader.modules.get('pathlib', real_pathlib)
-    path: real_pathlib.Path = pathlib.Path(_share(package_name, 'path' if print_warning else None))
+    import pathlib  # 4 ms, which no start need wait for
+
+    of_program = current_process().loader.modules.get('pathlib', pathlib)
+    path: Path = of_program.Path(_share(package_name, 'path' if print_warning else None))
     return path
 
 
