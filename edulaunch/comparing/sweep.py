@@ -13,8 +13,8 @@ from typing import NamedTuple
 from edulaunch.comparing.differing import Difference
 from edulaunch.comparing.known import Known
 
-LONGEST_S = 90.0
-"""So much longer than `--for` a comparison may take."""
+LONGEST_S = 240.0
+"""So much longer than `--for` a comparison may take: on the busiest computer less, so that one which hangs is found."""
 LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 
