@@ -255,7 +255,10 @@ class AmbientTask(Task):
                 sim.now_ns = max(sim.now_ns, deadline_ns or 0)
                 return False
             if not sim.step():
-                raise SimulationError('waiting for ever: nothing that is scheduled could end this wait')
+                raise SimulationError(
+                    'waiting for ever: nothing that is scheduled could end this wait',
+                    help='a script alone has a simulation of its own: start it with ros2 run, or by a launch file, beside the others',
+                )
         self._woken = False
         self._deliver_interrupts()
         return True
