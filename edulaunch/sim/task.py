@@ -257,7 +257,7 @@ class AmbientTask(Task):
             if not sim.step():
                 raise SimulationError(
                     'waiting for ever: nothing that is scheduled could end this wait',
-                    help='a script alone has a simulation of its own: start it with ros2 run, or by a launch file, beside the others',
+                    help='a script alone has a simulation of its own: start it with ros2 run, or by a launch file, as the others',
                 )
         self._woken = False
         self._deliver_interrupts()
