@@ -9,6 +9,7 @@ from types import TracebackType
 from typing import TextIO
 
 from edulaunch.attached import attached
+from edulaunch.errors import UnusableInput
 from edulaunch.graph.graph import Graph
 from edulaunch.launch_process import LaunchRun
 from edulaunch.launching import find_launch_file
@@ -129,8 +130,9 @@ class Session:
 
         :param speed: simulated seconds per real second; 0 is as fast as possible.
         :returns: whether it was interrupted.
+        :raises UnusableInput: when `duration_s` is no number of seconds.
         """
-        until = None if duration_s is None else self.sim.now_ns + round(duration_s * 1e9)
+        until = None if duration_s is None else self.sim.now_ns + _nanoseconds(duration_s)
         with streams_of_programs(), Interruption(self.sim) as interruption:
             if self.follow is not None:
                 self.follow(until, lambda: interruption.came or (until is None and self.is_over))
@@ -226,6 +228,17 @@ def run(
         for line in attached('said_at_the_end')(recording):
             print(line, file=sys.stderr)
     return recording
+
+
+def _nanoseconds(duration_s: float) -> int:
+    try:
+        found = round(duration_s * 1e9)
+    except (OverflowError, TypeError, ValueError):
+        found = -1
+    if found < 0:
+        said = f'duration_s is {duration_s!r}, and simulated seconds are expected'
+        raise UnusableInput(said, help='write a number that is not below 0: duration_s=5')
+    return found
 
 
 def index_for(workspaces: Sequence[PathLike]) -> Index:

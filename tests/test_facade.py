@@ -5,10 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import edulaunch
+from edulaunch.errors import UnusableInput
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -101,3 +103,9 @@ def test_what_a_session_ends_by_closing_is_not_recorded(tmp_path: Path) -> None:
     assert [row['returncode'] for row in session.recorder.processes] == [None, None]
     assert len(session.recorder.output_lines) == before
     assert session.recorder.content()['duration_ns'] == 10**9
+
+
+@pytest.mark.parametrize('duration', ['2', float('nan'), float('inf'), -1, [2]])
+def test_a_duration_that_is_none_is_told(duration: Any) -> None:
+    with pytest.raises(UnusableInput, match='duration_s is .*, and simulated seconds are expected\n  help: write a number'):
+        edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=duration)
