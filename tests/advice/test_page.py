@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from edulaunch.advice.rule import all_rules
 from tests.advice.page import PAGE, page
 
 
 def test_the_page_is_up_to_date() -> None:
     assert PAGE.read_text(encoding='utf-8') == page(), 'python -m tests.advice.page writes it anew'
+
+
+def test_the_lessons_that_rules_name_are_there() -> None:
+    lessons = {file.stem for file in (PAGE.parents[1] / 'lessons').glob('*.ipynb')}
+    assert {rule.lesson for rule in all_rules().values()} - {None} <= lessons

@@ -176,7 +176,7 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
         "write '{near}', if that is the one you mean",
         "declare it before: self.declare_parameter('{parameter}', ...), with a default value",
     ),
-    lesson='05_large_project',
+    lesson='03_parameters',
     level='error',
 )
 def parameter_undeclared(failure: Failure) -> Iterator[Finding]:

@@ -52,7 +52,7 @@ def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
         yield found('file', plan['file'], file=plan['file'])
 
 
-LESSON = '02_substitutions_and_events'
+LESSON = '04_conditions'
 OF_LAUNCH = frozenset(
     ('sigterm_timeout', 'sigkill_timeout', 'emulate_tty', 'launch-prefix', 'launch-prefix-filter', 'log_level', 'ros_namespace')
 )

@@ -14,7 +14,7 @@ from edulaunch.nearest import nearest, nearest_file
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
 
-LESSON = '05_large_project'
+LESSON = '03_parameters'
 
 
 @rule(

@@ -12,7 +12,7 @@ from edulaunch.advice.rule import Finding, found, rule
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
 
-LESSON = '02_substitutions_and_events'
+LESSON = '04_conditions'
 ACTIONS = frozenset(
     (
         'ComposableNodeContainer',

@@ -12,7 +12,7 @@ from edulaunch.advice.rule import Finding, found, rule
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
 
-LESSON = '02_substitutions_and_events'
+LESSON = '01_first_launch'
 _OBJECT = re.compile(r'<launch(?:_ros)?\.substitutions\.[\w.]*?(\w+) object at')
 _DOLLAR = re.compile(r'\$\((?:var|arg|env|find-pkg-share|dirname|eval)\b[^)]*\)?')
 

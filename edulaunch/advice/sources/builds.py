@@ -24,7 +24,7 @@ LEVELS_ABOVE = 4
     why='a real ROS 2 runs what colcon has installed; edulaunch runs the sources, so here you see the change already',
     do='build it again in {workspace}: colcon build --packages-select {package}, or once with --symlink-install',
     level='info',
-    lesson='05_large_project',
+    lesson='07_packages',
 )
 def changed_after_build(source: Source) -> Iterator[Finding]:
     """By content, not by time: files of the source that are other than what is installed, or are not installed at all."""
@@ -65,7 +65,7 @@ def _is_equal(built: str, path: str) -> bool:
         return False
 
 
-LESSON = '05_large_project'
+LESSON = '07_packages'
 INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt'
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source
     from edulaunch.workspace.sources import SourcePackage
 
-LESSON = '05_large_project'
+LESSON = '07_packages'
 
 
 @rule(

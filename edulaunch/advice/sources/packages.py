@@ -31,7 +31,7 @@ INSTALL = (
     what='no build installs the launch file {file}',
     why='"ros2 launch {package} {file}" looks only at what is installed, and does not find it',
     do=INSTALL,
-    lesson='05_large_project',
+    lesson='07_packages',
     level='error',
 )
 def launch_file_not_installed(source: Source) -> Iterator[Finding]:
@@ -47,7 +47,7 @@ def launch_file_not_installed(source: Source) -> Iterator[Finding]:
     what='no build installs {file}, so it is not in the share folder of {package}',
     why='a launch file that asks for it by get_package_share_directory() does not find it',
     do=INSTALL,
-    lesson='05_large_project',
+    lesson='07_packages',
 )
 def data_not_installed(source: Source) -> Iterator[Finding]:
     """Files of the folders in which packages keep parameters, robots and worlds."""
@@ -140,7 +140,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
     ),
     why='rosdep installs what package.xml names: on another machine it is missing',
     do='add <exec_depend>{dependency}</exec_depend> to package.xml',
-    lesson='05_large_project',
+    lesson='07_packages',
 )
 def dependency_missing(source: Source) -> Iterator[Finding]:
     """Packages that are imported or launched; each once, where it is first used."""
@@ -184,7 +184,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
     what="package.xml calls the package '{package}', {written} calls it '{other}'",
     why='what is built under one name is looked for under the other',
     do="write '{package}' in both",
-    lesson='05_large_project',
+    lesson='07_packages',
     level='error',
 )
 def name_differs(source: Source) -> Iterator[Finding]:
