@@ -26,7 +26,8 @@ ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(f'edugrade/{name}.py' for name in ('evidence', 'judging', 'noted', 'results', 'terminal', 'verdicts', 'wording')),
+    *(f'edugrade/{name}.py' for name in ('evidence', 'judging', 'noted', 'results', 'verdicts')),
+    *(f'edugrade/reports/{name}.py' for name in ('terminal', 'wording')),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
@@ -99,6 +100,8 @@ def template_of(node: ast.AST) -> str:
 
 
 def _python_files(folder: str) -> Iterator[str]:
+    if not os.path.exists(folder):
+        raise FileNotFoundError(f'{folder}: it has moved, and its sentences would be lost')
     if os.path.isfile(folder):
         yield folder
     for place, _, names in sorted(os.walk(folder)):

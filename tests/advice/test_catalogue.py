@@ -66,3 +66,9 @@ def test_code_stays_as_it_is() -> None:
 def test_a_language_without_a_catalogue_is_told_in_english() -> None:
     assert Reader('tlh').says('and {count} more') == 'and {count} more'
     assert Reader('de_AT').says('and {count} more') == Reader('de').says('and {count} more') != 'and {count} more'
+
+
+def test_a_place_that_has_moved_is_an_error_and_no_loss(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('edulaunch.advice.catalogue.REPORTS', ('edugrade/gone.py',))
+    with pytest.raises(FileNotFoundError, match='its sentences would be lost'):
+        messages()
