@@ -18,8 +18,8 @@ FOUND_S = 3.0
 """From then on everybody has found everybody."""
 YOUNG_S = 1.0
 SHARE = 0.25
-FEWEST = 5
-"""So many messages make a rate."""
+FEWEST, SHORTEST_S = 5, 0.5
+"""So many messages in so long a time make a rate: fewer may be what a busy computer was late with."""
 MISSING = 'missing'
 _NOT_THERE = (MISSING, 'none', 'still running')
 _CHANCE = (
@@ -166,9 +166,10 @@ def _holds(outer: Range, inner: Range) -> bool:
 
 
 def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference]:
-    if min(len(here.times), len(there.times)) < FEWEST:
+    flows = (here, there)
+    if any(len(flow.times) < FEWEST or flow.times[-1] - flow.times[0] < SHORTEST_S for flow in flows):
         return
-    one, other = ((len(flow.times) - 1) / max(1e-9, flow.times[-1] - flow.times[0]) for flow in (here, there))
+    one, other = ((len(flow.times) - 1) / (flow.times[-1] - flow.times[0]) for flow in flows)
     if abs(one - other) > SHARE * max(one, other):
         yield Difference(f'rate of {kind}', name, f'{one:.3g} Hz', f'{other:.3g} Hz')
 

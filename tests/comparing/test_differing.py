@@ -83,6 +83,13 @@ def test_rates(hz: float, differs: bool) -> None:
     assert found == ([Difference('rate of messages', '/t', '10 Hz', f'{hz:.3g} Hz')] if differs else [])
 
 
+@pytest.mark.parametrize(('hz', 'differs'), [(1000.0, False), (20.0, True)])
+def test_a_burst_makes_no_rate(hz: float, differs: bool) -> None:
+    here, there = flow(*((number / 5, 1.0) for number in range(12))), flow(*((1.0 + number / hz, 1.0) for number in range(12)))
+    found = differences(seen(flows={'/t': here}), seen(flows={'/t': there}))
+    assert [each.kind for each in found] == ['rate of messages'] * differs
+
+
 def test_numbers_of_what_was_never_so_in_simulation() -> None:
     here = flow(*((time / 10, time / 10) for time in range(100)))
     later = flow(*((time / 10 + 1.0, time / 10) for time in range(90)))
