@@ -102,6 +102,7 @@ def test_play_repeats_what_was_recorded(machine) -> None:
     played = machine.run('ros2 bag play drive -r 2', 1.0)
     assert (played.code, heard.writes[0]) == (0, (began, '2.0\n---\n'))
     assert 'Topic: /turtle1/cmd_vel | Type: geometry_msgs/msg/Twist | Count: 1 | ' in machine.read('ros2 bag info drive')
+    assert 'ROS Distro:        jazzy\n' in machine.read('ros2 bag info drive')
 
 
 def test_info_of_no_bag(machine) -> None:

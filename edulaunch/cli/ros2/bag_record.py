@@ -240,6 +240,11 @@ def write_bag(
         for time_ns, name, wire in messages:
             cls, connection = connections[name]
             writer.write(connection, time_ns, wire if isinstance(wire, bytes) else encode(cls, wire))
+    path = os.path.join(folder, 'metadata.yaml')
+    with open(path, encoding='utf-8') as file:
+        text = file.read()
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text.replace('ros_distro: rosbags\n', 'ros_distro: jazzy\n'))  # rosbags names itself
 
 
 def definition(registry: Registry, type_name: str) -> str:
