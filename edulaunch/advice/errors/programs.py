@@ -205,3 +205,19 @@ def no_depth(failure: Failure) -> Iterator[Finding]:
 def rule_failed(failure: Failure) -> Iterator[Finding]:
     """Nothing that a student writes looks like this."""
     yield from ()
+
+
+@rule(
+    'programs.sign-in-name',
+    what="names of ROS have letters, digits and _ only, and '{name}' has '{sign}'",
+    do="write '{better}'",
+    level='error',
+    lesson='02_names',
+)
+def sign_in_name(failure: Failure) -> Iterator[Finding]:
+    """A blank, a minus or a letter with an accent in the name of a node, namespace or topic."""
+    said = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
+    if said is not None:
+        name, at = said[1], len(said[2]) - len("  '")
+        better = re.sub(r'[^A-Za-z0-9_/~{}]', '_', name)
+        yield speak(failure, name=name, sign=name[at : at + 1], better=better)
