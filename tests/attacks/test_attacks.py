@@ -25,7 +25,7 @@ DESERVED = 6
 """Points of the circle whose node is not told the radius."""
 ALL = 12
 HONEST = [f'{place}-honest' for place in ('a', 'k-middle', 'r-middle', 'z')]
-LIMIT_S = 900
+LIMIT_S = 3600  # a busy machine takes its time; nothing is measured by it
 
 
 def submissions() -> dict[str, str]:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import time
 import urllib.request
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -67,29 +68,23 @@ def shots(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def lab(browser: Any, course: Path, shots: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     """A JupyterLab that serves the course, with settings of its own."""
     pytest.importorskip('jupyterlab', reason='JupyterLab is not installed')
-    with socket.socket() as free:
-        free.bind(('127.0.0.1', 0))
-        port = free.getsockname()[1]
     home = tmp_path_factory.mktemp('jupyter')
     env = {**os.environ, 'USER': 'student', **{name: str(home / name.lower()) for name in OWN_FOLDERS}}
     words = [
         'lab',
         '--no-browser',
         '--ip=127.0.0.1',
-        f'--port={port}',
-        '--ServerApp.port_retries=0',
+        f'--port={8900 + os.getpid() % 1000}',  # or one of the next, where that is taken
         '--allow-root',
         '--IdentityProvider.token=',
         f'--ServerApp.root_dir={course}',
         '--LabApp.expose_app_in_browser=True',
         *QUIET,
     ]
-    url = f'http://127.0.0.1:{port}'
     with (home / 'log.txt').open('w') as log:
         server = subprocess.Popen([sys.executable, '-m', 'jupyter', *words], env=env, stdout=log, stderr=log)
         try:
-            _wait_for(url, server, home / 'log.txt')
-            yield Lab(browser, url, shots)
+            yield Lab(browser, _address(server, home), shots)
         finally:
             _end(server)
 
@@ -104,12 +99,14 @@ def _end(server: subprocess.Popen[bytes]) -> None:
         server.wait()
 
 
-def _wait_for(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
+def _address(server: subprocess.Popen[bytes], home: Path) -> str:
+    """Where it answers: it writes that down, as the port is the first that nobody has."""
     until = time.monotonic() + START_S
     while time.monotonic() < until and server.poll() is None:
-        try:
+        with suppress(OSError, ValueError, StopIteration):
+            said = json.loads(next((home / 'jupyter_runtime_dir').glob('jpserver-*.json')).read_text())
+            url = f'http://127.0.0.1:{said["port"]}'
             with urllib.request.urlopen(f'{url}/api/status', timeout=5):
-                return
-        except OSError:
-            time.sleep(0.2)
-    pytest.fail(f'JupyterLab did not start:\n{log.read_text(errors="replace")[-2000:]}')
+                return url
+        time.sleep(0.2)
+    pytest.fail(f'JupyterLab did not start:\n{(home / "log.txt").read_text(errors="replace")[-2000:]}')
