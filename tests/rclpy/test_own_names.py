@@ -70,6 +70,16 @@ def test_what_an_executor_needs(program: Program, name: str) -> None:
         assert facts_of(caught.value)['attribute'] == name
 
 
+def test_a_node_that_is_spun_again_and_again_is_asked_once(program: Program) -> None:
+    @program
+    def body() -> None:
+        asked: list[Node] = []
+        node = type('Robot', (Node,), {'guards': property(lambda self: asked.append(self) or [])})('robot')
+        for _ in range(3):
+            rclpy.spin_once(node, timeout_sec=0)
+        assert asked == [node]
+
+
 def test_names_that_nobody_else_needs_are_free(program: Program) -> None:
     @program
     def body() -> None:

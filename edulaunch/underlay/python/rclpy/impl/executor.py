@@ -75,16 +75,17 @@ class Executor(Waiting):
         if ready_list.executor is self:
             return False
         ready_list.executor, ready_list.waiting = self, self._waiting
-        core.was_spun = True
         self._nodes.append(node)
         if core.executor is not self:
             node.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()
-        try:
-            check_own_names(node, TO_SPIN)
-        except (TypeError, AttributeError) as error:
-            self.create_task(_fail, error)  # who spins is told
+        if not core.was_spun:  # once: `rclpy.spin_once(node)` adds the node each time, and took a fifth longer
+            core.was_spun = True
+            try:
+                check_own_names(node, TO_SPIN)
+            except (TypeError, AttributeError) as error:
+                self.create_task(_fail, error)  # who spins is told
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -114,8 +115,7 @@ class Executor(Waiting):
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append(task)
         self._new_tasks = True
-        for waiting in self._waiting:
-            waiting.wake()
+        self._look_again()
         return task
 
     def _check_open(self) -> None:
