@@ -16,11 +16,13 @@ _PR_SET_PDEATHSIG = 1
 def end_with(parent: int | str) -> None:
     """Let this process be killed when another one ends.
 
-    :param parent: the number of the process that has started this one; or, for one that others started, a file that is locked
-        as long as the other lives.
+    :param parent: the number of the process that has started this one; 0: none. Or, for one that others started, a file that is
+        locked as long as the other lives.
     """
     if isinstance(parent, str):
         threading.Thread(target=_wait_for, args=(parent,), daemon=True).start()
+        return
+    if not parent:
         return
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:  # it has ended before

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from edulaunch.graph.qos import TRANSIENT_LOCAL, QoS
 from edulaunch.native import environment
 from edulaunch.native.command import command
 from edulaunch.network.link import Settings
@@ -198,14 +199,16 @@ def test_a_quality_of_service_that_does_not_fit_is_told_on_both_sides_and_a_peer
 
 
 def test_two_thousand_messages_a_second_arrive_all_in_order(machine: Machine, tmp_path: Path) -> None:
+    """Both ends keep all of them: what comes while the two are still being matched, or while this computer is busy, waits."""
     (tmp_path / 'fast.py').write_text("""
 import time
 import rclpy
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
 rclpy.init()
 node = rclpy.create_node('fast')
-publisher = node.create_publisher(String, '/fast', 5000)
+publisher = node.create_publisher(String, '/fast', QoSProfile(depth=5000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
 while not publisher.get_subscription_count():
     time.sleep(0.01)
 begun = time.monotonic()
@@ -214,7 +217,7 @@ for number in range(4000):
     publisher.publish(String(data=str(number)))
 rclpy.spin(node)
 """)
-    machine.place.subscription('/fast')
+    machine.place.subscription('/fast', qos=QoS(depth=5000, durability=TRANSIENT_LOCAL))
     machine.script(tmp_path / 'fast.py')
     machine.until(lambda: machine.place.heard[-1:] == [('3999',)])
     assert machine.place.heard == [(str(number),) for number in range(4000)]
