@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as wall
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Callable
 from typing import Any
 
@@ -34,6 +34,8 @@ from edulaunch.session import Session
 
 REMEMBERED = 1000
 """How many messages are remembered that have come to one of several subscriptions."""
+MOST_EARLY = 5000
+"""How many messages wait until it is known who may have sent them."""
 MOST_REQUESTS = 1000
 """How many requests from the network wait for one service."""
 CLOCKS_DIFFER_NS = 3 * 10**9
@@ -71,6 +73,7 @@ class Bridge:
         self._untap: dict[int, Any] = {}
         self._asked: dict[int, int] = {}
         self._recent: OrderedDict[tuple[bytes, int], Any] = OrderedDict()
+        self._early: deque[Message] = deque(maxlen=MOST_EARLY)
 
     def open(self, settings: Settings) -> None:
         """Join the network.
@@ -206,6 +209,9 @@ class Bridge:
                 self._message(event)
             elif isinstance(event, GraphChanged):
                 self.mirror.update(self.link.graph())
+                early, self._early = self._early, deque(maxlen=MOST_EARLY)
+                for message in early:
+                    self._message(message)
             elif isinstance(event, Trouble):
                 self.troubles.add(event)
             elif isinstance(event, Request):
@@ -227,6 +233,9 @@ class Bridge:
             return
         topic = subscription.topic_name
         publisher = self.mirror.publisher(event.gid, topic)
+        if publisher is None and not event.gid:
+            self._early.append(event)  # a link that cannot tell who sent it may learn later who is there
+            return
         key = event.gid, event.source_ns
         several = event.gid and len(self.graph.subscriptions.get(topic, ())) > 1
         wire = self._recent.get(key) if several else None
