@@ -155,6 +155,10 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
 def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
     """Take part in the run until the trusted half ends it; or what kept this half from it, as a frame's letter and content."""
     try:
+        # What a failure needs, while there is memory: an import that runs out of it ends CPython with SIGSEGV, not a MemoryError.
+        import pathlib  # noqa: F401
+        import traceback  # noqa: F401
+
         from edulaunch.errors import UnusableInput
         from edulaunch.link.confined import ConfinedSession
     except ImportError as error:
