@@ -48,7 +48,7 @@ def _existing_file(path: str) -> str:
         )
     if not os.path.isfile(absolute):
         folder = os.path.dirname(absolute)
-        names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+        names = sorted(name for name in os.listdir(folder) if name.endswith(LAUNCH_SUFFIXES)) if os.path.isdir(folder) else []
         near = nearest_file(os.path.basename(absolute), names)
         raise UnusableInput(
             f'launch file {path!r} does not exist.',
