@@ -49,9 +49,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(autouse=True)
 def same_environment() -> Iterator[None]:
-    """Outside a simulation launch acts on this program's own environment variables: put them back after each test."""
+    """Outside a simulation launch acts on this program's own environment variables: put them back after each test. A command that
+    ends soon switches the collector off (`edulaunch explain`): for the tests after it, it is on again.
+    """
     before = dict(os.environ)
     yield
+    gc.enable()
     if dict(os.environ) != before:
         os.environ.clear()
         os.environ.update(before)
