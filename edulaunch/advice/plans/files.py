@@ -27,6 +27,7 @@ LESSON = '03_parameters'
     ),
     lesson=LESSON,
     level='error',
+    hides=('programs.key-for-no-node',),
 )
 def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Of a node whose name the launch file says, and a file of which no key means it."""

@@ -10,7 +10,7 @@ from edulaunch.advice.recordings.programs import ENDED_WELL
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import node_place, origin_place
 from edulaunch.nearest import nearest
-from edulaunch.recording.records import UnreadArgument
+from edulaunch.recording.records import Fact, UnreadArgument
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -47,6 +47,32 @@ def not_declared(recording: Recording) -> Iterator[Finding]:
 
 
 ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_service')
+
+
+@rule(
+    'programs.key-for-no-node',
+    what='{file} gives {node} nothing: its keys are {keys}',
+    why='a parameter file is read by full node names; a key that names another node is passed over in silence',
+    do=(
+        'write {node}: (or /**: for any node) in place of {near}:',
+        'write {node}: (or /**: for any node) above ros__parameters:',
+    ),
+    lesson='03_parameters',
+    level='error',
+)
+def key_for_no_node(recording: Recording) -> Iterator[Finding]:
+    """A file that gives nobody anything: the rule over launch files does not know a name that only the program says."""
+    passed_over: dict[str, list[Fact]] = {}
+    for fact in recording.facts:
+        if fact.kind == 'keys for no node':
+            passed_over.setdefault(fact.data['file'], []).append(fact)
+    for file, facts in passed_over.items():
+        without = {fact.data['node'] for fact in facts}
+        given = {process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)}
+        if all(node.name in without for node in recording.nodes if node.process in given):
+            node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
+            near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
+            yield found('file', file, file=file, line=line, time_s=facts[0].time_s, node=node, keys=keys[:5], near=near)
 
 
 @rule(

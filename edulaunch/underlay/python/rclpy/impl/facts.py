@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.graph.parameters import pattern_matches
 from edulaunch.processes.current import current_process
 from edulaunch.processes.whose_code import student_line, waiting_line
 from edulaunch.sim.task import current_task, running_task
@@ -150,8 +151,9 @@ GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides
 
 
 def odd_facts(core: NodeCore) -> Facts:
-    """Values for parameters that were never declared; messages and replies that nobody takes; a node that nobody spins."""
+    """Values for parameters that were never declared, and files that give the node none; messages and replies that nobody takes; a node that nobody spins."""
     yield from _undeclared(core)
+    yield from _passed_over(core)
     waiting = [*_waiting(core)]
     yield from waiting
     yield from _going_on(core, bool(waiting))
@@ -167,6 +169,20 @@ def _undeclared(core: NodeCore) -> Facts:
         if name not in core.declared and not name.startswith(GIVEN_BY_ROS):
             data = {'node': core.full_name, 'parameter': name, 'value': repr(override.value), 'origin': override.origin}
             yield 'parameter not declared', {**data, 'declared': sorted(set(store.values))}
+
+
+def _passed_over(core: NodeCore) -> Facts:
+    """Parameter files all of whose keys name other nodes."""
+    keys: dict[str, dict[str, str]] = {}
+    for parsed in core.arguments:
+        for pattern, given in parsed.parameters.items():
+            for override in given.values():
+                file, separator, line = override.origin.rpartition(' line ')
+                if separator:
+                    keys.setdefault(file, {}).setdefault(pattern, line)
+    for file, lines in keys.items():
+        if not any(pattern_matches(pattern, core.full_name) for pattern in lines):
+            yield 'keys for no node', {'node': core.full_name, 'file': file, 'keys': [*lines], 'line': int(min(lines.values(), key=int))}
 
 
 def _waiting(core: NodeCore) -> Facts:
