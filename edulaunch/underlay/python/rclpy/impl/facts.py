@@ -182,7 +182,10 @@ def _passed_over(core: NodeCore) -> Facts:
                     keys.setdefault(file, {}).setdefault(pattern, line)
     for file, lines in keys.items():
         if not any(pattern_matches(pattern, core.full_name) for pattern in lines):
-            yield 'keys for no node', {'node': core.full_name, 'file': file, 'keys': [*lines], 'line': int(min(lines.values(), key=int))}
+            yield (
+                'keys for no node',
+                {'node': core.full_name, 'file': file, 'keys': [*lines], 'line': int(min(lines.values(), key=int))},
+            )
 
 
 def _waiting(core: NodeCore) -> Facts:
