@@ -151,7 +151,7 @@ GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides
 
 
 def odd_facts(core: NodeCore) -> Facts:
-    """Values for parameters that were never declared, and files that give the node none; messages and replies that nobody takes; a node that nobody spins."""
+    """What a node was given and does not take; messages and replies that nobody takes; a node that nobody spins."""
     yield from _undeclared(core)
     yield from _passed_over(core)
     waiting = [*_waiting(core)]
