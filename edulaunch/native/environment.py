@@ -22,7 +22,7 @@ REQUIREMENT = 'ros-jazzy-rclpy[fastrtps]'
 PLACE_VARIABLE = 'EDULAUNCH_REAL_RCLPY'
 MARK = 'edulaunch.json'
 """Stands in a finished environment, and says what is in it."""
-NEEDED_MB = 250
+NEEDED_MB = 220
 _PROBE = "import json, rclpy; from importlib.metadata import version; print(json.dumps({'rclpy': version('ros-jazzy-rclpy')}))"
 _OFFLINE_SIGNS = ('Temporary failure in name resolution', 'NewConnectionError', 'Connection refused', 'Network is unreachable')
 _NO_WHEEL_SIGNS = ('No matching distribution found', 'Could not find a version that satisfies')

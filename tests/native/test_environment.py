@@ -51,7 +51,7 @@ def test_who_needs_it_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(environment, 'unsuited', lambda: None)
     with pytest.raises(UnusableInput, match='not installed') as caught:
         environment.needed()
-    assert caught.value.help == 'edulaunch network install (250 MB)'
+    assert caught.value.help == 'edulaunch network install (220 MB)'
 
 
 def test_where_there_are_no_wheels_nothing_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
