@@ -57,26 +57,32 @@ def _wait_sync(context: LaunchContext, handler: Callable[[Any], Any], holds: Hol
         context.unregister_event_handler(on_event)
 
 
+def _written(action: ExecuteLocal, stream: str) -> str:
+    return action.get_stdout() if stream == 'stdout' else action.get_stderr()
+
+
+def _look(action: ExecuteLocal, validate: Validate, stream: str) -> tuple[Callable[[Any], Any], Holds]:
+    """The event handler that hears of new output, and whether what there is now is right."""
+
+    def holds() -> bool:
+        try:
+            answer = validate(_written(action, stream))
+        except AssertionError:
+            return False
+        return answer is None or bool(answer)
+
+    return lambda tell: OnProcessIO(target_action=action, on_stdout=tell, on_stderr=tell), holds
+
+
+def _complain(action: ExecuteLocal, validate: Validate, stream: str) -> None:
+    """Let the test's own assertions tell what is wrong; else say what there was."""
+    written = _written(action, stream)
+    validate(written)
+    raise AssertionError(f'the {stream} never was as expected; it is {written!r}')
+
+
 def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     """The four functions that look at what a process wrote to 'stdout' or 'stderr'."""
-
-    def look(action: ExecuteLocal, validate: Validate) -> tuple[Callable[[Any], Any], Holds]:
-        def holds() -> bool:
-            try:
-                answer = validate(written(action))
-            except AssertionError:
-                return False
-            return answer is None or bool(answer)
-
-        return lambda tell: OnProcessIO(target_action=action, on_stdout=tell, on_stderr=tell), holds
-
-    def written(action: ExecuteLocal) -> str:
-        return action.get_stdout() if stream == 'stdout' else action.get_stderr()
-
-    def complain(action: ExecuteLocal, validate: Validate) -> None:
-        """Let the test's own assertions tell what is wrong; else say what there was."""
-        validate(written(action))
-        raise AssertionError(f'the {stream} never was as expected; it is {written(action)!r}')
 
     async def wait(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
@@ -85,27 +91,27 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
 
         :param validate_output: called with the text; it returns whether it is right, or makes assertions and returns nothing.
         """
-        return await _wait(launch_context, *look(process_action, validate_output), timeout)
+        return await _wait(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     def wait_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
         """As the coroutine, for tests that are plain functions."""
-        return _wait_sync(launch_context, *look(process_action, validate_output), timeout)
+        return _wait_sync(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     async def check(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
         """As `wait_for_...`. Raises AssertionError when it is not in time: that of `validate_output`, if it makes any."""
         if not await wait(launch_context, process_action, validate_output, timeout):
-            complain(process_action, validate_output)
+            _complain(process_action, validate_output, stream)
 
     def check_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
         """As the coroutine, for tests that are plain functions."""
         if not wait_sync(launch_context, process_action, validate_output, timeout):
-            complain(process_action, validate_output)
+            _complain(process_action, validate_output, stream)
 
     return wait, wait_sync, check, check_sync
 
