@@ -156,6 +156,17 @@ def test_private_names_of_the_real_rclpy(program: Program, name: str, value: obj
         assert told == ([('private name', '/robot', name, __file__)] if is_told else [])
 
 
+def test_a_class_without_a_constructor_is_given_no_line_of_ours(program: Program) -> None:
+    @program
+    def body() -> None:
+        class Robot(Node):
+            pass
+
+        node = Robot('robot')
+        node._clients = {}  # type: ignore[attr-defined]
+        assert list(private_names(node)) == [('private name', {'node': '/robot', 'attribute': '_clients'})]
+
+
 def test_what_rclpy_itself_gave_may_be_kept_under_its_private_name(program: Program) -> None:
     @program
     def body() -> None:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import fact_place
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -34,8 +35,8 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     """Of a value that cannot stand in for what rclpy keeps there: a dictionary for its list of clients."""
     for fact in recording.facts:
         if fact.kind == 'private name':
-            place = {'file': fact.data['file'], 'line': fact.data['line']}
-            yield found('node', fact.data['node'], **place, node=fact.data['node'], attribute=fact.data['attribute'])
+            file, line = fact_place(recording, fact)
+            yield found('node', fact.data['node'], file=file, line=line, node=fact.data['node'], attribute=fact.data['attribute'])
 
 
 @rule(
