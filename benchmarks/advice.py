@@ -7,7 +7,7 @@ from pathlib import Path
 
 import edulaunch
 from edulaunch.advice import judge
-from edulaunch.recording import Recording
+from edulaunch.engine.recording import Recording
 
 LAUNCH_FILE = Path(__file__).with_name('large_project.launch.py')
 SECONDS = 60.0

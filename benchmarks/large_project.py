@@ -37,7 +37,7 @@ class Bare:
         from tf2_ros import Buffer
         from turtlesim.msg import Pose
 
-        from edulaunch.worlds.turtle_world import TurtleWorld
+        from edulaunch.engine.worlds.turtle_world import TurtleWorld
 
         self.worlds = [TurtleWorld(random.Random(0)) for _ in range(2)]
         for world in self.worlds:

@@ -20,11 +20,11 @@ from pathlib import Path
 from typing import Any
 
 import edulaunch
-from edulaunch.graph.graph import Graph
-from edulaunch.plan import make_plan
-from edulaunch.plan.rehearsal import Notes, RehearsalHost
-from edulaunch.session import index_for
-from edulaunch.sim.simulation import Simulation
+from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan.rehearsal import Notes, RehearsalHost
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.runtime.session import index_for
 
 ROUNDS = 7
 FEW, MANY, DEPTH = 1000, 5000, 50

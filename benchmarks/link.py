@@ -14,10 +14,10 @@ import tempfile
 import time
 from pathlib import Path
 
-from edulaunch.link.confined import ConfinedSession
-from edulaunch.link.trusted import Trusted
-from edulaunch.recording import Recording
-from edulaunch.session import Session
+from edulaunch.engine.recording import Recording
+from edulaunch.runtime.link.confined import ConfinedSession
+from edulaunch.runtime.link.trusted import Trusted
+from edulaunch.runtime.session import Session
 
 ROUNDS = 7
 DURATION_S = 60.0

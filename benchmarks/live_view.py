@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import edulaunch
-from edulaunch.view.columns import FINE, number_steps
-from edulaunch.view.film import Film
-from edulaunch.view.page import recorded_page
-from edulaunch.view.replay import OfRecorder
-from edulaunch.view.viewer import Viewer
+from edulaunch.desk.view.columns import FINE, number_steps
+from edulaunch.desk.view.film import Film
+from edulaunch.desk.view.page import recorded_page
+from edulaunch.desk.view.replay import OfRecorder
+from edulaunch.desk.view.viewer import Viewer
 
 ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage']
 COUNT = """(draw) => new Promise(done => {

@@ -17,7 +17,7 @@ import tempfile
 import time
 from statistics import median
 
-ROS2 = [sys.executable, '-c', 'import sys; from edulaunch.machine.command import ros2; sys.exit(ros2())']
+ROS2 = [sys.executable, '-c', 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())']
 UP = b'\x1b[A'
 
 

@@ -13,14 +13,14 @@ import subprocess
 import tempfile
 import time
 
-from edulaunch.graph.qos import QoS
-from edulaunch.interfaces.registry import underlay_registry
-from edulaunch.native.command import command
-from edulaunch.native.environment import needed
-from edulaunch.network.link import SERVICE, Interface, Request, Settings
-from edulaunch.network.rclpy_link import RclpyLink
-from edulaunch.packages import Index, Program
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.extras.native.command import command
+from edulaunch.extras.native.environment import needed
+from edulaunch.extras.network.link import SERVICE, Interface, Request, Settings
+from edulaunch.extras.network.rclpy_link import RclpyLink
 
 DOMAIN = 58
 START = """

@@ -69,13 +69,13 @@ def generate_launch_description():
 
 def host(words: list[str], link: str, until_closed: bool = True) -> None:
     """A machine with one command, until its input ends; tells its share of a processor over the last seconds."""
-    from edulaunch.network.bridge import Bridge
-    from edulaunch.network.link import Settings
-    from edulaunch.network.links import make_link
-    from edulaunch.processes.spec import ProcessSpec
-    from edulaunch.processes.streams import streams_of_programs
-    from edulaunch.session import Session
-    from edulaunch.sim.pacing import RealTime
+    from edulaunch.engine.processes.spec import ProcessSpec
+    from edulaunch.engine.processes.streams import streams_of_programs
+    from edulaunch.engine.sim.pacing import RealTime
+    from edulaunch.extras.network.bridge import Bridge
+    from edulaunch.extras.network.link import Settings
+    from edulaunch.extras.network.links import make_link
+    from edulaunch.runtime.session import Session
 
     session = Session(start_ns=time.time_ns())
     session.host.is_paced = True
@@ -149,8 +149,8 @@ class Host:
 
 def joined() -> Any:
     """Somebody on the network who is no machine."""
-    from edulaunch.network.link import Settings
-    from edulaunch.network.links import make_link
+    from edulaunch.extras.network.link import Settings
+    from edulaunch.extras.network.links import make_link
 
     link = make_link()
     link.open(Settings(DOMAIN))
@@ -161,9 +161,9 @@ class Pinger:
     """A machine with one program, and somebody out there who says Strings to it and hears what it says."""
 
     def __init__(self, folder: Path, text: str, link_name: str) -> None:
-        from edulaunch.graph.qos import QoS
-        from edulaunch.interfaces.registry import underlay_registry
-        from edulaunch.network.link import Interface
+        from edulaunch.engine.graph.qos import QoS
+        from edulaunch.engine.interfaces.registry import underlay_registry
+        from edulaunch.extras.network.link import Interface
 
         (folder / 'program.py').write_text(text)
         self.machine, self.link = Host(['python3', str(folder / 'program.py')], link_name), joined()
@@ -175,14 +175,14 @@ class Pinger:
         self.link.flush()
 
     def say(self, text: str) -> None:
-        from edulaunch.interfaces.cdr import encode
+        from edulaunch.engine.interfaces.cdr import encode
 
         self.link.publish(self.mouth, encode(self.cls, (text,)))
 
     def hear(self, longest_s: float) -> str | None:
         """The next answer; None when there is none for so long."""
-        from edulaunch.interfaces.cdr import decode
-        from edulaunch.network.link import Message
+        from edulaunch.engine.interfaces.cdr import decode
+        from edulaunch.extras.network.link import Message
 
         end_s = time.monotonic() + longest_s
         while (left_s := end_s - time.monotonic()) > 0:
@@ -240,9 +240,9 @@ def flood(folder: Path, link_name: str) -> dict[str, float]:
 
 def three_turtles(folder: Path, link_name: str) -> dict[str, float]:
     """The processor's share, while somebody out there hears all poses and tf."""
-    from edulaunch.graph.qos import QoS
-    from edulaunch.interfaces.registry import underlay_registry
-    from edulaunch.network.link import Interface, Message
+    from edulaunch.engine.graph.qos import QoS
+    from edulaunch.engine.interfaces.registry import underlay_registry
+    from edulaunch.extras.network.link import Interface, Message
 
     (folder / 'turtles.launch.py').write_text(TURTLES)
     machine = Host(['ros2', 'launch', str(folder / 'turtles.launch.py')], link_name)
@@ -285,7 +285,7 @@ if __name__ == '__main__':
     edulaunch.source()
     if len(sys.argv) > 1:
         host(sys.argv[2:], sys.argv[1])
-    from edulaunch.native import environment
+    from edulaunch.extras.native import environment
 
     available = ['none', 'cyclonedds', *(['rclpy'] if environment.found() else [])]
     for name, figure in measure(available).items():

@@ -15,12 +15,12 @@ import time
 from pathlib import Path
 
 from benchmarks.network import TURTLES
-from edulaunch.graph.qos import QoS
-from edulaunch.interfaces.cdr import encode
-from edulaunch.interfaces.registry import underlay_registry
-from edulaunch.machine.place import folder, read_address
-from edulaunch.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
-from edulaunch.network.links import make_link
+from edulaunch.desk.machine.place import folder, read_address
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.interfaces.cdr import encode
+from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
+from edulaunch.extras.network.links import make_link
 
 STAYS_S = 18.0
 AWAY_S = 2.0
@@ -104,8 +104,8 @@ def soak(minutes: float, link: str, domain: int) -> None:
         os.environ.update(XDG_RUNTIME_DIR=place, ROS_DOMAIN_ID=str(domain), ROS_AUTOMATIC_DISCOVERY_RANGE='LOCALHOST')
         file = Path(place) / 'turtles.launch.py'
         file.write_text(TURTLES)
-        edulaunch = [sys.executable, '-c', 'import sys; from edulaunch.cli.main import main; sys.exit(main())']
-        ros2 = [sys.executable, '-c', 'import sys; from edulaunch.machine.command import ros2; sys.exit(ros2())']
+        edulaunch = [sys.executable, '-c', 'import sys; from edulaunch.desk.cli.main import main; sys.exit(main())']
+        ros2 = [sys.executable, '-c', 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())']
         subprocess.run([*edulaunch, 'network', 'on', '--link', link], check=True)
         launch = subprocess.Popen([*ros2, 'launch', str(file)], stdout=subprocess.DEVNULL)
         try:

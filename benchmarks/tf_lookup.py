@@ -48,7 +48,7 @@ def lookup_us(lookup: Any, frame: str, times: list[Any], rounds: int = 7) -> flo
 
 def set_us(rounds: int = 5) -> float:
     """The least cost of one `set_transform` of the numeric core in microseconds, 10 ms apart, with a history of 10 s."""
-    from edulaunch.tf import TransformBuffer
+    from edulaunch.engine.tf import TransformBuffer
 
     taken = []
     for _ in range(rounds):

@@ -13,21 +13,21 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from edulaunch import attached
+from edulaunch.engine import attached
 from edulaunch.version import __version__ as __version__
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
 
+    from edulaunch.advice.explaining import explain
     from edulaunch.checking import check
+    from edulaunch.desk.machine.started import start
+    from edulaunch.engine.recording import Recording
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
-    from edulaunch.explaining import explain
     from edulaunch.jupyter.interact import interact
-    from edulaunch.machine.started import start
-    from edulaunch.recording import Recording
-    from edulaunch.session import Session, run
-    from edulaunch.sourcing import source
+    from edulaunch.ros.sourcing import source
+    from edulaunch.runtime.session import Session, run
 
 __all__ = [
     'EdulaunchError',
@@ -46,15 +46,15 @@ __all__ = [
 _PLACES = {
     'EdulaunchError': ('errors', 'EdulaunchError'),
     'LaunchFileError': ('errors', 'LaunchFileError'),
-    'Recording': ('recording', 'Recording'),
-    'Session': ('session', 'Session'),
+    'Recording': ('engine.recording', 'Recording'),
+    'Session': ('runtime.session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
     'check': ('checking', 'check'),
-    'explain': ('explaining', 'explain'),
+    'explain': ('advice.explaining', 'explain'),
     'interact': ('jupyter.interact', 'interact'),
-    'run': ('session', 'run'),
-    'source': ('sourcing', 'source'),
-    'start': ('machine.started', 'start'),
+    'run': ('runtime.session', 'run'),
+    'source': ('ros.sourcing', 'source'),
+    'start': ('desk.machine.started', 'start'),
 }
 _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_distance', 'plot_series', 'parameter_table')
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
@@ -64,11 +64,11 @@ attached.PLACES.update(
     judge=('edulaunch.advice.judging', 'judge'),
     told=('edulaunch.advice.wording', 'told'),
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
-    replay=('edulaunch.view.replay', 'Replay'),
+    replay=('edulaunch.desk.view.replay', 'Replay'),
     help_below=('edulaunch.advice.wording', 'help_below'),
     help_of=('edulaunch.advice.wording', 'help_of'),
-    ros2=('edulaunch.cli.ros2.commands', 'main'),
-    completions=('edulaunch.cli.candidates', 'ros2_words'),
+    ros2=('edulaunch.desk.cli.ros2.commands', 'main'),
+    completions=('edulaunch.desk.cli.candidates', 'ros2_words'),
 )
 
 

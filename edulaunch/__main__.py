@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from edulaunch.cli.main import main
+from edulaunch.desk.cli.main import main
 
 raise SystemExit(main())

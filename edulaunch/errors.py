@@ -12,7 +12,7 @@
     ├── SimulationError           the kernel was used wrongly (an internal mistake)
     └── RunawayProgramError       a program never gave its turn back
 
-Errors that ROS 2 itself raises keep ROS 2's own types and texts; they live in the faces under `underlay/python`.
+Errors that ROS 2 itself raises keep ROS 2's own types and texts; they live in the faces under `ros/python`.
 """
 
 from __future__ import annotations

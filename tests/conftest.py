@@ -12,7 +12,7 @@ import pytest
 from hypothesis import settings
 
 import edulaunch
-from edulaunch.sim.task import AmbientTask, current_task
+from edulaunch.engine.sim.task import AmbientTask, current_task
 from tests.house import EXAMPLES
 from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, kinds_of
 

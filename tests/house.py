@@ -12,7 +12,17 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / 'edulaunch'
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 """How many a test of a property tries, where it says nothing else; others try so many times that."""
-UNDERLAY = PACKAGE / 'underlay' / 'python'
+UNDERLAY = PACKAGE / 'ros' / 'python'
+WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')
+"""Wings of several rooms; each other wing is one room."""
+RULES = ('advice.errors', 'advice.plans', 'advice.recordings', 'advice.sources', 'advice.workspaces')
+"""Folders of rules, which are no rooms of their own."""
+FACADE = ('__main__', 'checking')
+WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')
+"""Wings of several rooms; each other wing is one room."""
+ROOMS_OF_ADVICE = ('plan', 'explaining', 'workspace')
+"""What else is in the wing of advice are rules."""
+FACADE = ('__main__', 'checking')
 FACES = sorted(path.name for path in UNDERLAY.iterdir() if path.is_dir() and path.name != '__pycache__')
 
 
@@ -25,7 +35,7 @@ def modules() -> dict[str, Path]:
         for base, packages in places
         for package in packages
         for path in sorted((base / package).rglob('*.py'))
-        if base != ROOT or 'underlay' not in path.relative_to(base).parts
+        if path.parent == PACKAGE / 'ros' or PACKAGE / 'ros' not in path.parents or base != ROOT
     }
 
 
@@ -35,9 +45,22 @@ def _module_name(path: Path) -> str:
 
 
 def room(module: str) -> str:
-    """The package of the house that a module is in: `edulaunch.sim`, `edugrade`, `rclpy`."""
+    """The room that a module is in, a package of a wing: `edulaunch.engine.sim`, `edulaunch.canvas`, `edugrade`, `rclpy`."""
     parts = module.split('.')
-    return '.'.join(parts[:2]) if parts[0] == 'edulaunch' else parts[0]
+    if parts[0] != 'edulaunch':
+        return parts[0]
+    is_inside = len(parts) > 2 and parts[1] in WITH_ROOMS and (parts[1] != 'advice' or parts[2] in ROOMS_OF_ADVICE)
+    return '.'.join(parts[: 3 if is_inside else 2])
+
+
+def wing(module: str) -> str:
+    """The wing that a module is in: `edulaunch.engine`, `edulaunch.ros`, `grader`; the facade is one for itself."""
+    parts = module.split('.')
+    if parts[0] in ('edugrade', 'checks'):
+        return 'grader'
+    if parts[0] != 'edulaunch':
+        return 'edulaunch.ros'
+    return 'facade' if len(parts) == 1 or parts[1] in FACADE else '.'.join(parts[:2])
 
 
 @cache

@@ -44,7 +44,7 @@ def _path(name: str, before: str) -> Path:
     if name.startswith('.../'):
         name = before.rpartition('/')[0] + name[3:]
     if name.startswith('u/'):
-        return ROOT / 'edulaunch' / 'underlay' / 'python' / name[2:]
+        return ROOT / 'edulaunch' / 'ros' / 'python' / name[2:]
     base = ROOT / 'grader' if name.startswith(('edugrade/', 'checks/')) else ROOT / 'edulaunch'
     return base / name
 

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from tests.house import FACES, PACKAGE, ROOT, circles, every_import, imports, modules, room
+from tests.house import FACES, PACKAGE, ROOT, circles, every_import, imports, modules, room, wing
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -15,8 +15,9 @@ else:
 
 LAYERS = tomllib.loads((ROOT / 'tests' / 'layers.toml').read_text(encoding='utf-8'))
 HEIGHT = {name: -index for index, line in enumerate(LAYERS['order']) for name in line}
+WING_HEIGHT = {name: -index for index, line in enumerate(LAYERS['wings']['order']) for name in line}
 NEIGHBOURS: dict[str, list[str]] = LAYERS['neighbours']
-ENGINE = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording', 'canvas')
+ROOMS = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording')
 REAL_CLOCK = {
     'processes/ambient.py',
     'sim/pacing.py',
@@ -25,6 +26,24 @@ REAL_CLOCK = {
     'processes/views/time_views.py',
     'processes/watchdog.py',
 }
+
+
+def wrong_wings() -> dict[str, list[str]]:
+    """Arrows between wings that do not lead downwards, with the files that draw them."""
+    wrong: dict[str, list[str]] = {}
+    for module, path in modules().items():
+        for target in sorted(imports(module)):
+            above, below = wing(module), wing(target)
+            if above != below and WING_HEIGHT[above] <= WING_HEIGHT[below]:
+                wrong.setdefault(f'{above} -> {below}', []).append(f'{path.relative_to(ROOT)} imports {target}')
+    return wrong
+
+
+def test_a_wing_imports_only_wings_below() -> None:
+    wrong = wrong_wings()
+    standing = LAYERS['standing']['wings']
+    assert [text for arrow, texts in wrong.items() if arrow not in standing for text in texts] == []
+    assert [arrow for arrow in standing if arrow not in wrong] == [], 'mended: take it out of tests/layers.toml'
 
 
 def wrong_arrows() -> dict[str, list[str]]:
@@ -69,24 +88,26 @@ def test_a_circle_is_seen() -> None:
 
 
 def test_an_import_in_a_function_and_a_name_in_a_text_are_seen() -> None:
-    assert 'edulaunch.session' in imports('edulaunch')
-    assert 'edulaunch.machine.serving' in imports('edulaunch.machine.client')
+    assert 'edulaunch.runtime.session' in imports('edulaunch')
+    assert 'edulaunch.desk.machine.serving' in imports('edulaunch.desk.machine.client')
     assert 'rclpy.executors' not in imports('rclpy.impl.waiting'), 'the `__module__` of a class is a name only'
 
 
-@pytest.mark.parametrize('layer', ENGINE)
-def test_engine_layers_know_no_ros_package(layer: str) -> None:
+@pytest.mark.parametrize('layer', ROOMS)
+def test_engine_rooms_know_no_ros_package(layer: str) -> None:
     wrong = [f'{name} imports {item}' for name, item in engine_imports(layer) if item.split('.')[0] in FACES]
     assert wrong == []
 
 
 def test_only_pacing_and_real_programs_look_at_the_real_clock() -> None:
-    found = {name for layer in ENGINE for name, item in engine_imports(layer) if item.split('.')[0] == 'time'}
+    found = {name for layer in ROOMS for name, item in engine_imports(layer) if item.split('.')[0] == 'time'}
     assert found <= REAL_CLOCK
 
 
 def engine_imports(layer: str) -> list[tuple[str, str]]:
     """(file, what it imports) of an engine room."""
     return [
-        (str(path.relative_to(PACKAGE)), item) for path in sorted((PACKAGE / layer).rglob('*.py')) for item in every_import(path)
+        (str(path.relative_to(PACKAGE / 'engine')), item)
+        for path in sorted((PACKAGE / 'engine' / layer).rglob('*.py'))
+        for item in every_import(path)
     ]

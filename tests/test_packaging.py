@@ -33,14 +33,14 @@ TOP = {
 }
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
 TESTS = (
-    'edulaunch.pytest_plugin',
+    'edulaunch.extras.pytest_plugin',
     'edugrade.pytest_plugin',
-    'edulaunch.testing',
+    'edulaunch.extras.testing',
     'launch_testing',
     'launch_pytest',
     'edulaunch.jupyter',
     'edulaunch.course',
-    'edulaunch.machine.sliders',
+    'edulaunch.desk.machine.sliders',
 )
 """Rooms that only pytest or a notebook loads, and test frameworks for them."""
 

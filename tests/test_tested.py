@@ -47,7 +47,7 @@ def untested() -> list[str]:
 
 def _is_mirrored(name: str, files: dict[str, list[set[str]]]) -> bool:
     """Whether a test file has the name of a module, and its folder that of a package which the module is in. Tests of edugrade
-    lie in tests/grader, tests of ROS's smaller packages in tests/underlay, those of modules in no room at the top.
+    lie in tests/grader, tests of ROS's smaller packages in tests/ros/underlay, those of modules in no room in their wing's folder.
     """
     *packages, last = name.split('.')
     rooms = {*packages, 'grader' if packages[0] == 'edugrade' else '', 'underlay' if packages[0] in FACES else ''}
@@ -74,10 +74,10 @@ def _is_imported(name: str, path: Path, names: set[str]) -> bool:
 @pytest.mark.parametrize(
     ('name', 'folders', 'answer'),
     [
-        ('edulaunch.graph.names', {'graph'}, True),
-        ('edulaunch.graph.names', {'tf'}, False),
-        ('edulaunch.graph.names', set(), False),
-        ('edulaunch.nearest', set(), True),
+        ('edulaunch.engine.graph.names', {'graph'}, True),
+        ('edulaunch.engine.graph.names', {'tf'}, False),
+        ('edulaunch.engine.graph.names', set(), False),
+        ('edulaunch.engine.nearest', {'engine'}, True),
         ('edugrade.reports.names', {'grader', 'reports'}, True),
         ('rclpy.impl._names', {'underlay'}, True),
     ],

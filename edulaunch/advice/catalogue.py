@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRADER = os.path.join(os.path.dirname(HOUSE), 'grader')
-ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
+ROOMS = ('advice', 'desk', 'jupyter')
 """Of edulaunch: where `says('...')` is looked for."""
 REPORTS = (
     'checks',

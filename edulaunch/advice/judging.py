@@ -8,13 +8,13 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
-from edulaunch.collector_pause import collector_paused
+from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.errors import EdulaunchError
 
 if TYPE_CHECKING:
+    from edulaunch.advice.plan import Rehearsal
     from edulaunch.advice.source_package import Workspace
-    from edulaunch.plan import Rehearsal
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 DIED = 'programs.died'
 """Is not told of a program whose error another rule explains."""

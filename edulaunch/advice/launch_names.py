@@ -6,9 +6,9 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import ForeignRosError
-from edulaunch.nearest import nearest
-from edulaunch.sourcing import source
+from edulaunch.ros.sourcing import source
 
 _PLACES = {
     'launch': (

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from edulaunch.plan import Rehearsal
-    from edulaunch.plan.wording import Branch
+    from edulaunch.advice.plan import Rehearsal
+    from edulaunch.advice.plan.wording import Branch
 
 
 def branches(rehearsal: Rehearsal) -> Iterator[Branch]:
     """All that launch came to, in order."""
-    from edulaunch.plan.why import branches
+    from edulaunch.advice.plan.why import branches
 
     return branches(rehearsal.outline)
 
@@ -47,7 +47,7 @@ def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
     """The student's own Python launch files with their syntax trees; nothing of them is executed."""
     from launch._failure import is_students
 
-    from edulaunch.workspace.sources import parsed
+    from edulaunch.advice.workspace.sources import parsed
 
     for file in launch_files(rehearsal):
         tree = parsed(file) if file.endswith('.py') and is_students(file) else None

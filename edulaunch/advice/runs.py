@@ -7,11 +7,11 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.recording.records import PARAMETER_SERVICES
+from edulaunch.engine.recording.records import PARAMETER_SERVICES
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import EndRecord, Fact
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import EndRecord, Fact
 
 Place = tuple[str | None, int | None]
 NOWHERE: Place = (None, None)

@@ -6,8 +6,8 @@ import os
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from edulaunch.packages import Index
-    from edulaunch.workspace.sources import SourcePackage
+    from edulaunch.advice.workspace.sources import SourcePackage
+    from edulaunch.engine.packages import Index
 
 
 class Source(NamedTuple):
@@ -42,8 +42,8 @@ class Workspace(NamedTuple):
 
 def workspace_at(path: str) -> Workspace:
     """The workspace or package folder at `path`."""
-    from edulaunch.packages import Index
-    from edulaunch.workspace.sources import source_packages
+    from edulaunch.advice.workspace.sources import source_packages
+    from edulaunch.engine.packages import Index
 
     index = Index((), [path])
     return Workspace(os.path.abspath(path), index, source_packages(index))

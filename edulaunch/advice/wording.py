@@ -13,7 +13,7 @@ from edulaunch.advice.reader import Reader, fields_of, reader_here, reader_of
 from edulaunch.advice.rule import Failure, Finding, rule_named
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 MOST_NAMES = 12
 MOST_TOLD = 5
@@ -172,7 +172,7 @@ DRAWN = ('node', 'topic', 'frame')
 
 
 class Mark(NamedTuple):
-    """See `edulaunch.view.film.Mark`."""
+    """See `edulaunch.desk.view.film.Mark`."""
 
     time_s: float
     subject: tuple[str, str]

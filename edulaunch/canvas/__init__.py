@@ -14,7 +14,7 @@ from edulaunch.canvas.picture import Picture, shown
 
 if TYPE_CHECKING:
     from edulaunch.canvas.table import Table
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 __all__ = [
     'Picture',

@@ -7,14 +7,14 @@ from bisect import bisect_right
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
-from edulaunch.nearest import did_you_mean
-from edulaunch.recording.absent import NothingToDraw
-from edulaunch.recording.frames import TOPICS, transform_wires
-from edulaunch.recording.records import Frame
-from edulaunch.tf.quaternions import Quaternion, Vector, multiply, rotate
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.engine.recording.absent import NothingToDraw
+from edulaunch.engine.recording.frames import TOPICS, transform_wires
+from edulaunch.engine.recording.records import Frame
+from edulaunch.engine.tf.quaternions import Quaternion, Vector, multiply, rotate
 
 if TYPE_CHECKING:
-    from edulaunch.recording.recording import Recording
+    from edulaunch.engine.recording.recording import Recording
 
 AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}

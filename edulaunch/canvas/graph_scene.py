@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.layout import WIDEST, Point, lay_out
 from edulaunch.canvas.style import SMALL, TEXT, mono_width, shortened
-from edulaunch.recording.absent import NothingToDraw
-from edulaunch.recording.records import PARAMETER_SERVICES
+from edulaunch.engine.recording.absent import NothingToDraw
+from edulaunch.engine.recording.records import PARAMETER_SERVICES
 
 if TYPE_CHECKING:
-    from edulaunch.recording.frames import FrameLink
-    from edulaunch.recording.recording import Recording
-    from edulaunch.recording.records import NodeRecord
+    from edulaunch.engine.recording.frames import FrameLink
+    from edulaunch.engine.recording.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord
 
 HIDDEN = ('/rosout', '/parameter_events')
 Key = tuple[str, str, int]
@@ -192,7 +192,7 @@ def tree_scene(recording: Recording) -> TreeScene:
 
     :raises ValueError: when no frame was broadcast.
     """
-    from edulaunch.recording.frames import frame_links
+    from edulaunch.engine.recording.frames import frame_links
 
     found = frame_links(recording)
     if not found:

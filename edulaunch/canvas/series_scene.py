@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.frames_scene import placed
 from edulaunch.canvas.worlds import GAP_S
-from edulaunch.recording.absent import NothingToDraw, not_recorded
+from edulaunch.engine.recording.absent import NothingToDraw, not_recorded
 
 if TYPE_CHECKING:
-    from edulaunch.recording.recording import Recording
+    from edulaunch.engine.recording.recording import Recording
 
 Place = tuple[float, float, float]
 """Time in seconds, x and y in metres."""
@@ -97,7 +97,7 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 
 def places_of(recording: Recording, name: str) -> list[Place]:
     """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
-    from edulaunch.recording.trajectory import moving_things
+    from edulaunch.engine.recording.trajectory import moving_things
 
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:

@@ -6,11 +6,11 @@ import html
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.canvas.picture import scene_data
-from edulaunch.recording.absent import not_recorded
-from edulaunch.recording.fields import getter, leaf_paths
+from edulaunch.engine.recording.absent import not_recorded
+from edulaunch.engine.recording.fields import getter, leaf_paths
 
 if TYPE_CHECKING:
-    from edulaunch.recording.recording import Recording
+    from edulaunch.engine.recording.recording import Recording
 
 HEADS = ('node', 'parameter', 'value', 'origin')
 ALIKE_EVERYWHERE = ('use_sim_time', 'start_type_description_service')

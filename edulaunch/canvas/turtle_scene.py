@@ -10,10 +10,10 @@ from edulaunch.canvas.outlines import Part
 from edulaunch.canvas.series_scene import thinned
 from edulaunch.canvas.style import SHELLS, Colour
 from edulaunch.canvas.worlds import GAP_S, Pen, Row, Track, World
-from edulaunch.recording.absent import not_recorded
+from edulaunch.engine.recording.absent import not_recorded
 
 if TYPE_CHECKING:
-    from edulaunch.recording.records import Frame
+    from edulaunch.engine.recording.records import Frame
 
 FINENESS = 5000
 """Trails are exact to this part of the window's width: well below an image pixel."""

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, NamedTuple
 from edulaunch.canvas.frames_scene import Placed, heading, placed
 from edulaunch.canvas.outlines import FOOTPRINTS, Part, outline_of, outline_of_footprint
 from edulaunch.canvas.style import Colour
-from edulaunch.recording.absent import NothingToDraw
-from edulaunch.recording.trajectory import ODOMETRY, POSE, moving_things
+from edulaunch.engine.recording.absent import NothingToDraw
+from edulaunch.engine.recording.trajectory import ODOMETRY, POSE, moving_things
 
 if TYPE_CHECKING:
-    from edulaunch.recording.recording import Recording
+    from edulaunch.engine.recording.recording import Recording
 
 CANVAS_M = 11.088889
 PEN: Colour = (179, 184, 255)

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from edugrade.course import MANIFEST, Exercise, here_and_above, read_course
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
-from edulaunch.nearest import nearest
 
 LESSONS, EXERCISES = 'lessons', 'exercises'
 _HERE = os.path.dirname(os.path.abspath(__file__))

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 from edugrade.course import here_and_above, read_toml
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
-from edulaunch.nearest import nearest
 
 from .predictions import Words, keep
 

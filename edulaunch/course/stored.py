@@ -17,8 +17,8 @@ from typing import Any
 
 from edugrade.progress_file import PLACE as PROGRESS
 
+from edulaunch.engine.underlay_place import engine_folder
 from edulaunch.errors import UnusableInput
-from edulaunch.underlay_place import engine_folder
 
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')

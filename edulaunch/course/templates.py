@@ -11,8 +11,8 @@ from pathlib import Path
 from edugrade.course import read_course
 from edugrade.files import files_below
 
+from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
-from edulaunch.nearest import did_you_mean
 from edulaunch.version import __version__
 
 from .copying import write_file

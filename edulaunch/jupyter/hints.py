@@ -11,11 +11,11 @@ from collections.abc import Iterable
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.attached import attached
-from edulaunch.nearest import nearest
-from edulaunch.session import index_for
-from edulaunch.view import TABS
-from edulaunch.view.panes import completions
+from edulaunch.desk.view import TABS
+from edulaunch.desk.view.panes import completions
+from edulaunch.engine.attached import attached
+from edulaunch.engine.nearest import nearest
+from edulaunch.runtime.session import index_for
 
 if TYPE_CHECKING:
     from edulaunch.jupyter.terminal import Terminal

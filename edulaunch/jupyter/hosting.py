@@ -12,8 +12,8 @@ import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
-from edulaunch.machine.host import SHOWN_EVERY_S, Host, Page
-from edulaunch.machine.place import (
+from edulaunch.desk.machine.host import SHOWN_EVERY_S, Host, Page
+from edulaunch.desk.machine.place import (
     Address,
     UnsafePlace,
     domain,
@@ -24,10 +24,10 @@ from edulaunch.machine.place import (
     remove_address,
     write_address,
 )
-from edulaunch.machine.server import LOOK_EVERY_S, Server
-from edulaunch.processes.streams import streams_of_programs
-from edulaunch.session import Session
-from edulaunch.sim.loops import outer_loop_set_aside
+from edulaunch.desk.machine.server import LOOK_EVERY_S, Server
+from edulaunch.engine.processes.streams import streams_of_programs
+from edulaunch.engine.sim.loops import outer_loop_set_aside
+from edulaunch.runtime.session import Session
 
 
 class Hosting(Host):
@@ -71,7 +71,7 @@ class Hosting(Host):
 
         What runs in the time of the simulation stays there: the next launch joins.
         """
-        from edulaunch.network.switch import is_walls_time
+        from edulaunch.extras.network.switch import is_walls_time
 
         assert self._server is not None
         self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Any
 
+from edulaunch.desk.machine.sliders import widgets
+from edulaunch.engine.recording import Recording
 from edulaunch.errors import EdulaunchError
-from edulaunch.machine.sliders import widgets
-from edulaunch.recording import Recording
 
 BUTTONS = {'arrow-up': '\x1b[A', 'arrow-down': '\x1b[B', 'arrow-left': '\x1b[D', 'arrow-right': '\x1b[C'}
 """Icons, and what a terminal sends for these keys."""

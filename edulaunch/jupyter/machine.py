@@ -11,23 +11,23 @@ from typing import Any, NamedTuple
 
 from edulaunch.advice.reader import reader_here
 from edulaunch.advice.wording import said_at_the_end
-from edulaunch.cli.launch import split_words
+from edulaunch.desk.cli.launch import split_words
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.client import ask, has_terminals_machine
+from edulaunch.desk.machine.connection import RemoteInput
+from edulaunch.desk.machine.terminals import doctors_text, is_doctor
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec, Signals
+from edulaunch.engine.recording import Recording
+from edulaunch.engine.sim.loops import outer_loop_set_aside
+from edulaunch.engine.sim.simulation import EPOCH_NS
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.hosting import Hosting
 from edulaunch.jupyter.line import Line, number_of
-from edulaunch.launch_process import LaunchRun
-from edulaunch.launching import find_launch_file
-from edulaunch.machine import wire
-from edulaunch.machine.client import ask, has_terminals_machine
-from edulaunch.machine.connection import RemoteInput
-from edulaunch.machine.terminals import doctors_text, is_doctor
-from edulaunch.packages import Index
-from edulaunch.processes.process import Process
-from edulaunch.processes.spec import ProcessSpec, Signals
-from edulaunch.recording import Recording
-from edulaunch.session import Session, index_for
-from edulaunch.sim.loops import outer_loop_set_aside
-from edulaunch.sim.simulation import EPOCH_NS
+from edulaunch.runtime.launch_process import LaunchRun
+from edulaunch.runtime.launching import find_launch_file
+from edulaunch.runtime.session import Session, index_for
 
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}

@@ -10,8 +10,8 @@ from typing import Any
 
 from IPython.core.magic import Magics, line_cell_magic, line_magic, magics_class, no_var_expand
 
+from edulaunch.engine.recording import Recording
 from edulaunch.jupyter.terminal import Terminal
-from edulaunch.recording import Recording
 
 
 @magics_class
@@ -68,7 +68,7 @@ class RosMagics(Magics):
     @line_magic
     def edulaunch(self, line: str) -> None:
         """The command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`."""
-        from edulaunch.cli.main import main
+        from edulaunch.desk.cli.main import main
 
         with redirect_stderr(sys.stdout):
             try:

@@ -6,13 +6,13 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from edulaunch.advice.workspace.not_needed import WINDOWS, answer
+from edulaunch.engine.packages.discovery import find_workspaces
+from edulaunch.engine.recording import Recording
+from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.line import QUIET, read_line
 from edulaunch.jupyter.machine import Machine
-from edulaunch.packages.discovery import find_workspaces
-from edulaunch.recording import Recording
-from edulaunch.sim.loops import outer_loop_set_aside
-from edulaunch.workspace.not_needed import WINDOWS, answer
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
@@ -81,7 +81,7 @@ class Terminal:
 
         :raises UnusableInput: when nothing runs yet, or there is no such tab.
         """
-        from edulaunch.machine.started import desk_widget
+        from edulaunch.desk.machine.started import desk_widget
 
         if self.machine.session is None:
             raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')

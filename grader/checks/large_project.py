@@ -14,7 +14,7 @@ from edugrade.library.launched import refuse_dead, require_process
 from edugrade.library.node_graph import loose_ends, require_node
 from edugrade.library.parameters import require_parameter
 
-from edulaunch.recording.records import Parameter
+from edulaunch.engine.recording.records import Parameter
 
 LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 WATER = {'background_r': 150, 'background_g': 86, 'background_b': 255}

@@ -15,7 +15,7 @@ from edugrade.library.frames import numbers, require_frame, tilt, transforms, ya
 from edugrade.library.launched import refuse_dead
 
 if TYPE_CHECKING:
-    from edulaunch.recording.records import Frame
+    from edulaunch.engine.recording.records import Frame
 
 ARGUMENT = 'height'
 TOLERANCE_M = 0.005

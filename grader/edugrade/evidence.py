@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from .source import Place, Source
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 
 class Scenario(NamedTuple):
@@ -193,7 +193,7 @@ class Mismatch(Failure):
 def _with_nearest(try_: str | Sequence[str] | None, name: str | None, known: list[str]) -> str | Sequence[str] | None:
     if name is None or name in known or not (try_ is None or isinstance(try_, str)):
         return try_
-    from edulaunch.nearest import nearest
+    from edulaunch.engine.nearest import nearest
 
     close = nearest(name, known)
     if close is None:

@@ -64,7 +64,7 @@ class InPlace:
 
 
 def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> Outcome:
-    from edulaunch.session import Session
+    from edulaunch.runtime.session import Session
 
     from .verdicts import come_to
 

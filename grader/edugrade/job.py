@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from edulaunch.underlay_place import engine_folder
+from edulaunch.engine.underlay_place import engine_folder
 
 from .evidence import Outcome, Scenario
 from .rubrics.catalogue import rubrics_folder

@@ -109,7 +109,7 @@ def find_exercise(name: str) -> str:
 
 
 def _unknown(name: str, known: list[str]) -> UnusableInput:
-    from edulaunch.nearest import nearest_few
+    from edulaunch.engine.nearest import nearest_few
 
     close = ' or '.join(f'check("{name}")' for name in nearest_few(name, known, 3))
     question = f'did you mean {close}? ' if close else ''

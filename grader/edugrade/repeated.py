@@ -14,7 +14,7 @@ from .source import Source, comes_with_edulaunch
 from .worker import TooLong, cpu_limit
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 SENTENCE = 'The same launch gives the same run'
 LONGEST_SEARCH_S = 5.0

@@ -106,7 +106,7 @@ class Rubric:
         """
         known = {check.name: check for check in self.checks}
         if name not in known:
-            from edulaunch.nearest import nearest
+            from edulaunch.engine.nearest import nearest
 
             close = nearest(name, known)
             hint = f'did you mean {close}? ' if close else ''

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from edulaunch.underlay_place import engine_folder
+from edulaunch.engine.underlay_place import engine_folder
 
 
 class Place(NamedTuple):
@@ -22,7 +22,7 @@ class Place(NamedTuple):
 
 def is_engine(file: str) -> bool:
     """Whether a file is code of edulaunch itself; the launch files that it ships are not."""
-    return is_shipped(file) and not file.startswith(os.path.join(engine_folder(), 'underlay', 'share'))
+    return is_shipped(file) and not file.startswith(os.path.join(engine_folder(), 'ros', 'share'))
 
 
 def is_shipped(file: str) -> bool:
@@ -32,12 +32,12 @@ def is_shipped(file: str) -> bool:
 
 def shipped_program(package: str, executable: str) -> str:
     """The path under which edulaunch runs a program of a package of its own."""
-    return os.path.join(engine_folder(), 'underlay', 'lib', package, executable)
+    return os.path.join(engine_folder(), 'ros', 'lib', package, executable)
 
 
 def comes_with_edulaunch(package: str) -> bool:
     """Whether edulaunch brings a package of this name."""
-    return os.path.isdir(os.path.join(engine_folder(), 'underlay', 'share', package))
+    return os.path.isdir(os.path.join(engine_folder(), 'ros', 'share', package))
 
 
 _GAP = re.compile(r'\s*(?:#|<!--)\s*TODO\b\s*(\d{0,9})')

@@ -145,7 +145,7 @@ def _files_in(folder: str) -> str:
 
 
 def _nearest_to(path: str) -> str:
-    from edulaunch.nearest import nearest
+    from edulaunch.engine.nearest import nearest
 
     folder, name = os.path.split(path)
     if os.path.islink(path):

@@ -102,7 +102,7 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
 
 
 def _outcome(scenario: Scenario, launch: str) -> Outcome:
-    from edulaunch.session import run
+    from edulaunch.runtime.session import run
 
     try:
         recording = run(

@@ -15,8 +15,8 @@ from .evidence import Outcome, Scenario
 from .source import Place, is_engine
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import LaunchRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import LaunchRecord
 
 REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
@@ -196,7 +196,7 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
 
     :param content: a line of JSON, which nodes and parameters are the trusted half's own; then the recording.
     """
-    from edulaunch.recording import Recording as Known
+    from edulaunch.engine.recording import Recording as Known
 
     try:
         hosted, _, rest = content.partition(b'\n')

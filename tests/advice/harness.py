@@ -18,13 +18,13 @@ import edulaunch
 from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
 from edulaunch.advice.reader import Reader
 from edulaunch.advice.rule import KINDS, all_rules, rules_over
-from edulaunch.session import Session
+from edulaunch.runtime.session import Session
 
 EXAMPLES = Path(__file__).parent / 'examples'
 WITHOUT = {
     *('packages.build-output-committed', 'packages.package-is-repository', 'programs.rule-failed'),
     *('packages.built-before', 'packages.not-searched'),
-    *('programs.alone-on-network', 'time.other-clock', 'messages.other-definition'),  # tests/network/test_advice.py
+    *('programs.alone-on-network', 'time.other-clock', 'messages.other-definition'),  # tests/extras/network/test_advice.py
 }
 """Nothing that a student writes, or that a repository can hold, makes these speak; or it depends on the current folder."""
 ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.py', '')
@@ -46,7 +46,7 @@ def findings(rule: str, which: str) -> list[Finding]:
     file = _main(path)
     arguments, seconds, is_interrupted = _wanted(file)
     if kind == 'plans':
-        from edulaunch.plan import rehearse
+        from edulaunch.advice.plan import rehearse
 
         with Session(workspaces=[path] if path.is_dir() else []) as session:
             return judge_plan(rehearse(str(file), arguments, session.index, session.host.env, ros2=session.host.ros2))

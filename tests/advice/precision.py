@@ -18,7 +18,7 @@ from typing import NamedTuple
 import edulaunch
 from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
 from edulaunch.advice.judging import in_order
-from edulaunch.session import Session
+from edulaunch.runtime.session import Session
 
 BROKEN = Path(__file__).parent / 'broken'
 HEALTHY = Path(__file__).parent / 'healthy'
@@ -58,8 +58,8 @@ def remarks(name: str) -> list[Finding]:
 
 
 def _of_launch(folder: Path, words: list[str], workspace: list[Path], seconds: float) -> list[Finding]:
-    from edulaunch.launching import find_launch_file
-    from edulaunch.plan import rehearse
+    from edulaunch.advice.plan import rehearse
+    from edulaunch.runtime.launching import find_launch_file
 
     with Session(workspaces=workspace) as session:
         first = words[0] if workspace else str(folder / words[0])

@@ -12,8 +12,8 @@ from tempfile import TemporaryDirectory
 
 import edulaunch
 from edulaunch.advice import Finding, judge_plan, judge_sources
-from edulaunch.plan import rehearse
-from edulaunch.session import Session
+from edulaunch.advice.plan import rehearse
+from edulaunch.runtime.session import Session
 from tests.packages_corpus.cases import CASES, CORPUS
 from tests.packages_corpus.journal import run_case
 
@@ -69,7 +69,7 @@ def _of_seeds() -> Iterator[str]:
 
 def _of_share() -> Iterator[str]:
     """Our own packages' launch files."""
-    share = Path(edulaunch.__file__).parent / 'underlay' / 'share'
+    share = Path(edulaunch.__file__).parent / 'ros' / 'share'
     for path in sorted(share.glob('*/launch/*.launch.*')):
         recording = edulaunch.run(path, duration_s=10.0, workspaces=[], console=lambda *_: None)
         yield from _lines(f'share/{path.relative_to(share)}', recording.advice)

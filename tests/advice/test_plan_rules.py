@@ -9,8 +9,8 @@ import pytest
 
 import edulaunch
 from edulaunch.advice import judge_plan
-from edulaunch.plan import rehearse
-from edulaunch.session import index_for
+from edulaunch.advice.plan import rehearse
+from edulaunch.runtime.session import index_for
 
 HEAD = """
 import os

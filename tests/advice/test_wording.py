@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import edulaunch
-from edulaunch.view.replay import film_of
+from edulaunch.desk.view.replay import film_of
 from tests.advice.harness import EXAMPLES
 
 

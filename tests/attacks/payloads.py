@@ -56,7 +56,7 @@ SOFT['modules-edugrade'] = (
     "import sys\nfor name in list(sys.modules):\n    if 'edugrade' in name or 'recording' in name:\n        sys.modules[name] = None\n"
 )
 SOFT['modules-engine'] = (
-    "import sys\nfor name, module in list(sys.modules.items()):\n    if name.startswith('edulaunch.link'):\n"
+    "import sys\nfor name, module in list(sys.modules.items()):\n    if name.startswith('edulaunch.runtime.link'):\n"
     '        for key in list(vars(module)):\n            if callable(getattr(module, key)):\n                setattr(module, key, lambda *a, **k: None)\n'
 )
 SOFT['import-edugrade'] = (

@@ -14,8 +14,8 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.view.page import recorded_page
-from edulaunch.view.replay import film_of
+from edulaunch.desk.view.page import recorded_page
+from edulaunch.desk.view.replay import film_of
 from tests.browser.desk import Desk
 from tests.browser.lab import WAIT_MS, Lab
 

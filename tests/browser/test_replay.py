@@ -12,10 +12,10 @@ import pytest
 import edulaunch
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
-from edulaunch.recording import Recording
-from edulaunch.view.film import Film, Mark
-from edulaunch.view.page import recorded_page
-from edulaunch.view.replay import OfRecording
+from edulaunch.desk.view.film import Film, Mark
+from edulaunch.desk.view.page import recorded_page
+from edulaunch.desk.view.replay import OfRecording
+from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
 
 pytestmark = pytest.mark.browser
@@ -28,7 +28,7 @@ def recording() -> Recording:
         session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
         session.run(1.5)
         start = session.host.start
-        from edulaunch.processes.spec import ProcessSpec
+        from edulaunch.engine.processes.spec import ProcessSpec
 
         pen = (
             'ros2',

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.recording import Recording
+from edulaunch.engine.recording import Recording
 
 START_NS = 1_700_000_000_000_000_000
 

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from edulaunch.canvas import plot_distance, plot_frames, plot_graph, plot_tf_tree, plot_turtles
 from edulaunch.canvas.sheet import Box, Sheet, box_of, png_of, points_of, side_of, world
-from edulaunch.recording import Recording
+from edulaunch.engine.recording import Recording
 
 PLOTS: dict[str, Callable[..., Any]] = {
     'turtles': plot_turtles,

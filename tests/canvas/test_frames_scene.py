@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from edulaunch.canvas.frames_scene import frames_scene, heading, placed
-from edulaunch.recording.records import Frame
+from edulaunch.engine.recording.records import Frame
 
 TF = {'/tf': 'tf2_msgs/msg/TFMessage'}
 

@@ -8,7 +8,7 @@ import pytest
 
 from edulaunch.canvas.outlines import Part, outline_of, outline_of_footprint
 
-BURGER = Path(__file__).parents[2] / 'edulaunch/underlay/share/turtlebot3_gazebo/urdf/turtlebot3_burger.urdf'
+BURGER = Path(__file__).parents[2] / 'edulaunch/ros/share/turtlebot3_gazebo/urdf/turtlebot3_burger.urdf'
 
 
 def extent(part: Part) -> tuple[float, float, float, float]:

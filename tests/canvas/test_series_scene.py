@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.canvas.series_scene import distance_scene, thinned
-from edulaunch.recording import Recording
-from edulaunch.recording.absent import NothingToDraw, NotRecorded
+from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.absent import NothingToDraw, NotRecorded
 
 Walk = Callable[[float, float], Recording]
 

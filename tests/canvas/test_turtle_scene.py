@@ -114,7 +114,7 @@ BOX = '<robot name="r"><link name="b"><visual><geometry><box size="0.4 0.2 0.1"/
 
 def robots(maker: Any, *names: str, still: bool) -> Any:
     """Robots that drive along x, each in an odometry frame of its own, which stand still in the map if wanted."""
-    from edulaunch.interfaces import current_registry
+    from edulaunch.engine.interfaces import current_registry
 
     wire_type = current_registry().get(ODOM['odom']).wire_type()
     for number, name in enumerate(names):

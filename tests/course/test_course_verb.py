@@ -10,7 +10,7 @@ from zipfile import ZipFile
 
 import pytest
 
-from edulaunch.cli.main import main
+from edulaunch.desk.cli.main import main
 from tests.house import ROOT
 
 

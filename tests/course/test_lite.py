@@ -36,7 +36,7 @@ def test_the_site_has_all_that_the_page_asks_for(tmp_path: Path) -> None:
         assert name in script and (out / name).is_file()
     assert '//' not in script.replace('// ', '')  # no address of another machine
     engine = ZipFile(out / 'edulaunch.zip').namelist()
-    for name in ('greenlet.py', 'edulaunch/session.py', 'edugrade/checks/circle.py', 'yaml/__init__.py'):
+    for name in ('greenlet.py', 'edulaunch/runtime/session.py', 'edugrade/checks/circle.py', 'yaml/__init__.py'):
         assert name in engine
     assert not [name for name in engine if name.endswith(('.so', '.pyc'))]
     course = ZipFile(out / 'course.zip').namelist()

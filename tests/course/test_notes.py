@@ -7,9 +7,9 @@ from zipfile import ZipFile
 
 import pytest
 
-from edulaunch.cli.main import main
 from edulaunch.course.lesson_form import lesson_problems
 from edulaunch.course.lessons import time_plan
+from edulaunch.desk.cli.main import main
 
 NOTES = '# Notes\n\n| minutes | section | what |\n|---:|---|---|\n| 5 | 1.1 Drive | drive |\n| 10 | 1.2 The exercise | do |\n'
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.cli.main import main
 from edulaunch.course import reader as pages
 from edulaunch.course.reader import course_title, read_pages
+from edulaunch.desk.cli.main import main
 
 pytest.importorskip('nbconvert', reason='nbconvert is not installed')
 VOID = {'meta', 'link', 'img', 'br', 'hr', 'input'}

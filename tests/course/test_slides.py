@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.cli.main import main
 from edulaunch.course.lesson_parts import Output, Part
 from edulaunch.course.slides import split
+from edulaunch.desk.cli.main import main
 
 pytest.importorskip('nbconvert', reason='nbconvert is not installed')
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.cli.main import main
 from edulaunch.course.stored import outputs_file, read_outputs, without_place
+from edulaunch.desk.cli.main import main
 from edulaunch.errors import UnusableInput
 
 pytest.importorskip('nbclient', reason='nbclient is not installed')

@@ -13,7 +13,7 @@ from edugrade.judging import judge
 from edugrade.rubrics.catalogue import find_rubric
 from edugrade.source import Source, shipped_program
 
-from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
+from edulaunch.engine.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
 
 FILE = '/student/a.launch.py'
 TEXT = 'def generate_launch_description():\n    return LaunchDescription([\n    ])\n'

@@ -9,7 +9,15 @@ from typing import Any
 
 from fake_recording import FILE, Track, process, tf_wires
 
-from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord, TopicRecord
+from edulaunch.engine.recording.records import (
+    DeclaredArgument,
+    Frame,
+    LaunchRecord,
+    NodeRecord,
+    Parameter,
+    ProcessRecord,
+    TopicRecord,
+)
 
 TIMES = [t / 10 for t in range(220)]
 UNTURNED = (0.0, 0.0, 0.0, 1.0)

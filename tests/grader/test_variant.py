@@ -15,7 +15,7 @@ from edugrade.grading import plan_work
 from edugrade.submission import Submission
 from edugrade.variant import CourseSecret, Variant, personal, variant_for, write_variants
 
-from edulaunch.cli.main import main as edulaunch
+from edulaunch.desk.cli.main import main as edulaunch
 from edulaunch.errors import UnusableInput
 
 ROOT = Path(__file__).resolve().parents[2]

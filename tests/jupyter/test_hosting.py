@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from edulaunch.machine.desk_widget import Page
-from edulaunch.view.viewer import Viewer
+from edulaunch.desk.machine.desk_widget import Page
+from edulaunch.desk.view.viewer import Viewer
 
 
 @pytest.fixture(autouse=True)

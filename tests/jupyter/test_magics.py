@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.recording import Recording
+from edulaunch.engine.recording import Recording
 
 
 @pytest.fixture

@@ -127,13 +127,13 @@ FEATURES = [
     Feature(
         'tf at any time: lookups in the past and too early, with the errors of ROS',
         _code(r'frames_at\(|lookup|tf2_echo|view frames'),
-        ('tests/browser/test_desk.py', 'tests/underlay/test_tf2_buffer.py'),
+        ('tests/browser/test_desk.py', 'tests/ros/underlay/test_tf2_buffer.py'),
         7,
     ),
     Feature(
         'where a value comes from: arguments, defaults, files, lines',
         _code(r'parameter_table|--show-args| -s$|explain|plan|param (get|describe|dump)|\.origin'),
-        ('tests/explaining', 'tests/plan'),
+        ('tests/advice/explaining', 'tests/advice/plan'),
         6,
     ),
     Feature(
@@ -142,7 +142,7 @@ FEATURES = [
         ('tests/lessons/test_mistakes.py', 'tests/grader/checks/test_small_exercises.py'),
         17,
     ),
-    Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/terminals', 'tests/jupyter/test_magics.py'), 17),
+    Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/desk/terminals', 'tests/jupyter/test_magics.py'), 17),
     Feature(
         "exercises with numbers and names of one's own",
         lambda lesson: _exercises(lesson, 'variants'),
@@ -159,7 +159,7 @@ FEATURES = [
     Feature(
         'what differs on a real robot, and the same files there',
         _text(r'^## On a real robot'),
-        ('tests/network', 'tests/test_docs.py'),
+        ('tests/extras/network', 'tests/test_docs.py'),
         18,
     ),
 ]

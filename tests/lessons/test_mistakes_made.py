@@ -19,7 +19,7 @@ else:
 FOLDER = Path(__file__).parent / 'mistakes'
 TABLES = {path.stem: tomllib.loads(path.read_text('utf-8'))['mistake'] for path in sorted(FOLDER.glob('*.toml'))}
 MADE = [pytest.param(lesson, made, id=f'{lesson}: {made["title"]}') for lesson, rows in TABLES.items() for made in rows]
-OURS = re.compile(r'File ".*/edulaunch/(?!underlay)|at 0x[0-9a-f]{4,}')
+OURS = re.compile(r'File ".*/edulaunch/(?!ros)|at 0x[0-9a-f]{4,}')
 
 
 @pytest.mark.whole

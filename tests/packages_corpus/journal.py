@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import edulaunch
-from edulaunch.recording.records import Fact
+from edulaunch.engine.recording.records import Fact
 
 from .cases import CASES, CORPUS
 

@@ -58,8 +58,8 @@ def on_windows(folder: Path, code: str, *words: str, known: str = '') -> subproc
 
 
 COMMAND = 'import sys; from {} import main; sys.exit(main(sys.argv[1:]))'
-EDULAUNCH, EDUGRADE = COMMAND.format('edulaunch.cli.main'), COMMAND.format('edugrade.cli')
-ROS2 = 'import sys; from edulaunch.machine.command import ros2; sys.exit(ros2())'
+EDULAUNCH, EDUGRADE = COMMAND.format('edulaunch.desk.cli.main'), COMMAND.format('edugrade.cli')
+ROS2 = 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())'
 
 
 def test_a_launch_of_the_tutorial_gives_the_same_recording_and_a_picture(tmp_path: Path) -> None:

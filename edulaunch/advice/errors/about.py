@@ -1,4 +1,4 @@
-"""Rules over errors whose room said what they are about (`edulaunch.facts`): here are only the words."""
+"""Rules over errors whose room said what they are about (`edulaunch.engine.facts`): here are only the words."""
 
 from __future__ import annotations
 

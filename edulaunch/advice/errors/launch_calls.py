@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from edulaunch.advice.errors.about import about, speak
 from edulaunch.advice.launch_names import class_named, keywords_of
 from edulaunch.advice.rule import Failure, Finding, rule
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 OLD_KEYWORDS = {
     'node_name': 'name',

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from edulaunch.advice.errors.about import about, speak
 from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_in, nearest_anywhere
 from edulaunch.advice.rule import Failure, Finding, rule
-from edulaunch.nearest import nearest
-from edulaunch.packages.absent import absent_module_kind
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.packages.absent import absent_module_kind
 
 
 @rule(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, speak
 from edulaunch.advice.rule import Failure, Finding, rule
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 HOMES = {
     # elements that stand inside others: (where, and what does it for everything that follows)

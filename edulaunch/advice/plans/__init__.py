@@ -1,1 +1,1 @@
-"""Rules over dry runs of launch files (`edulaunch.plan.Rehearsal`)."""
+"""Rules over dry runs of launch files (`edulaunch.advice.plan.Rehearsal`)."""

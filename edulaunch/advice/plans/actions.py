@@ -11,8 +11,8 @@ from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, pl
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
-    from edulaunch.plan import Rehearsal
-    from edulaunch.plan.wording import Branch
+    from edulaunch.advice.plan import Rehearsal
+    from edulaunch.advice.plan.wording import Branch
 
 IDLE = frozenset(
     ('argument', 'include', 'set_configuration', 'push_namespace', 'set_env', 'unset_env', 'set_parameter', 'set_remap')
@@ -84,7 +84,7 @@ def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _code(file: str) -> str:
-    from edulaunch.workspace.sources import read_text
+    from edulaunch.advice.workspace.sources import read_text
 
     return _COMMENTS.sub('', read_text(file))
 
@@ -103,7 +103,7 @@ _COMPARED = re.compile(
 )
 def condition_never(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Of an argument with choices, compared by EqualsSubstitution, a Python expression or LaunchConfigurationEquals."""
-    from edulaunch.nearest import nearest
+    from edulaunch.engine.nearest import nearest
 
     choices = {one['name']: one['choices'] for one in rehearsal.plan['arguments'] if one['choices']}
     for branch in branches(rehearsal) if choices else ():
@@ -179,7 +179,7 @@ def no_package(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _package_with(executable: str) -> str | None:
-    from edulaunch.packages import Index
+    from edulaunch.engine.packages import Index
 
     index = Index()
     return next((package for package in sorted(index.packages()) if executable in index.executables(package)), None)

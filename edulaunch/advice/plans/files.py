@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.nearest import nearest, nearest_file
+from edulaunch.engine.nearest import nearest, nearest_file
 
 if TYPE_CHECKING:
-    from edulaunch.plan import Rehearsal
+    from edulaunch.advice.plan import Rehearsal
 
 LESSON = '03_parameters'
 
@@ -31,8 +31,8 @@ LESSON = '03_parameters'
 )
 def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Of a node whose name the launch file says, and a file of which no key means it."""
-    from edulaunch.graph.parameters import pattern_matches
-    from edulaunch.graph.ros_arguments import entries_of_file
+    from edulaunch.engine.graph.parameters import pattern_matches
+    from edulaunch.engine.graph.ros_arguments import entries_of_file
 
     for _, item in nodes(rehearsal):
         for source in item['parameter_sources']:
@@ -163,7 +163,7 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
     """A path below a home folder that is written out."""
     from launch._failure import is_students
 
-    from edulaunch.workspace.sources import read_text
+    from edulaunch.advice.workspace.sources import read_text
 
     for file in filter(is_students, launch_files(rehearsal)):
         for number, line in enumerate(read_text(file).splitlines(), 1):

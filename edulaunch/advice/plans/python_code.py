@@ -10,7 +10,7 @@ from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
-    from edulaunch.plan import Rehearsal
+    from edulaunch.advice.plan import Rehearsal
 
 LESSON = '04_conditions'
 ACTIONS = frozenset(

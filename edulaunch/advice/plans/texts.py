@@ -10,7 +10,7 @@ from edulaunch.advice.outlines import branches, name_of, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
-    from edulaunch.plan import Rehearsal
+    from edulaunch.advice.plan import Rehearsal
 
 LESSON = '01_first_launch'
 _OBJECT = re.compile(r'<launch(?:_ros)?\.substitutions\.[\w.]*?(\w+) object at')

@@ -1,1 +1,1 @@
-"""Rules over runs (`edulaunch.recording.Recording`)."""
+"""Rules over runs (`edulaunch.engine.recording.Recording`)."""

@@ -9,7 +9,7 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import Broadcasts, broadcasts, by_child, fact_place, node_of, node_place
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 LESSON = '09_broadcaster_and_listener'
 STATIC = '08_static_broadcaster'

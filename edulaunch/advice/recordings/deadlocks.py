@@ -9,7 +9,7 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import fact_place, node_of
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 LESSON = '13_large_project'
 WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import asking_place, fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 LESSON = '09_broadcaster_and_listener'
 SECOND = 1.0

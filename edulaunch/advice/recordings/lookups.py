@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import broadcasts, fact_place, frame_names, node_of, root_of
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import Fact
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import Fact
 
 LESSON = '09_broadcaster_and_listener'
 _EXTRAPOLATION = re.compile(

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import NOWHERE, asking_place, ends_by_name, is_ros_own, node_place, speaker
-from edulaunch.graph.names import RemapRule, expand_name
-from edulaunch.graph.ros_arguments import remap_rule
-from edulaunch.graph.rule_reader import RuleError
-from edulaunch.nearest import nearest
+from edulaunch.engine.graph.names import RemapRule, expand_name
+from edulaunch.engine.graph.ros_arguments import remap_rule
+from edulaunch.engine.graph.rule_reader import RuleError
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import NodeRecord, ProcessRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
 
 LESSON = '09_broadcaster_and_listener'
 

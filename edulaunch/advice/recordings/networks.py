@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Note, Recording
+    from edulaunch.engine.recording import Note, Recording
 
 LESSON = '18_real_network'
 FAR = 'network'

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from edulaunch.advice.recordings.programs import ENDED_WELL
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import node_place, origin_place
-from edulaunch.nearest import nearest
-from edulaunch.recording.records import Fact, UnreadArgument
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.recording.records import Fact, UnreadArgument
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 LESSON = '13_large_project'
 SET = 'rcl_interfaces/srv/SetParameters'

@@ -13,8 +13,8 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import fact_place
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import ProcessRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import ProcessRecord
 
 ENDED_WELL = (None, 0, -2, -15)
 """Still running, finished, ended by Ctrl-C or by launch."""

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place, own_nodes, programs, speaker
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import EndRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import EndRecord
 
 LESSON = '01_first_launch'
 _PAIR = {'publisher': 'subscription', 'subscription': 'publisher'}

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import ends_by_name, node_place, own_nodes, speaker
-from edulaunch.nearest import nearest
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 LESSON = '01_first_launch'
 SIDE = 11.088889

@@ -9,8 +9,8 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import ends_by_name, fact_place, node_of, node_place, places
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import Fact
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import Fact
 
 LESSON = '09_broadcaster_and_listener'
 OFTEN = 3

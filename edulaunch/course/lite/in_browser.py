@@ -8,7 +8,7 @@ import shlex
 import traceback
 from collections.abc import Callable
 
-from edulaunch.attached import attached
+from edulaunch.engine.attached import attached
 from edulaunch.errors import EdulaunchError, UnusableInput
 
 DEMOS = (
@@ -28,7 +28,7 @@ def contents(course: str) -> str:
     from edugrade.course import read_course
 
     from edulaunch.course.lessons import EXERCISES, manifest
-    from edulaunch.underlay_place import underlay_prefix
+    from edulaunch.engine.underlay_place import underlay_prefix
 
     place = manifest(course)
     exercises = [entry for entry in read_course(place) if entry.path == entry.file] if place else []
@@ -89,9 +89,9 @@ def _arguments(words: str) -> dict[str, str]:
 
 
 def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
-    from edulaunch.session import run
-    from edulaunch.view.page import recorded_page
-    from edulaunch.view.replay import film_of
+    from edulaunch.desk.view.page import recorded_page
+    from edulaunch.desk.view.replay import film_of
+    from edulaunch.runtime.session import run
 
     recording = run(path, arguments=arguments, duration_s=seconds, workspaces=(), console=lambda stream, text: say(text))
     for line in attached('said_at_the_end')(recording):

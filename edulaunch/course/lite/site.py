@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from edulaunch.course.copying import student_files, write_zip
+from edulaunch.engine.underlay_place import engine_folder
 from edulaunch.errors import UnusableInput
-from edulaunch.underlay_place import engine_folder
 
 TRIED, ABI = '0.29.5', '2025_0'
 RUNTIME = ('pyodide.mjs', 'pyodide.asm.js', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json')

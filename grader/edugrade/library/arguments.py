@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ..evidence import Evidence, Mismatch, Missing
 
 if TYPE_CHECKING:
-    from edulaunch.recording.records import DeclaredArgument
+    from edulaunch.engine.recording.records import DeclaredArgument
 
 _JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..evidence import Evidence, Failure, Missing
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import Frame
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import Frame
 
 Frames = Mapping[str, 'Frame']
 LAST_S = 1.0  # a moving frame is there to the end when it was last sent this long before it, or later
@@ -36,8 +36,8 @@ def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
 
 
 def _transforms(recording: Recording) -> dict[str, list[Sent]]:
-    from edulaunch.recording.frames import TOPICS, transform_wires
-    from edulaunch.recording.records import Frame
+    from edulaunch.engine.recording.frames import TOPICS, transform_wires
+    from edulaunch.engine.recording.records import Frame
 
     found: dict[str, list[Sent]] = {}
     for topic, is_static in TOPICS:

@@ -9,8 +9,8 @@ from ..evidence import Evidence, Failure, Missing
 from ..source import Place, comes_with_edulaunch, shipped_program
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import ProcessRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import ProcessRecord
 
 STARTERS = ('ros2', 'bash', 'sh')  # programs that start others under their own name
 

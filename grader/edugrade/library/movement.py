@@ -11,7 +11,7 @@ from ..evidence import Failure
 from .launched import refuse_strangers
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 

@@ -9,8 +9,8 @@ from ..evidence import Evidence, Failure, Mismatch, Missing
 from .launched import find_processes, is_of, refuse_strangers
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import NodeRecord, TopicRecord
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, TopicRecord
 
 ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
 

@@ -10,8 +10,8 @@ from ..source import Place
 from .launched import find_processes, node_names
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.recording.records import Parameter
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import Parameter
 
 
 def find_parameter(recording: Recording, package: str, executable: str, name: str) -> Parameter | None:

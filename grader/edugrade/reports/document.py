@@ -17,7 +17,7 @@ from .wording import ShortPaths
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
     from ..grading import Work
     from ..variant import Variant

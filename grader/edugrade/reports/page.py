@@ -15,7 +15,7 @@ from .wording import ShortPaths, at_level, explained, points_of, retold
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'unsafe-inline'"
 STYLE = """

@@ -12,7 +12,7 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from edulaunch.underlay_place import engine_folder
+from edulaunch.engine.underlay_place import engine_folder
 
 from ..results import FAILED, OF_NO_RUBRIC, CheckResult
 from ..source import Place
@@ -185,7 +185,7 @@ class ShortPaths:
             text = _WORD.sub(lambda word: self._of_word(word[0]), text)
         if ' at 0x' not in text:
             return text
-        from edulaunch.processes.streams import Addresses
+        from edulaunch.engine.processes.streams import Addresses
 
         return Addresses().steady(text)
 

@@ -77,7 +77,7 @@ def find_rubric(
                 help='keep exercises and rubrics in folders of their own',
             )
         return name, _by_the_course(name, load_rubric(known[name], personal))
-    from edulaunch.nearest import nearest
+    from edulaunch.engine.nearest import nearest
 
     close = nearest(name, list(known))
     hint = f'did you mean {close}? ' if close else ''

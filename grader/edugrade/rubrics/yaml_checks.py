@@ -19,7 +19,7 @@ from ..library.parameters import require_parameter
 from .yaml_wanted import OfRun, Wanted
 
 if TYPE_CHECKING:
-    from edulaunch.recording.records import Parameter
+    from edulaunch.engine.recording.records import Parameter
 
 Function = Callable[[Evidence, Wanted], None]
 MEASURE = 'tolerance near share'

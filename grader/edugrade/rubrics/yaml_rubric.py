@@ -202,7 +202,7 @@ def _mapping(node: yaml.Node, problem: Problem, what: str, known: tuple[str, ...
         if name in found:
             raise problem(key, f'{name} is there twice')
         if known is not None and name not in known:
-            from edulaunch.nearest import nearest
+            from edulaunch.engine.nearest import nearest
 
             close = nearest(name, known)
             raise problem(key, f'{what} has no {name}; ' + (f'did you mean {close}?' if close else f'it has {", ".join(known)}'))

@@ -12,7 +12,7 @@ from ..evidence import Evidence
 from ..library.close import require_close
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
 ARGUMENT = re.compile(r'\$\(arg (\w+)\)')
 OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {

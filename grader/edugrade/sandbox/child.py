@@ -23,14 +23,14 @@ RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory h
 def warm_up() -> None:
     """Load what nearly every run needs, by launching something small that came with edulaunch."""
     try:
-        from edulaunch.session import Session
+        from edulaunch.runtime.session import Session
 
         with Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
             session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
             session.run(WARM_UP_S)
             session.recording().to_bytes()
-        import edulaunch.link.confined
-        import edulaunch.link.trusted  # noqa: F401
+        import edulaunch.runtime.link.confined
+        import edulaunch.runtime.link.trusted  # noqa: F401
     except Exception:
         return  # the runs meet the same, and say so
     import gc
@@ -160,7 +160,7 @@ def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
         import traceback  # noqa: F401
 
         from edulaunch.errors import UnusableInput
-        from edulaunch.link.confined import ConfinedSession
+        from edulaunch.runtime.link.confined import ConfinedSession
     except ImportError as error:
         return _broke(error)
     try:

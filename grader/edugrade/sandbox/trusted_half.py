@@ -77,8 +77,8 @@ class TrustedHalf:
         os._exit(0)
 
     def _recorded(self) -> bytes:
-        from edulaunch.link.trusted import Trusted
-        from edulaunch.recording import Recording
+        from edulaunch.engine.recording import Recording
+        from edulaunch.runtime.link.trusted import Trusted
 
         trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
         trusted.half.fatal = self._on_fatal  # type: ignore[method-assign]
@@ -93,7 +93,7 @@ class TrustedHalf:
         return json.dumps(hosted).encode() + b'\n' + recording
 
     def _on_fatal(self, error: Exception) -> NoReturn:
-        from edulaunch.link.half import Gone, TooMuch
+        from edulaunch.runtime.link.half import Gone, TooMuch
 
         if isinstance(error, Gone):
             self._end_like_it()

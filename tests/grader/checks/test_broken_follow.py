@@ -9,7 +9,7 @@ from edugrade import Scenario
 from fake_recording import FILE, graded
 from fake_runs import FakeRun, circles, frame, late, node, program, statuses, stays
 
-from edulaunch.recording.records import Parameter, TopicRecord
+from edulaunch.engine.recording.records import Parameter, TopicRecord
 
 MIMIC = program(1, 'turtlesim', 'mimic', line=11)
 BROADCASTER = program(2, 'turtle_tf2_py', 'turtle_tf2_broadcaster', line=22)

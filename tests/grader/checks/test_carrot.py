@@ -8,7 +8,7 @@ from edugrade import Scenario
 from fake_recording import FILE, graded
 from fake_runs import FakeRun, circles, declared, frame, node, program, statuses, stays
 
-from edulaunch.recording.records import Parameter
+from edulaunch.engine.recording.records import Parameter
 
 LISTENER = program(1, 'turtle_tf2_py', 'turtle_tf2_listener')
 FIXED = program(2, 'turtle_tf2_py', 'fixed_frame_tf2_broadcaster')

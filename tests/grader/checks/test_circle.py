@@ -8,7 +8,7 @@ import pytest
 from edugrade import Scenario
 from fake_recording import FakeRecording, arc, circle_run, graded, process
 
-from edulaunch.recording.records import DeclaredArgument, LaunchRecord, NodeRecord
+from edulaunch.engine.recording.records import DeclaredArgument, LaunchRecord, NodeRecord
 
 
 def radius(scenario: Scenario) -> float:
@@ -161,7 +161,7 @@ def test_odometry_of_ones_own_is_no_robot() -> None:
 
 
 def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:
-    from edulaunch.recording import Recording
+    from edulaunch.engine.recording import Recording
 
     names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s', 'start_ns')]
     assert [

@@ -9,7 +9,7 @@ import pytest
 from edugrade import Scenario
 from fake_recording import FakeRecording, Track, graded, process
 
-from edulaunch.recording.records import Frame, NodeRecord
+from edulaunch.engine.recording.records import Frame, NodeRecord
 
 FRAME = Frame('world', (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), False, 20.0)
 TIMES = [t / 10 for t in range(200)]

@@ -8,7 +8,7 @@ from edugrade import Scenario
 from fake_recording import graded
 from fake_runs import FakeRun, frame, node, program, statuses
 
-from edulaunch.recording.records import Parameter
+from edulaunch.engine.recording.records import Parameter
 
 WORLD = program(1, 'turtlesim', 'turtlesim_node')
 LISTENER = program(2, 'turtle_tf2_py', 'turtle_tf2_listener')

@@ -37,7 +37,7 @@ def test_the_submissions_folder_is_shown_as_it_was_given() -> None:
 
 
 def test_the_engines_folder_is_shown_by_its_name() -> None:
-    assert ShortPaths('/w').text(f'{ENGINE}/underlay/share/x') == 'edulaunch/underlay/share/x'
+    assert ShortPaths('/w').text(f'{ENGINE}/ros/share/x') == 'edulaunch/ros/share/x'
 
 
 def test_an_installed_file_of_the_package_is_shown_as_its_source() -> None:
@@ -59,7 +59,7 @@ def test_all_texts_of_a_result_are_shortened() -> None:
 
 def test_shipped_launch_files_are_not_the_engine() -> None:
     assert (is_engine(f'{ENGINE}/session.py'), is_shipped(f'{ENGINE}/session.py')) == (True, True)
-    shared = f'{ENGINE}/underlay/share/turtlesim/launch/multisim.launch.py'
+    shared = f'{ENGINE}/ros/share/turtlesim/launch/multisim.launch.py'
     assert (is_engine(shared), is_shipped(shared)) == (False, True)
     assert is_shipped('/student/a.launch.py') is False
 

@@ -1,0 +1,168 @@
+"""`edulaunch.explain(file)`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.explaining.tree import drawn, html_tree
+from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.runtime.launching import find_launch_file
+from edulaunch.runtime.session import Session
+
+if TYPE_CHECKING:
+    from edulaunch.advice.plan import Rehearsal
+    from edulaunch.advice.plan.explanation import Entry
+
+MOMENT_S = 0.5
+
+
+def declared_parameters(package: str, executable: str, workspaces: Sequence[str]) -> dict[str, Any]:
+    """Parameter -> default value of the first node of a program; empty when it does not come so far by itself."""
+    with Session(workspaces=workspaces) as session:
+        session.host.start(ProcessSpec(argv=('ros2', 'run', package, executable), name=executable))
+        session.run(MOMENT_S)
+        recording = session.recording()
+        for node in recording.nodes:
+            found = recording.parameters(node.name)
+            if found:
+                return {name: parameter.value for name, parameter in found.items()}
+    return {}
+
+
+class Tree:
+    """A tree of entries that a notebook shows so that it can be opened, and anything else as lines."""
+
+    title: str
+    entries: Any
+    data: Any
+
+    def __str__(self) -> str:
+        return '\n'.join((self.title, *drawn(self.entries)))
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return html_tree(self.title, self.entries)
+
+    @property
+    def alt(self) -> str:
+        """The tree in words, for somebody who does not see it."""
+        return str(self)
+
+
+class Explanation(Tree):
+    """What a launch file does: includes, arguments, conditions, nodes, and the origin of every value."""
+
+    def __init__(self, rehearsal: Rehearsal, workspaces: Sequence[str]) -> None:
+        self._rehearsal = rehearsal
+        self._workspaces = workspaces
+        self.title = rehearsal.plan['file']
+
+    @cached_property
+    def data(self) -> Entry:
+        """The same as plain data; see :mod:`edulaunch.advice.plan.explanation`."""
+        from edulaunch.advice.plan.explanation import explanation_of
+
+        return explanation_of(self._rehearsal)
+
+    @cached_property
+    def entries(self) -> list[Entry]:
+        """The tree."""
+        tree: list[Entry] = self.data['tree']
+        return tree
+
+    def __str__(self) -> str:
+        error = self.data['error']
+        return super().__str__() + ('' if error is None else f'\nerror: {error["text"]}')
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        error = self.data['error']
+        return super()._repr_html_() + ('' if error is None else f'<p><b>error:</b> {escape(error["text"])}</p>')
+
+    @property
+    def plan(self) -> dict[str, Any]:
+        """The dry run in the plan format 1."""
+        return self._rehearsal.plan
+
+    @property
+    def missing(self) -> tuple[list[str], list[str]]:
+        """What was assumed to be there: names of packages, and other things in words."""
+        return self._rehearsal.missing
+
+    def why(self, name: str, parameter: str | None = None) -> Reason:
+        """Why a node's parameter, or a launch argument, has the value it has.
+
+        :param name: of a node ('/sim'); without `parameter` also of a launch argument.
+        :raises UnusableInput: when there is none of that name; it names the nearest.
+        """
+        from edulaunch.advice.explaining.reasons import reasons
+
+        return Reason(reasons(self._rehearsal.outline, name, parameter, self._declared))
+
+    def compare(self, other: Explanation) -> Comparison:
+        """What is different in another launch file, or with other arguments."""
+        return Comparison(self, other)
+
+    def _declared(self, package: str, executable: str) -> dict[str, Any]:
+        return declared_parameters(package, executable, self._workspaces)
+
+
+class Comparison(Tree):
+    """What differs between two explanations; `data` is a list of entries with a `sign`."""
+
+    def __init__(self, before: Explanation, after: Explanation) -> None:
+        from edulaunch.advice.plan.explanation import differences
+
+        self.data = self.entries = differences(before.data, after.data)
+        self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')
+
+
+def _subject(explanation: Explanation) -> str:
+    given = ' '.join(f'{name}:={value}' for name, value in explanation.data['given'].items())
+    return ' '.join(filter(None, (os.path.basename(explanation.data['file']), given)))
+
+
+class Reason(Tree):
+    """The chain of values behind one; `data` has `name`, `value` and `steps`, see :mod:`edulaunch.advice.plan.why`."""
+
+    def __init__(self, data: list[dict[str, Any]]) -> None:
+        from edulaunch.advice.explaining.reasons import told_reasons
+
+        self.data = data
+        self.title, self.entries = told_reasons(data)
+
+
+def explain(
+    path_or_package: str | os.PathLike[str],
+    file: str | None = None,
+    *,
+    arguments: Mapping[str, object] | None = None,
+    workspaces: Sequence[str | os.PathLike[str]] = (),
+    assume_packages: bool = False,
+) -> Explanation:
+    """Look through a launch file without starting anything: a tree of what it includes, decides and would start, and for every
+    value where it comes from and what it overrode.
+
+    :param path_or_package: as for :func:`edulaunch.run`.
+    :param arguments: launch arguments by name.
+    :param workspaces: folders with packages; default: those that are found from here.
+    :param assume_packages: go on when packages are missing, with empty ones instead.
+    :raises UnusableInput: when there is no such file or package.
+    """
+    from edulaunch.advice.plan import rehearse
+
+    where = workspaces_of_command(workspaces, path_or_package)
+    with Session(workspaces=where) as session:
+        path = find_launch_file(session.index, path_or_package, file)
+        given = {name: str(value) for name, value in (arguments or {}).items()}
+        host = session.host
+        rehearsal = rehearse(path, given, session.index, host.env, assume_packages=assume_packages, ros2=host.ros2)
+    return Explanation(rehearsal, where)

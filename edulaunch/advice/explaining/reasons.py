@@ -1,0 +1,74 @@
+"""Why something has its value: which chains are asked for, and how they are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.plan.explanation import Entry, entry
+from edulaunch.advice.plan.why import Step, argument_chain, name_of, nodes_named, parameter_chain
+from edulaunch.advice.plan.wording import shown_value
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.advice.plan.wording import Branch
+
+Declared = Callable[[str, str], Mapping[str, Any]]
+
+
+def reasons(outline: Branch, name: str, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
+    """One dict for each value asked for: `name`, `value`, `steps`.
+
+    :param declared: called with package and executable: what that program declares by itself.
+    :raises UnusableInput: when there is no such node, parameter or argument.
+    """
+    if parameter is None and not name.startswith('/'):
+        return [_reason(f'launch argument {name}', argument_chain(outline, name))]
+    return [reason for node in nodes_named(outline, name) for reason in _of_node(node, parameter, declared)]
+
+
+def _reason(name: str, steps: list[Step]) -> dict[str, Any]:
+    return {'name': name, 'value': steps[-1]['value'] if steps else None, 'steps': steps}
+
+
+def _of_node(node: Branch, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
+    item = node.item
+    assert item is not None
+    given = {one.name for one in node.action.given_parameters()}
+    defaults = declared(item['package'], item['executable']) if item['package'] else {}
+    if parameter is None:
+        names = sorted(given)
+    elif parameter in given or parameter in defaults:
+        names = [parameter]
+    else:
+        known = sorted({*given, *defaults})
+        help = did_you_mean(parameter, known) or (f'its parameters are {", ".join(known)}' if known else None)
+        raise UnusableInput(f"nobody gives '{name_of(node)}' a parameter '{parameter}', and it declares none.", help=help)
+    return [_reason(f'{name_of(node)}  {one}', parameter_chain(node, one, _default(item, one, defaults))) for one in names]
+
+
+def _default(item: dict[str, Any], name: str, defaults: Mapping[str, Any]) -> Step | None:
+    if name not in defaults:
+        return None
+    origin = f'declared by {item["executable"]}'
+    return {'value': defaults[name], 'origin': origin, 'file': None, 'line': None, 'counts': False, 'argument': []}
+
+
+def told_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
+    """A title and the chains as entries, the strongest last; a single one needs no title of its own."""
+    found = []
+    for reason in data:
+        one = entry('why', f'{reason["name"]} = {shown_value(reason["value"])}')
+        one['children'] = [_step_entry(step) for step in reason['steps']]
+        found.append(one)
+    if len(found) == 1:
+        return found[0]['text'], found[0]['children']
+    return f'{len(found)} values', found
+
+
+def _step_entry(step: Step) -> Entry:
+    counts = '  (this counts)' if step['counts'] else ''
+    found = entry('step', f'{shown_value(step["value"])}  {step["origin"]}{counts}', step['file'], step['line'])
+    found['children'] = [_step_entry(below) for below in step['argument']]
+    return found

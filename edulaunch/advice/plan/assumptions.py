@@ -1,0 +1,94 @@
+"""What a dry run pretends when packages are missing, and what was missing."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from shutil import which
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.underlay_place import underlay_prefix
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class Assumptions:
+    """Answers for things of packages that are not there. Everything asked for is noted.
+
+    :param placeholders: the prefix in which the placeholder packages stand.
+    :ivar packages: names of missing packages, in the order in which launch asked for them.
+    :ivar others: missing programs, commands and files, in words.
+    """
+
+    def __init__(self, placeholders: str) -> None:
+        self._placeholders = placeholders + os.sep
+        self._programs: set[str] = set()
+        self.packages: list[str] = []
+        self.others: list[str] = []
+
+    @property
+    def share(self) -> str:
+        """The folder in which the share folders of the placeholders stand, with a separator behind."""
+        return os.path.join(self._placeholders, 'share', '')
+
+    def package(self, name: str) -> None:
+        """A package was asked for that is not there."""
+        if name not in self.packages:
+            self.packages.append(name)
+
+    def program(self, name: str) -> str:
+        """The path of a program that is not on the PATH: its name."""
+        self._programs.add(name)
+        self._note(f'program {name}')
+        return name
+
+    def output_of(self, argv: Sequence[str], path: str | None) -> str | None:
+        """What a command prints: nothing, when the program or a file it needs is missing; None when it can be
+        run."""
+        if not argv:
+            return None
+        lacking = any(self._is_missing(word) for word in argv)
+        unknown = argv[0] in self._programs or (argv[0] != 'ros2' and which(argv[0], path=path) is None)
+        if not lacking and not unknown:
+            return None
+        self._note(f'output of the command {" ".join(map(self.shown, argv))}')
+        return ''
+
+    def lacks_file(self, path: str) -> bool:
+        """Whether a file belongs to a placeholder package, and so cannot be there."""
+        missing = self._is_missing(path)
+        if missing:
+            self._note(f'file {self.shown(path)}')
+        return missing
+
+    def shown(self, path: str) -> str:
+        """A path inside a placeholder package as 'package/rest', a program of ours by its name, another as it is."""
+        if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
+            return os.path.basename(path)
+        if not path.startswith(self._placeholders):
+            return path
+        inside = path[len(self._placeholders) :]
+        return inside[len('share/') :] if inside.startswith('share/') else inside
+
+    def _is_missing(self, path: str) -> bool:
+        return path.startswith(self._placeholders) and not os.path.exists(path)
+
+    def _note(self, text: str) -> None:
+        if text not in self.others:
+            self.others.append(text)
+
+
+def include_if_there(assumptions: Assumptions, action: Any, context: LaunchContext) -> Any:
+    """Execute an IncludeLaunchDescription; of a file in a placeholder package only the arguments are set.
+
+    :raises Exception: whatever loading another file raises.
+    """
+    try:
+        return type(action).execute(action, context)
+    except Exception:
+        if not assumptions.lacks_file(action.launch_description_source.described_location):
+            raise
+        from launch.actions import SetLaunchConfiguration  # edulaunch.advice.plan is imported before launch can be
+
+        return [SetLaunchConfiguration(name, value) for name, value in action.launch_arguments]

@@ -1,0 +1,239 @@
+"""A plan explained: a tree of entries, plain data, with the place of each and the origin of every value.
+
+An entry is a dict: `kind`, `text`, `file` and `line` (None when no launch file wrote it), `is_taken`, `children`, and
+
+* with a condition: `condition`;
+* an argument: `name`, `value`, `default`, `description`, `choices`, `origin`;
+* a node: `name` (None for the program's own), `package`, `executable`, and among its children the remappings and
+* a parameter: `name`, `value`, `origin`, and `overrode`, the values that lost: dicts of `value`, `origin`, `file`, `line`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from difflib import SequenceMatcher
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.plan.wording import action_words, details_of, shown_value, title_of
+
+if TYPE_CHECKING:
+    from edulaunch.advice.plan.make_plan import Rehearsal
+    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.engine.processes import Origin
+
+Entry = dict[str, Any]
+FORMAT = 1
+_HIDDEN = frozenset(
+    ('PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'ResetEnvironment')
+)
+
+
+def explanation_of(rehearsal: Rehearsal) -> Entry:
+    """The explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (how many),
+    `shutdown_reason`, and the `tree`."""
+    plan = rehearsal.plan
+    kinds = [item['kind'] for item in plan['items']]
+    tree = [entry for branch in rehearsal.outline.children[:1] for entry in _below(branch)]
+    return {
+        'format': FORMAT,
+        'file': plan['file'],
+        'given': plan['given'],
+        'error': plan['error'],
+        'missing': [*(f'package {name}' for name in rehearsal.missing[0]), *rehearsal.missing[1]],
+        'nodes': kinds.count('node'),
+        'processes': kinds.count('process'),
+        'shutdown_reason': plan['shutdown_reason'],
+        'tree': tree if rehearsal.placeholders is None else _without(rehearsal.placeholders, tree),
+    }
+
+
+def _without(folder: str, entries: list[Entry]) -> list[Entry]:
+    """The same without a folder that is there only to stand for missing packages."""
+    return [
+        {**entry, 'text': entry['text'].replace(folder, ''), 'children': _without(folder, entry['children'])} for entry in entries
+    ]
+
+
+def _below(branch: Branch) -> list[Entry]:
+    declared = {child.item['name'] for child in branch.children if child.item is not None and child.item['kind'] == 'argument'}
+    return [entry for child in branch.children if not _is_given_argument(child, declared) for entry in _entries(child)]
+
+
+def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
+    """Whether an include sets an argument here whose own entry will show the value."""
+    item = branch.item
+    return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
+
+
+def _entries(branch: Branch) -> Iterator[Entry]:
+    """The entry of a branch; what only holds others, and says nothing itself, gives way to them."""
+    below = _below(branch)
+    kind, text = _kind_and_text(branch)
+    if kind == 'event' and not _is_from_a_file(branch):
+        return  # how launch itself ends a process
+    is_ours = kind == 'OpaqueFunction' and branch.condition is None and (not below or branch.origin is None)
+    if kind in _HIDDEN or is_ours:
+        yield from below
+        return
+    file, line = (None, None) if branch.origin is None else branch.origin
+    found = entry(kind, text, file, line, branch.is_taken)
+    if branch.condition is not None:
+        found['condition'] = branch.condition
+        found['text'] += f'  [{branch.condition}: {"taken" if branch.is_taken else "not taken"}]'
+    elif not branch.is_taken:
+        found['text'] += '  [launch stopped here]'
+    if branch.item is not None:
+        _add_facts(found, branch)
+    found['children'] += below
+    yield found
+
+
+def entry(kind: str, text: str, file: str | None = None, line: int | None = None, is_taken: bool = True) -> Entry:
+    """An entry without children."""
+    return {'kind': kind, 'text': text, 'file': file, 'line': line, 'is_taken': is_taken, 'children': []}
+
+
+def _is_from_a_file(branch: Branch) -> bool:
+    """Whether anything below was written in a launch file."""
+    return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
+
+
+def _kind_and_text(branch: Branch) -> tuple[str, str]:
+    if isinstance(branch.action, str):
+        return 'event', branch.action
+    if branch.item is not None:
+        return branch.item['kind'], title_of(branch.item)
+    return action_words(branch.action)
+
+
+def _add_facts(found: Entry, branch: Branch) -> None:
+    """What is to be said of an action that was executed."""
+    item = branch.item
+    assert item is not None
+    kind = item['kind']
+    if kind == 'argument':
+        _add_argument(found, branch)
+    elif kind == 'node':
+        found.update(name=item['runtime_name'], package=item['package'], executable=item['executable'])
+        found['children'] += parameters_of(branch)
+        found['children'] += [
+            entry('missing', f'parameter file {path} is missing') for path in branch.action.missing_parameter_files()
+        ]
+    found['children'] += [entry(*detail) for detail in details_of(item, branch)]
+
+
+def _add_argument(found: Entry, branch: Branch) -> None:
+    item, action = branch.item, branch.action
+    assert item is not None
+    default = default_text(action)
+    setter = branch.setters.get(item['name'])
+    origin = 'default' if setter is None else origin_of_setter(setter)[0]
+    found.update(
+        name=item['name'],
+        value=item['value'],
+        default=default,
+        description=action.description,
+        choices=action.choices,
+        origin=origin,
+    )
+    found['text'] += f'  ({origin}' + (f', instead of {default!r})' if setter is not None and default is not None else ')')
+
+
+def is_declaration(branch: Branch) -> bool:
+    """Whether it declares a launch argument."""
+    return branch.item is not None and branch.item['kind'] == 'argument'
+
+
+def default_text(declaration: Any) -> str | None:
+    """The default of a launch argument as it is written, None when there is none."""
+    parts = declaration.default_value
+    if parts is None:
+        return None
+    return ''.join(part.text if hasattr(part, 'text') else part.describe() for part in parts)
+
+
+def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
+    """Who has set a launch configuration, in words, and where."""
+    before = setter.setters.get(setter.item['name']) if is_declaration(setter) and setter.item is not None else None
+    if before is not None:
+        return origin_of_setter(before)
+    place = setter.origin or setter.parent_origin
+    if place is None:
+        return 'command line', None
+    kind = 'include' if setter.origin is None else 'default' if is_declaration(setter) else 'set'
+    return f'{kind} in {os.path.basename(place.file)} line {place.line}', place
+
+
+def parameters_of(branch: Branch) -> list[Entry]:
+    """The parameters of a node, each with what it overrode."""
+    item = branch.item
+    assert item is not None
+    if 'parameter_error' in item:
+        return [entry('missing', f'parameters cannot be read: {item["parameter_error"]}')]
+    chains: dict[str, list[Any]] = {}
+    for one in branch.action.given_parameters():
+        chain = chains.setdefault(one.name, [])
+        if chain[-1:] != [one]:  # a SetParameter that is visited twice says the same twice
+            chain.append(one)
+    return [_parameter(name, item['parameters'][name], chains.get(name, [])) for name in item['parameters']]
+
+
+def _parameter(name: str, value: Any, chain: list[Any]) -> Entry:
+    overrode = [
+        {'value': one.value, 'origin': one.origin, 'file': one.file or None, 'line': one.line or None} for one in chain[:-1]
+    ]
+    origin, file, line = (chain[-1].origin, chain[-1].file or None, chain[-1].line or None) if chain else ('', None, None)
+    lost = ''.join(f', instead of {shown_value(one["value"])} from {one["origin"]}' for one in reversed(overrode))
+    text = f'parameter {name} = {shown_value(value)}' + (f'  ({origin}{lost})' if origin else '')
+    found = entry('parameter', text, file, line)
+    found.update(name=name, value=value, origin=origin, overrode=overrode)
+    return found
+
+
+ADDED, GONE, CHANGED, SAME = '+', '-', '~', ' '
+
+
+def differences(before: Entry, after: Entry) -> list[Entry]:
+    """The entries of `tree` that differ, each with a `sign`: '+', '-', '~' (its text changed; `before` has the old one), or
+    ' ' when only something below it did. Places do not count: another line is no difference."""
+    return _differing(before['tree'], after['tree'])
+
+
+def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
+    old, new = [_identity(entry) for entry in before], [_identity(entry) for entry in after]
+    found: list[Entry] = []
+    for what, start, end, new_start, new_end in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        if what == 'equal':
+            for one, other in zip(before[start:end], after[new_start:new_end], strict=True):
+                found += _compared(one, other)
+            continue
+        found += [_whole(entry, GONE) for entry in before[start:end]]
+        found += [_whole(entry, ADDED) for entry in after[new_start:new_end]]
+    return found
+
+
+def _identity(entry: Entry) -> tuple[Any, ...]:
+    """What makes two entries the same thing, perhaps with another value."""
+    kind = entry['kind']
+    if kind in ('argument', 'parameter', 'set_configuration', 'set_parameter'):
+        return kind, entry['text'].partition(' = ')[0]
+    if kind == 'node':
+        return kind, entry['name'], entry['package'], entry['executable']
+    if kind in ('timer', 'log', 'output', 'set_env', 'environment', 'push_namespace'):
+        return (kind,)
+    if 'condition' in entry:
+        return 'condition', entry['condition'], entry['file'], entry['line']
+    return kind, entry['text']
+
+
+def _compared(before: Entry, after: Entry) -> Iterator[Entry]:
+    below = _differing(before['children'], after['children'])
+    if before['text'] != after['text']:
+        yield {**after, 'sign': CHANGED, 'before': before['text'], 'children': below}
+    elif below:
+        yield {**after, 'sign': SAME, 'children': below}
+
+
+def _whole(entry: Entry, sign: str) -> Entry:
+    return {**entry, 'sign': sign, 'children': [_whole(child, sign) for child in entry['children']]}

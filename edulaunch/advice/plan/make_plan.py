@@ -1,0 +1,125 @@
+"""Making a plan."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from edulaunch.advice.plan.assumptions import Assumptions
+from edulaunch.advice.plan.planner import Plan, Planner
+from edulaunch.advice.plan.wording import Branch
+from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.workspace import Image
+from edulaunch.engine.processes.host import CommandRunner
+from edulaunch.errors import UnusableInput
+
+
+class AssumingIndex(Index):
+    """Another index, with an empty placeholder for each package that it lacks, and every executable.
+
+    Placeholders stand in a temporary folder that goes away with this object.
+
+    :param real: the index that is asked first.
+    :ivar assumptions: what was missing.
+    """
+
+    def __init__(self, real: Index) -> None:
+        super().__init__((), (), underlay=None)
+        self._places = [*real._places]
+        self._image = Image('placeholders')
+        self.assumptions = Assumptions(self._image.path)
+
+    def search_paths(self) -> list[str]:
+        """The real ones, and the placeholders' last."""
+        return [*super().search_paths(), self._image.path]
+
+    def prefix(self, package: str) -> str:
+        """The package's prefix, or that of the placeholders."""
+        found = super().prefix(package)
+        if found is not None:
+            return found
+        self.assumptions.package(package)
+        self._image.add_folder(os.path.join('share', package))
+        return self._image.path
+
+    def find_executable(self, package: str, executable: str) -> str:
+        """Where the executable would be; nothing is looked up."""
+        return os.path.join(self.prefix(package), 'lib', package, executable)
+
+
+def make_plan(
+    path: str | os.PathLike[str],
+    arguments: Mapping[str, str] | Iterable[str],
+    index: Index,
+    environ: Mapping[str, str],
+    *,
+    assume_packages: bool = False,
+    ros2: CommandRunner | None = None,
+) -> Plan:
+    """What `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
+
+    :param arguments: a mapping, or texts 'name:=value'.
+    :param environ: the environment variables that launch would see.
+    :param assume_packages: give every package that is missing an empty share folder, and do not look
+        executables up.
+    :param ros2: what runs the `ros2 ...` commands whose output the launch file needs; without one there is no such command.
+    :returns: `arguments` (declared), `configurations` (after the first visit), `given`, `error` (None, or a
+        dict of type, text, stage, origin and help), `items` in order, `log` (warnings and errors),
+        `warnings`, `stdout`, `shutdown_reason`.
+    :raises UnusableInput: for an argument that is no 'name:=value'.
+    """
+    return rehearse(path, arguments, index, environ, assume_packages=assume_packages, ros2=ros2).plan
+
+
+class Rehearsal(NamedTuple):
+    """A dry run.
+
+    :ivar plan: in the plan format 1.
+    :ivar outline: the same and what is left out, as a tree for people.
+    :ivar missing: what was assumed: names of packages, and other things in words.
+    :ivar placeholders: the share folder of the packages that were assumed; None when none may be.
+    :ivar read: names of the launch configurations that substitutions asked for, in order.
+    """
+
+    plan: Plan
+    outline: Branch
+    missing: tuple[list[str], list[str]]
+    placeholders: str | None
+    read: list[str]
+
+
+def rehearse(
+    path: str | os.PathLike[str],
+    arguments: Mapping[str, str] | Iterable[str],
+    index: Index,
+    environ: Mapping[str, str],
+    *,
+    assume_packages: bool = False,
+    ros2: CommandRunner | None = None,
+) -> Rehearsal:
+    """As :func:`make_plan`, with more to show.
+
+    :raises UnusableInput: for an argument that is no 'name:=value'.
+    """
+    given = _given(arguments)
+    assuming = AssumingIndex(index) if assume_packages else None
+    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ, ros2)
+    planner.assumptions = None if assuming is None else assuming.assumptions
+    plan = planner.plan()
+    missing = planner.assumptions
+    if missing is None:
+        return Rehearsal(plan, planner.outline, ([], []), None, list(planner.read))
+    return Rehearsal(plan, planner.outline, (missing.packages, missing.others), missing.share, list(planner.read))
+
+
+def _given(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:
+    if isinstance(arguments, Mapping):
+        return dict(arguments)
+    given = {}
+    for text in arguments:
+        name, separator, value = text.partition(':=')
+        if not (name and separator and value):
+            raise UnusableInput(f"malformed launch argument '{text}', expected format '<name>:=<value>'")
+        given[name] = value
+    return given

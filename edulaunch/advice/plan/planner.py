@@ -1,0 +1,254 @@
+"""One dry run, from the launch file to the plan."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from functools import partial
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.plan.assumptions import Assumptions
+from edulaunch.advice.plan.rehearsal import (
+    TURN_LIMIT_S,
+    ImaginedLifecycles,
+    Notes,
+    RehearsalHost,
+    run_to_rest,
+    runaway_error,
+    still_busy,
+)
+from edulaunch.advice.plan.wording import Branch, Setters
+from edulaunch.engine.attached import attached
+from edulaunch.engine.collector_pause import collector_paused
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.watchdog import RunawayProgram, Watchdog
+from edulaunch.engine.sim.simulation import Simulation
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.host import CommandRunner
+    from edulaunch.engine.processes.process import Process
+
+FORMAT = 1
+Plan = dict[str, Any]
+_SCALARS = frozenset((str, int, float, bool, type(None)))
+"""Stay as they are; to know it without a call halves the time for the 56 values of a node."""
+_KEY = itemgetter(0)
+_OF_LAUNCH = frozenset(('timer', 'emit_event'))
+"""With these launch itself ends a process; they are the user's only when a launch file made them."""
+
+
+class Planner:
+    """A launch service in a simulation of its own, in which nothing is started.
+
+    :ivar assumptions: what may be taken to be there; None when nothing may.
+    :ivar read: names of the launch configurations that substitutions asked for.
+    """
+
+    def __init__(
+        self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str], ros2: CommandRunner | None
+    ) -> None:
+        self._path = path
+        self._given = given
+        self._notes = Notes()
+        self._sim = Simulation()
+        self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ, ros2=ros2)
+        self._host.watchdog = Watchdog(self._sim, TURN_LIMIT_S)
+        self._items: list[Plan] = []
+        self._processes = 0
+        self._error: Plan | None = None
+        self._arguments: list[Plan] = []
+        self._configurations: dict[str, Any] = {}
+        self._reason: str | None = None
+        self._broken: Exception | None = None
+        self._service: Any = None
+        self._watch: Any = None
+        self._setters = Setters()
+        self.assumptions: Assumptions | None = None
+        self.read: Mapping[str, bool] = {}
+
+    @property
+    def outline(self) -> Branch:
+        """What was visited."""
+        return Branch('') if self._watch is None else self._watch.outline
+
+    def plan(self) -> Plan:
+        """Run it, and tell what happened."""
+        with collector_paused():
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter('default')
+                endless = self._run_to_the_end()
+            self._host.close()
+            if endless is not None:
+                self._error = self._endless_error(endless)
+            if self._broken is not None:
+                raise self._broken
+            plan = {
+                'format': FORMAT,
+                'file': self._path,
+                'given': _plain(self._given),
+                'arguments': _plain(self._arguments),
+                'configurations': self._configurations,
+                'items': self._items,
+                'error': _plain(self._error),
+                'log': self._notes.logs,
+                'shutdown_reason': self._reason,
+                'stdout': self._notes.stdout,
+                'warnings': [str(warning.message) for warning in caught],
+            }
+            return dict(sorted(plan.items()))
+
+    def _run_to_the_end(self) -> str | None:
+        """Returns what to say when there is none."""
+        process = self._host.run_launch(self._run)
+        endless = run_to_rest(self._sim)
+        while endless is None and process.returncode is None:
+            self._let_something_end()
+            endless = run_to_rest(self._sim)
+        if endless is None and self._watch is not None and self._watch.is_endless:
+            endless = still_busy(self._sim)
+        return endless
+
+    def _endless_error(self, text: str) -> Plan:
+        branch = self._watch.branch
+        origin = None if branch.origin is None else str(branch.origin)
+        where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
+        help_text = (
+            f'{where}a handler whose own actions cause its event, a timer that starts itself again, '
+            'or a coroutine that never returns needs something that ends it'
+        )
+        return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
+
+    def _let_something_end(self) -> None:
+        if self._host.end_next():
+            return
+        from launch.events import Shutdown
+
+        if not self._service.context.is_shutdown:
+            self._service.emit_event(Shutdown(reason='idle'))
+        else:
+            self._host.end_all()
+
+    def _run(self, process: Process) -> int:
+        """The body of the process in which launch runs; what breaks here is our own mistake."""
+        try:
+            process.state['launch.on_error'] = self._failed
+            process.state['launch.assumptions'] = self.assumptions
+            process.state['launch.change_state'] = ImaginedLifecycles().change
+            self.read = process.state.setdefault('launch.read', {})
+            return self._launch()
+        except RunawayProgram as error:
+            self._error = runaway_error(error)
+            return 1
+        except Exception as error:
+            self._broken = error
+            return 1
+
+    def _launch(self) -> int:
+        import logging
+
+        import launch.logging
+        from launch.actions.include_launch_description import IncludeLaunchDescription
+        from launch.event_handlers.general import OnShutdown
+        from launch.launch_description import LaunchDescription
+        from launch.launch_description_sources import AnyLaunchDescriptionSource
+        from launch.launch_service import LaunchService
+
+        from edulaunch.advice.plan.assumptions import include_if_there
+        from edulaunch.advice.plan.watching import Watch
+
+        launch.logging.launch_config.dry = True
+        launch.logging.launch_config.level = logging.WARNING  # what a plan keeps; a line for each start takes its time
+        launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
+        source = AnyLaunchDescriptionSource(self._path)
+        self._arguments = _declared_arguments(source)
+        self._service = LaunchService(noninteractive=True)
+        instead: dict[str, Any] = {'LoadComposableNodes': lambda action, context: None}
+        if self.assumptions is not None:
+            instead['IncludeLaunchDescription'] = partial(include_if_there, self.assumptions)
+        self._watch = Watch(self._executed, instead, self._host.came_back)
+        context = self._service.context
+        self._watch.context(context)
+        context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
+        include = IncludeLaunchDescription(source, launch_arguments=list(self._given.items()))
+        self._service.include_launch_description(LaunchDescription([self._watch.entity(include), self._end_of_first_visit()]))
+        code: int = self._service.run()
+        return code
+
+    def _note_reason(self, event: Any, context: Any) -> None:
+        self._reason = self._reason or event.reason
+
+    def _end_of_first_visit(self) -> Any:
+        from launch.actions.opaque import OpaqueFunction
+
+        def keep(context: Any) -> None:
+            self._configurations = _plain(dict(context.launch_configurations))
+
+        return OpaqueFunction(function=keep)
+
+    def _executed(self, branch: Branch, context: Any) -> None:
+        from edulaunch.advice.plan.items import item_of
+        from edulaunch.advice.plan.process_items import add_names_and_parameters
+
+        item = item_of(branch.action, context, self._host.env, self._processes)
+        if item is None or (branch.origin is None and item['kind'] in _OF_LAUNCH):
+            self._setters.executed(branch)
+            return
+        self._processes += item['kind'] in ('node', 'process')
+        item['phase'] = self._watch.phase
+        if self._watch.phase == 'timer':
+            item['time'] = self._sim.elapsed_s
+        if item['kind'] == 'node':
+            add_names_and_parameters(item, self._host)
+        branch.item = _plain(item)
+        self._items.append(branch.item)
+        self._setters.executed(branch)
+
+    def _failed(self, error: BaseException) -> None:
+        from launch._failure import failure_data, launch_origin
+
+        if self._error is None:
+            origin = launch_origin(error)
+            self._error = {
+                'type': type(error).__name__,
+                'text': str(error),
+                'help': attached('help_of')(failure_data(error)),
+                'origin': None if origin is None else str(origin),
+                'stage': 'visit' if self._items else 'load',
+            }
+
+
+def _declared_arguments(source: Any) -> list[Plan]:
+    """The arguments that the launch file declares; the source keeps what it has loaded for the visit."""
+    from launch.launch_context import LaunchContext
+
+    try:
+        found = source.get_launch_description(LaunchContext()).get_launch_arguments()
+    except Exception:
+        return []  # the visit meets the same error, and reports it
+    return [
+        {
+            'name': argument.name,
+            'description': argument.description,
+            'choices': argument.choices,
+            'conditional': argument._conditionally_included,
+            'default': None if argument.default_value is None else ' + '.join(part.describe() for part in argument.default_value),
+        }
+        for argument in found
+    ]
+
+
+def _plain(value: Any) -> Any:
+    """The value as JSON can hold it, keys sorted."""
+    kind = type(value)
+    if kind in _SCALARS:
+        return value
+    if kind is list:
+        return [item if type(item) in _SCALARS else _plain(item) for item in value]
+    if kind is dict or isinstance(value, Mapping):  # what is answered ten times as fast comes first
+        texts = sorted([(str(key), item) for key, item in value.items()], key=_KEY)
+        return {key: item if type(item) in _SCALARS else _plain(item) for key, item in texts}
+    if isinstance(value, (list, tuple)):
+        return _plain(list(value))
+    return value if isinstance(value, (str, int, float)) else str(value)

@@ -1,0 +1,117 @@
+"""Items of processes and nodes: everything that is decided before they start."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from launch.utilities.texts import perform_substitutions
+
+from edulaunch.engine.graph.names import fully_qualified_name, remapped_namespace, remapped_node_name
+from edulaunch.engine.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+    from edulaunch.advice.plan.rehearsal import RehearsalHost
+
+Item = dict[str, Any]
+UNNAMED = 'unnamed'
+"""Stands for the program's own name, which a plan does not know, when parameter files are read."""
+
+
+def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
+    """The item of an ExecuteLocal action that was just executed. A node's has more in it; :func:`add_names_and_parameters` is
+    still to come.
+
+    :param environ: what launch saw at its start.
+    :param index: how many processes came before.
+    """
+    details = action.process_description
+    command = list(details.command)
+    item = {
+        'kind': 'process',
+        'index': index,
+        'cmd': command,
+        'cwd': details.final_cwd,
+        'process_name': details.final_name.rpartition('-')[0],
+        'env_changes': _changes(environ, details.final_env),
+        'shell': action.shell,
+        'output': action.output,
+        'emulate_tty': action.emulate_tty,
+        'respawn': action.respawn,
+        'respawn_delay': action.respawn_delay,
+        'sigterm_timeout': perform_substitutions(context, action.sigterm_timeout),
+        'sigkill_timeout': perform_substitutions(context, action.sigkill_timeout),
+    }
+    if hasattr(action, 'node_executable'):
+        item.update(_node_part(action, command, details.word_count))
+    return item
+
+
+def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
+    """Variables that the process sees differently from launch at its start; None: taken away."""
+    if env == base:
+        return {}
+    changed: dict[str, str | None] = {name: value for name, value in sorted(env.items()) if base.get(name) != value}
+    return {**changed, **{name: None for name in sorted(base) if name not in env}}
+
+
+def _node_part(action: Any, words: list[str], own: int) -> Item:
+    """What only a node has.
+
+    :param own: how many of the words of the command line are the node's own; before them stands a prefix.
+    """
+    prefix, command = words[:-own], words[-own:]
+    program = action.process_spec_details()
+    arguments, others = _split(command[1:])
+    return {
+        'kind': 'node',
+        'package': program['package'],
+        'executable': program['executable'],
+        'prefix': prefix,
+        'arguments': arguments,
+        'other_ros_arguments': others,
+        'fully_qualified_name': action.node_name if action.is_node_name_fully_specified() else None,
+        'remappings': [list(rule) for rule in action.expanded_remapping_rules],
+    }
+
+
+def _split(words: list[str]) -> tuple[list[str], list[str]]:
+    """The program's own arguments, and those for ROS which are no names, remappings or parameters."""
+    arguments: list[str] = []
+    others: list[str] = []
+    inside = False
+    rest = iter(words)
+    for word in rest:
+        if word in ('--ros-args', '--'):
+            inside = word == '--ros-args'
+        elif not inside:
+            arguments.append(word)
+        elif word in ('-r', '--remap', '-p', '--param', '--params-file'):
+            next(rest, None)
+        else:
+            others.append(word)
+    return arguments, others
+
+
+def add_names_and_parameters(item: Item, host: RehearsalHost) -> None:
+    """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
+    parameters, and each parameter file with its content."""
+    command = item['cmd'][len(item['prefix']) :]
+    item['parameter_sources'] = [
+        {'file': path, 'content': host.parameter_content(path)}
+        for flag, path in zip(command, command[1:], strict=False)
+        if flag == '--params-file'
+    ]
+    try:
+        given = parse_ros_arguments(command, host.parameter_entries)
+    except RosArgumentsError as error:
+        given, item['parameter_error'] = RosArguments(), str(error)
+    name = remapped_node_name(given.remap_rules, '') or None
+    namespace = remapped_namespace(given.remap_rules, name or '', '') or None
+    full_name = fully_qualified_name(namespace or '/', name or UNNAMED)
+    overrides = given.overrides_for(full_name)
+    item['name'], item['namespace'] = name, namespace
+    item['runtime_name'] = None if name is None else full_name
+    item['parameters'] = {parameter: override.value for parameter, override in sorted(overrides.items())}

@@ -1,0 +1,250 @@
+"""A host that starts nothing: it notes what it is asked to start, and lets each process end when told to."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.parameter_files import Entry
+from edulaunch.engine.graph.tracer import Tracer
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.spec import ProcessSpec
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+    from edulaunch.engine.processes.watchdog import RunawayProgram
+    from edulaunch.engine.sim.simulation import Simulation
+
+WARNING = 30
+LOOKING_UP = ('pkg', 'interface')
+"""Verbs of `ros2` that only look something up."""
+
+
+class ImaginaryProcess:
+    """A process that does nothing but be there; a signal ends it.
+
+    :param on_exit: told the return code.
+    :ivar came_back: whether it is a process that has ended once already, and was started again.
+    """
+
+    came_back = False
+
+    def __init__(self, spec: ProcessSpec, pid: int, on_exit: OnExit | None) -> None:
+        self.spec = spec
+        self.pid = pid
+        self.returncode: int | None = None
+        self._on_exit = on_exit
+
+    def send_signal(self, signum: int) -> None:
+        """End, as a program does that has no handler; the second end of a process is no news."""
+        self.end(0 if self.came_back else -int(signum))
+
+    def end(self, code: int) -> None:
+        """End with a return code, once."""
+        if self.returncode is None:
+            self.returncode = code
+            if self._on_exit is not None:
+                self._on_exit(code)
+
+
+class RehearsalHost(Host):
+    """Runs the launch process itself; every other process is imaginary."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.imaginary: list[ImaginaryProcess] = []
+        self.came_back: set[int] = set()
+        """Numbers of the processes that `respawn` started again."""
+        self._commands: deque[ImaginaryProcess] = deque()
+        self._nodes: deque[ImaginaryProcess] = deque()
+        self._ended_names: set[str] = set()
+        self._entries: dict[str, Sequence[Entry]] = {}
+        self._contents: dict[str, Any] = {}
+
+    def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
+        """Note the process; it is there at once, and stays until it is told to end."""
+        process = self._imagine(spec, on_exit)
+        process.came_back = spec.name in self._ended_names
+        if process.came_back:
+            self.came_back.add(process.pid)
+        (self._commands if spec.package is None else self._nodes).append(process)
+        return process
+
+    def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
+        """Run the command: what is launched depends on what it prints."""
+        return super().start(spec, on_output, on_exit)
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Any:
+        """For the code of a launch file: `ros2 pkg` and the like run, anything else seems to end at once, without output."""
+        if os.path.basename(spec.argv[0]) == 'ros2' and spec.argv[1:2] and spec.argv[1] in LOOKING_UP and self.ros2 is not None:
+            return super().start(spec, on_output, on_exit, index=index)
+        process = self._imagine(spec, on_exit)
+        self.sim.schedule(self.sim.now_ns, lambda: process.end(0))
+        return process
+
+    def _imagine(self, spec: ProcessSpec, on_exit: OnExit | None) -> ImaginaryProcess:
+        process = ImaginaryProcess(spec, self.next_pid(), on_exit)
+        self.imaginary.append(process)
+        return process
+
+    def parameter_entries(self, path: str) -> Sequence[Entry]:
+        """As any host; nothing changes during a dry run, so each file is read once."""
+        if path not in self._entries:
+            self._entries[path] = super().parameter_entries(path)
+        return self._entries[path]
+
+    def parameter_content(self, path: str) -> Any:
+        """What YAML reads in a parameter file; None when it cannot be read, or is too much with its aliases replaced."""
+        if path not in self._contents:
+            generated: Any = self.generated_files.get(path)
+            self._contents[path] = _content_of_file(path) if generated is None else generated.content
+        return self._contents[path]
+
+    def run_launch(self, main: Callable[[Process], object]) -> Process:
+        """Start the process in which launch runs."""
+        spec = ProcessSpec(argv=('ros2', 'launch'), name='launch')
+        return self.adopt(Process(self, spec, self.next_pid(), list(spec.argv), main))
+
+    def end_next(self) -> bool:
+        """Let the next process end with code 0: plain commands first, then nodes, each in the order they
+        started.
+
+        A process that came back by `respawn` does not end again. False when none is left to end.
+        """
+        for waiting in (self._commands, self._nodes):
+            while waiting:
+                process = waiting.popleft()
+                if process.returncode is None and process.spec.name not in self._ended_names:
+                    self._ended_names.add(process.spec.name)
+                    process.end(0)
+                    return True
+        return False
+
+    def end_all(self) -> None:
+        """Let those that came back end as well."""
+        for process in list(self.imaginary):
+            process.end(0)
+
+
+def _content_of_file(path: str) -> Any:
+    import yaml
+    from launch.utilities.yaml_reader import read
+
+    try:
+        with open(path, encoding='utf-8') as file:
+            return read(file.read())
+    except (yaml.YAMLError, ValueError, OSError):
+        return None
+
+
+class Notes(Tracer):
+    """Keeps what launch logs from WARNING on, and what launch files print."""
+
+    def __init__(self) -> None:
+        self.logs: list[list[str]] = []
+        self.stdout = ''
+
+    def log(self, process: Any, level: int, logger: str, message: str) -> None:
+        """Keep warnings and errors."""
+        if level >= WARNING:
+            import logging
+
+            self.logs.append([logging.getLevelName(level), logger, message])
+
+    def output(self, process: Any, stream: str, text: str) -> None:
+        """Keep what was printed."""
+        if stream == 'stdout':
+            self.stdout += text
+
+
+FIRST_STATE = 'unconfigured'
+
+
+class ImaginedLifecycles:
+    """The states that the LifecycleNodes of one plan would be in."""
+
+    def __init__(self) -> None:
+        self._states: dict[Any, str] = {}
+
+    def change(self, context: LaunchContext, node: Any, transition_id: int) -> bool:
+        """Make a transition and tell launch of both its steps, as the node's topic `transition_event` does.
+
+        :param node: the LifecycleNode action.
+        :returns: False when the transition does not begin in the node's state.
+        """
+        from rclpy.lifecycle.state_machine import OUTCOMES, TransitionCallbackReturn, transition_from
+
+        state = self._states.get(node, FIRST_STATE)
+        transition = transition_from(state, transition_id)
+        if transition is None:
+            return False
+        outcome = OUTCOMES[transition.during][TransitionCallbackReturn.SUCCESS]
+        self._tell(context, node, transition.label, state, transition.during)
+        self._tell(context, node, outcome.label, transition.during, outcome.goal)
+        self._states[node] = outcome.goal
+        return True
+
+    @staticmethod
+    def _tell(context: LaunchContext, node: Any, label: str, start: str, goal: str) -> None:
+        from launch_ros.events.lifecycle import StateTransition
+        from lifecycle_msgs.msg import TransitionEvent
+
+        message: Any = TransitionEvent()
+        message.transition.label, message.start_state.label, message.goal_state.label = label, start, goal
+        context.emit_event_sync(StateTransition(action=node, msg=message))
+
+
+TURN_LIMIT_S = 2.0
+"""Seconds of the processor's time that the code of a launch file may take without coming on; see `Watchdog`."""
+MOST_INSTANTS = 2_000
+MOST_STEPS = 500_000
+"""So often may simulated time advance, and so much may be done, before something must end."""
+STEPS_BETWEEN_COLLECTIONS = 20_000
+"""A plan is made without the garbage collector, which takes half of the time of a large one."""
+MOST_REACTIONS = 20_000
+"""So often may event handlers give actions: events that follow from events are all handled in one step."""
+
+
+def run_to_rest(sim: Simulation) -> str | None:
+    """Go on until there is nothing left to do; what to say when that does not happen, else None."""
+    instants, now = 0, sim.now_ns
+    for step in range(MOST_STEPS):
+        if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:
+            gc.collect()
+        if not sim.step():
+            return None
+        if sim.now_ns != now:
+            instants, now = instants + 1, sim.now_ns
+            if instants > MOST_INSTANTS:
+                break
+    return still_busy(sim)
+
+
+def still_busy(sim: Simulation) -> str:
+    """What to say then."""
+    return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
+
+
+def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
+    """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
+    from traceback import walk_tb
+
+    from launch._failure import is_students
+
+    places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]
+    own = [place for place in places if is_students(place.rpartition(':')[0])]
+    return {
+        'type': 'RunawayProgramError',
+        'text': 'the launch file never came to its end and was stopped',
+        'help': 'look for a loop that does not end: a launch file only says what to start',
+        'origin': own[-1] if own else None,
+        'stage': 'load',
+    }

@@ -1,0 +1,202 @@
+"""What is said of one action of a plan: its title, and the lines below it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes import Origin
+
+Item = dict[str, Any]
+
+
+class Branch:
+    """One action that launch came to, or an event, with everything that it leads to.
+
+    :param action: the action; for an event what happens, in words.
+    :ivar item: of the plan; None for an action that only holds others, or was not executed.
+    :ivar condition: in words; None when there is none.
+    :ivar is_taken: whether the action was executed.
+    :ivar origin: where a launch file made the action.
+    :ivar parent_origin: the same of the branch that this one hangs on.
+    :ivar setters: launch configuration -> the branch that has set or declared it last, before this action.
+    """
+
+    __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'parent_origin', 'setters', 'children')
+
+    def __init__(self, action: Any, origin: Origin | None = None, condition: str | None = None) -> None:
+        self.action = action
+        self.origin = origin
+        self.parent_origin: Origin | None = None
+        self.condition = condition
+        self.item: Item | None = None
+        self.is_taken = False
+        self.setters: Mapping[str, Branch] = {}
+        self.children: list[Branch] = []
+
+    def add(self, branch: Branch) -> Branch:
+        """Put a branch at the end."""
+        self.children.append(branch)
+        branch.parent_origin = self.origin
+        return branch
+
+
+class Setters:
+    """Which branch has set each launch configuration, as scopes open and close; of one that is declared, the declaration,
+    whose own :attr:`Branch.setters` says who came before it."""
+
+    def __init__(self) -> None:
+        self._outer: list[Mapping[str, Branch]] = []
+        self._now: Mapping[str, Branch] = {}
+
+    def executed(self, branch: Branch) -> None:
+        """Take note of an action that was just executed."""
+        branch.setters = now = self._now
+        kind = type(branch.action).__name__
+        item = branch.item
+        if kind == 'PushLaunchConfigurations':
+            self._outer.append(now)
+        elif kind == 'PopLaunchConfigurations' and self._outer:
+            self._now = self._outer.pop()
+        elif kind == 'ResetLaunchConfigurations' and item is not None:
+            self._now = {name: setter for name, setter in now.items() if name in item['kept']}
+        elif item is not None and item['kind'] == 'unset_configuration':
+            self._now = {name: setter for name, setter in now.items() if name != item['name']}
+        elif item is not None and item['kind'] in ('set_configuration', 'argument'):
+            self._now = {**now, item['name']: branch}
+
+
+Detail = tuple[str, str]
+"""Kind and text of a line."""
+
+
+def action_words(action: Any) -> tuple[str, str]:
+    """Kind and title of an action that was not executed, or only holds others."""
+    name = type(action).__name__
+    if name in ('GroupAction', 'OpaqueFunction'):
+        return name, 'group' if name == 'GroupAction' else 'function'
+    return name, f'{name} {_subject(action)}'.rstrip()
+
+
+def _subject(action: Any) -> str:
+    """What an action that was not executed is about, as far as it is known."""
+    for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
+        value = getattr(action, attribute, None)
+        if value is not None:
+            return _described(getattr(value, 'described_location', value))
+    return ''
+
+
+def _described(value: Any) -> str:
+    if isinstance(value, (list, tuple)):
+        return ' '.join(_described(part) for part in value)
+    text: str = value.describe() if hasattr(value, 'describe') else str(value)
+    return text
+
+
+_TITLES = {
+    'include': 'include {file}',
+    'argument': 'argument {name} = {value!r}',
+    'set_configuration': 'set {name} = {value!r}',
+    'push_namespace': 'namespace {namespace}',
+    'set_env': 'environment {name} = {value!r}',
+    'unset_env': 'environment {name} unset',
+    'log': 'log {msg!r}',
+    'timer': 'timer after {period:g} s',
+    'event_handler': 'event handler {handler}',
+    'set_parameter': 'parameter {name} = {value!r} for all nodes that follow',
+    'set_parameters_from_file': 'parameter file {file} for all nodes that follow',
+    'set_remap': 'remap {from} -> {to} for all nodes that follow',
+    'emit_event': 'event {event}',
+    'action': '{name}',
+}
+
+
+def title_of(item: Item) -> str:
+    """The title of an action that was executed."""
+    kind = item['kind']
+    if kind == 'node':
+        name = item['runtime_name'] or _unnamed(item['namespace'])
+        return f'node {name}: {" ".join(filter(None, (item["package"], item["executable"])))}'
+    if kind == 'process':
+        return f'process {item["process_name"]}: {" ".join(item["cmd"])}'
+    if kind == 'load_composable_nodes':
+        return f'composable nodes to load: {len(item["nodes"])}'
+    title: str = _TITLES.get(kind, kind.replace('_', ' ')).format(**item)
+    return title
+
+
+def _unnamed(namespace: str | None) -> str:
+    """A node that the launch file gives no name, but perhaps a namespace."""
+    own = "(the program's own name)"
+    return own if namespace in (None, '', '/') else f'{namespace}/{own}'
+
+
+def _process_details(item: Item, branch: Branch) -> Iterator[Detail]:
+    if item.get('arguments'):
+        yield 'arguments', f'arguments {" ".join(item["arguments"])}'
+    if item.get('prefix'):
+        yield 'prefix', f'prefix {" ".join(item["prefix"])}'
+    for name, value in item['env_changes'].items():
+        yield 'environment', f'environment {name} unset' if value is None else f'environment {name} = {value!r}'
+    if item['cwd'] is not None:
+        yield 'cwd', f'in the folder {item["cwd"]}'
+    if item['respawn']:
+        yield 'respawn', _respawn_words(item['respawn_delay'], branch.action.respawn_limit)
+    if item['output'] != 'log':
+        yield 'output', f'output {item["output"]}'
+
+
+def _respawn_words(delay: float | None, limit: int) -> str:
+    text = 'started again when it ends' + (f', {delay:g} s later' if delay else '')
+    return text + (f', at most {limit} times' if limit >= 0 else '')
+
+
+def _node_details(item: Item, branch: Branch) -> Iterator[Detail]:
+    for old, new in item['remappings']:
+        yield 'remap', f'remap {old} -> {new}'
+    if item['other_ros_arguments']:
+        yield 'arguments', f'ROS arguments {" ".join(item["other_ros_arguments"])}'
+    yield from _process_details(item, branch)
+
+
+def shown_value(value: Any) -> str:
+    """The value on one line; of a long text (a robot description) only the beginning."""
+    text = repr(value)
+    return text if len(text) <= 100 else f'{text[:80]}...  [{len(text)} characters]'
+
+
+def _nodes_to_load(item: Item, branch: Branch) -> Iterator[Detail]:
+    for node in item['nodes']:
+        full_name = f'{node["namespace"].rstrip("/")}/{node["name"] or "(its own name)"}'
+        remaps = ''.join(f', remap {rule.replace(":=", " -> ")}' for rule in node['remappings'])
+        yield 'composable_node', f'composable node {full_name}: {node["package"]} {node["plugin"]}{remaps}'
+        for name, value in node['parameters'].items():
+            yield 'parameter', f'with parameter {name} = {shown_value(value)}'
+
+
+def _kept_configurations(item: Item, branch: Branch) -> Iterator[Detail]:
+    for name, value in item['kept'].items():
+        yield 'kept', f'but {name} = {shown_value(value)}'
+
+
+def _handler_details(item: Item, branch: Branch) -> Iterator[Detail]:
+    """Whether what a handler waits for ever came."""
+    if not branch.children:
+        yield 'never', 'never happened here'
+
+
+_DETAILS: dict[str, Callable[[Item, Branch], Iterable[Detail]]] = {
+    'node': _node_details,
+    'process': _process_details,
+    'load_composable_nodes': _nodes_to_load,
+    'event_handler': _handler_details,
+    'reset_configurations': _kept_configurations,
+}
+
+
+def details_of(item: Item, branch: Branch) -> Iterable[Detail]:
+    """What more is to be said of an action that was executed, but for a node's parameters."""
+    details = _DETAILS.get(item['kind'])
+    return () if details is None else details(item, branch)

@@ -1,0 +1,65 @@
+"""Dependencies of package.xml files that are not here: the counterpart of `rosdep check`."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+from importlib.util import find_spec
+from typing import NamedTuple
+
+from edulaunch.advice.workspace.sources import Dependency, SourcePackage, source_packages
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.packages import Index
+
+NOT_NEEDED = (
+    *('ament_*', 'rosidl_*', 'cmake', 'catkin', 'pkg-config', 'launch_testing_ament_cmake'),
+    *('rclcpp*', 'rcutils', 'rmw*', 'tf2', 'tf2_eigen', 'class_loader', 'pluginlib', 'eigen', 'yaml-cpp', 'boost'),
+    *('qtbase5-dev', 'libqt5-*', 'python3-pytest', 'python3-setuptools', 'ros2[a-z]*'),
+)
+"""What builds, lints and generates, what C++ programs are linked with, and the parts of the `ros2` command, which is here.
+`*` stands for any text.
+"""
+SAME = {'tf2_ros_py': 'tf2_ros'}
+"""Packages whose part for Python goes by another name."""
+PYTHON_NAMES = {'opencv-python': 'cv2', 'opencv': 'cv2', 'pil': 'PIL', 'pyyaml': 'yaml', 'tk': 'tkinter', 'pyqt5': 'PyQt5'}
+"""Python packages by rosdep's name, where their module is called otherwise."""
+
+
+class Missing(NamedTuple):
+    """A dependency that is not here, of which package, and the nearest name that is."""
+
+    package: SourcePackage
+    dependency: Dependency
+    nearest: str | None
+
+
+def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
+    """The packages below `path`, and each dependency of theirs that neither the underlay nor the workspace has."""
+    index = Index((), [path])
+    packages = source_packages(index)
+    here = list(index.packages())
+    missing = []
+    for package in packages:
+        told: set[str] = set()
+        for dependency in package.dependencies:
+            if dependency.name not in told and not is_here(dependency.name, here):
+                told.add(dependency.name)
+                missing.append(Missing(package, dependency, nearest(dependency.name, here)))
+    return [package.name for package in packages], missing
+
+
+def is_here(name: str, here: list[str]) -> bool:
+    """Whether a dependency is satisfied, or needed only for what edulaunch does not do (building, compiled programs)."""
+    if SAME.get(name, name) in here or any(fnmatchcase(name, pattern) for pattern in NOT_NEEDED):
+        return True
+    for prefix in ('python3-', 'python-'):
+        if name.startswith(prefix):
+            short = name.removeprefix(prefix).removesuffix('-pip')
+            return _importable(PYTHON_NAMES.get(short, short.replace('-', '_')))
+    return False
+
+
+def _importable(module: str) -> bool:
+    try:
+        return find_spec(module) is not None
+    except (ImportError, ValueError):
+        return False

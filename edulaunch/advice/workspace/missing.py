@@ -1,0 +1,162 @@
+"""What is known of something that a launch does not find: it may be in the sources, and no build would install it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.workspace.sources import SourcePackage, install_facts, read_text
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.packages.reading import find_packages, read_manifest
+
+if TYPE_CHECKING:
+    from edulaunch.engine.packages import Index
+    from edulaunch.engine.packages.reading import PackageWarning
+
+
+Facts = dict[str, Any]
+
+
+def missing_package(index: Index, package: str) -> Facts:
+    """Of a package that is not found: the nearest name, or where such a folder is, or that no workspace was named."""
+    workspaces = [place.folder for place in index.workspaces]
+    same = [(folder, files) for workspace in workspaces for folder, files in _folders_called(package, workspace)]
+    for folder, files in same:
+        if 'package.xml' in files or 'setup.py' in files:
+            return _why_no_package(folder, files)
+    forgotten = None if workspaces else _without_manifest(package)
+    if forgotten is not None:
+        return {'about': 'packages.no-manifest', 'folder': forgotten}
+    below = _elsewhere_below(package, workspaces)
+    if below is not None:
+        return {'about': 'packages.not-searched', 'package': package, 'below': below}
+    kind = index.absent(package)
+    if kind is not None:
+        return {'about': 'packages.absent-package', 'package': package, 'belongs_to': kind}
+    near = nearest(package, index.packages())
+    if near is None and same:
+        return _why_no_package(*same[0])
+    return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
+
+
+def _without_manifest(package: str) -> str | None:
+    """The folder of a package in a workspace in which no package has a package.xml, so that it is not seen as a workspace."""
+    here = os.getcwd()
+    for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
+        folder = os.path.join(here, source, package)
+        if os.path.isfile(os.path.join(folder, 'setup.py')) and not os.path.isfile(os.path.join(folder, 'package.xml')):
+            return folder
+    return None
+
+
+def _elsewhere_below(package: str, workspaces: list[str]) -> str | None:
+    """The folder of a package of that name below the current one, as a path from there; None when a workspace has it."""
+    here = os.getcwd()
+    for folder in find_packages(here, []):
+        manifest = read_manifest(folder, [])
+        if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):
+            return os.path.relpath(folder, here)
+    return None
+
+
+def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]]:
+    """Each folder of that name, with its files."""
+    for folder, folders, files in os.walk(workspace):
+        folders[:] = sorted(inner for inner in folders if not inner.startswith('.'))
+        if os.path.basename(folder) == name:
+            yield folder, files
+
+
+def _why_no_package(folder: str, files: list[str]) -> Facts:
+    if 'package.xml' not in files:
+        return {'about': 'packages.no-manifest', 'folder': folder}
+    wrong: list[PackageWarning] = []
+    if read_manifest(folder, wrong) is None and wrong:
+        return _broken(wrong[0])
+    ignored = next((name for name in ('COLCON_IGNORE', 'AMENT_IGNORE') if name in files), None)
+    return {'about': 'packages.not-this-folder', 'folder': folder, 'ignored_by': ignored}
+
+
+def _broken(warning: PackageWarning) -> Facts:
+    return {'about': 'packages.broken', 'reason': str(warning)}
+
+
+def source_package(index: Index, package: str) -> SourcePackage | None:
+    """The package as it stands in a source workspace; None when it comes from elsewhere."""
+    folder, contents = index.source_folder(package), index.contents(package)
+    return None if folder is None or contents is None else SourcePackage(package, folder, contents)
+
+
+def missing_launch_file(index: Index, package: str, file: str | None) -> Facts:
+    """Of a launch file that a package does not have: it stands in the source and is not installed. Empty: nothing is known."""
+    found = source_package(index, package)
+    if found is None:
+        return _built(index, package)
+    if found.contents.broken is not None:
+        return _broken(found.contents.broken)
+    installed = {os.path.realpath(path) for path in found.contents.files.values()}
+    missing = [
+        path
+        for path in found.files()
+        if os.path.realpath(path) not in installed and found.is_launch_file(path) and file in (None, os.path.basename(path))
+    ]
+    return _not_installed(found, missing[0]) if missing else {}
+
+
+def _not_installed(package: SourcePackage, path: str) -> Facts:
+    return {'about': 'packages.not-installed', 'source': path, **install_facts(package, path)}
+
+
+def missing_executable(index: Index, package: str, executable: str) -> Facts:
+    """Of an executable that a package does not have: the nearest, or that its source is there and no build file names it."""
+    names = [*index.executables(package), *index.native_executables(package)]
+    near = nearest(executable, names)
+    return _not_built(index, package, executable) or {
+        'about': 'packages.no-executable',
+        'package': package,
+        'executable': executable,
+        'near': near,
+        'known': [] if near else names,
+    }
+
+
+def _not_built(index: Index, package: str, executable: str) -> Facts:
+    found = source_package(index, package)
+    if found is None:
+        return {}
+    if found.contents.broken is not None:
+        return _broken(found.contents.broken)
+    if found.is_python and any(not place.startswith(f'lib/{package}/') for place in found.contents.entry_points):
+        return {'about': 'packages.no-setup-cfg', 'package': package}
+    name = executable.removesuffix('.py')
+    for path in found.python_files:
+        if os.path.basename(path) == f'{name}.py' and 'rclpy' in read_text(path):
+            relative = found.relative(path)
+            entry = f'{name} = {relative[:-3].replace(os.sep, ".")}:main' if found.is_python else None
+            file = os.path.basename(found.build_file())
+            return {'about': 'packages.no-entry-point', 'source': path, 'entry': entry, 'program': relative, 'build_file': file}
+    return {}
+
+
+def installed_file(index: Index, path: str) -> Facts:
+    """Of a missing file in the share folder of a package: it stands in the source and is not installed."""
+    head, sign, tail = path.rpartition(f'{os.sep}share{os.sep}')
+    package, _, name = tail.partition(os.sep)
+    if not (sign and name) or package not in index.packages() or head != index.prefix(package):
+        return {}
+    found = source_package(index, package)
+    source = None if found is None else os.path.join(found.folder, name)
+    if found is None or source is None or not os.path.isfile(source):
+        return _built(index, package)
+    if found.contents.broken is not None:
+        return _broken(found.contents.broken)
+    return _not_installed(found, source)
+
+
+def _built(index: Index, package: str) -> Facts:
+    """Of a package that colcon built: what was written since is not in it."""
+    prefix = index.packages().get(package)
+    if prefix is None or 'install' not in prefix.split(os.sep):
+        return {}
+    return {'about': 'packages.built-before', 'package': package, 'prefix': prefix}

@@ -1,0 +1,225 @@
+"""The packages of a workspace as the checks see them: manifest, contents, sources, the modules in them, and where data files
+belong so that a build installs them. Nothing is imported.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterator
+from fnmatch import fnmatch
+from functools import cached_property
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.reading import Contents, read_manifest
+
+DEPENDENCY_TAGS = (
+    'depend',
+    'build_depend',
+    'build_export_depend',
+    'buildtool_depend',
+    'buildtool_export_depend',
+    'exec_depend',
+    'run_depend',
+    'test_depend',
+)
+RUNTIME_TAGS = ('depend', 'exec_depend', 'run_depend')
+
+
+class Dependency(NamedTuple):
+    """One dependency of a package.xml; `line` counts from 1."""
+
+    name: str
+    tag: str
+    line: int
+
+
+class SourcePackage:
+    """One package of a source workspace."""
+
+    def __init__(self, name: str, folder: str, contents: Contents) -> None:
+        self.name = name
+        self.folder = folder
+        self.contents = contents
+        self.manifest_file = os.path.join(folder, 'package.xml')
+
+    @property
+    def is_python(self) -> bool:
+        """Whether it is built by setup.py, or would be: it may have been forgotten."""
+        if os.path.isfile(self.build_file('CMakeLists.txt')):
+            return False
+        manifest = read_manifest(self.folder, [])
+        return os.path.isfile(self.build_file('setup.py')) or (manifest is not None and manifest.build_type == 'ament_python')
+
+    def build_file(self, name: str | None = None) -> str:
+        """setup.py or CMakeLists.txt."""
+        return os.path.join(self.folder, name or ('setup.py' if self.is_python else 'CMakeLists.txt'))
+
+    @cached_property
+    def dependencies(self) -> list[Dependency]:
+        """What package.xml names, in the order of its tags; those under a condition too."""
+        with open(self.manifest_file, encoding='utf-8', errors='replace') as file:
+            lines = file.read().splitlines()
+        root = ElementTree.fromstring('\n'.join(lines).encode('utf-8'))
+        found = []
+        for tag in DEPENDENCY_TAGS:
+            for element in root.iter(tag):
+                name = (element.text or '').strip()
+                if name:
+                    found.append(Dependency(name, tag, _line_of(lines, tag, name)))
+        return found
+
+    @cached_property
+    def python_files(self) -> list[str]:
+        """All Python files of the package but tests and setup.py, sorted."""
+        return sorted(
+            path
+            for path in self.files()
+            if path.endswith('.py') and os.path.relpath(path, self.folder).split(os.sep)[0] not in ('test', 'tests', 'setup.py')
+        )
+
+    def files(self) -> Iterator[str]:
+        """All files, without hidden folders and what Python and colcon generate."""
+        for folder, folders, names in os.walk(self.folder):
+            folders[:] = sorted(
+                name
+                for name in folders
+                if not name.startswith('.')
+                and name not in ('__pycache__', 'build', 'install', 'log')
+                and not name.endswith('.egg-info')
+            )
+            yield from (os.path.join(folder, name) for name in sorted(names))
+
+    def relative(self, path: str) -> str:
+        """A path below the package's folder."""
+        return os.path.relpath(path, self.folder)
+
+    def is_launch_file(self, path: str) -> bool:
+        """Whether this is a launch file: by its name, or by its folder. The description of a launch test is none: pytest and
+        launch_test read it where it lies.
+        """
+        name = os.path.basename(path)
+        is_in_tests = self.relative(path).split(os.sep)[0] in ('test', 'tests')
+        if is_in_tests or name.endswith('.py') and 'generate_test_description' in read_text(path):
+            return False
+        if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
+            return True
+        return (
+            os.path.basename(os.path.dirname(path)) == 'launch'
+            and name.endswith('.py')
+            and not name.startswith('__')
+            and 'generate_launch_description' in read_text(path)
+        )
+
+
+def source_packages(index: Index) -> list[SourcePackage]:
+    """The packages of an index's source workspaces, by name."""
+    return [
+        SourcePackage(name, place.package_folder(name), place.contents(name))
+        for place in index.workspaces
+        for name in place.packages()
+    ]
+
+
+def read_text(path: str) -> str:
+    """The text of a file; empty when it cannot be read."""
+    try:
+        with open(path, encoding='utf-8', errors='replace') as file:
+            return file.read()
+    except OSError:
+        return ''
+
+
+def parsed(path: str) -> ast.Module | None:
+    """The syntax tree of a Python file, None when it is no Python."""
+    try:
+        with open(path, 'rb') as file:
+            return ast.parse(file.read(), path)
+    except (OSError, SyntaxError, ValueError):
+        return None
+
+
+def _line_of(lines: list[str], tag: str, name: str) -> int:
+    """The line of a dependency; 0 when it is written in some other way than on one line."""
+    for number, line in enumerate(lines, 1):
+        if f'<{tag}' in line and name in line.replace('<', ' ').replace('>', ' ').split():
+            return number
+    return 0
+
+
+def module_file(package: SourcePackage, module: str) -> str | None:
+    """The file of a module that the package installs."""
+    top, _, rest = module.partition('.')
+    place = package.contents.python_modules.get(top)
+    if place is None:
+        return None
+    base = os.path.join(place, *rest.split('.')) if rest else place
+    return next((path for path in (f'{base}.py', os.path.join(base, '__init__.py'), base) if os.path.isfile(path)), None)
+
+
+def modules_of(package: SourcePackage) -> dict[str, str]:
+    """Full names of the package's installed modules, with their files."""
+    found = {}
+    for top, place in package.contents.python_modules.items():
+        for path in package.python_files:
+            if path.startswith(place + os.sep):
+                name = os.path.relpath(path, os.path.dirname(place))[:-3].replace(os.sep, '.')
+                found[name.removesuffix('.__init__')] = path
+        if os.path.isfile(place):
+            found[top] = place
+    return found
+
+
+def defined_names(tree: ast.Module) -> list[str]:
+    """Names that a module defines or imports at its top level, those under `if` and `try` too."""
+    names = []
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            names.append(node.name)
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            names += [alias.asname or alias.name for alias in node.names]
+        elif isinstance(node, ast.Assign):
+            names += [target.id for target in node.targets if isinstance(target, ast.Name)]
+    return names
+
+
+def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
+    """The function of that name at the top level."""
+    return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
+
+
+def line_with(file: str, word: str) -> int:
+    """The first line of a file that has the word; 0 when there is none."""
+    return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
+
+
+LAUNCH_PATTERN = '*launch.[pxy][yma]*'
+DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', 'meshes')
+
+
+def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
+    """How a data file comes to be installed; None for what does not apply.
+
+    :returns: `beside`, the folder whose files are installed already; else `move`, the folder that it belongs in when it lies
+        beside the build file; `folder` and `pattern` for setup.py; `top` for CMakeLists.txt.
+    """
+    folder, name = os.path.split(package.relative(path))
+    place = folder or ('launch' if package.is_launch_file(path) else 'config')
+    ending = os.path.splitext(name)[1]
+    is_beside = not folder and any(f'/{place}/' in target and target.endswith(ending) for target in package.contents.files)
+    return {
+        'beside': place if is_beside else None,
+        'move': None if folder else place,
+        'folder': place,
+        'pattern': os.path.join(place, _pattern(package, path, name)) if package.is_python else None,
+        'top': place.split(os.sep)[0],
+    }
+
+
+def _pattern(package: SourcePackage, path: str, name: str) -> str:
+    """What glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
+    if not package.is_launch_file(path):
+        return '*'
+    return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]

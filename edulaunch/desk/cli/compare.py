@@ -1,0 +1,207 @@
+"""`edulaunch compare`: launch files in simulation and on the real rclpy, and what differs."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from typing import TYPE_CHECKING
+
+from edulaunch.desk.cli.launch import split_words
+from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from edulaunch.extras.comparing.differing import Difference
+    from edulaunch.extras.comparing.known import Known
+    from edulaunch.extras.comparing.observation import Observation
+    from edulaunch.extras.comparing.sweep import Row
+
+EXAMPLES = """examples:
+  edulaunch compare turtle_tf2_py turtle_tf2_demo.launch.py
+  edulaunch compare my.launch.py background_r:=200 --for 5 --json
+  edulaunch compare src/my_package                       all launch files in a folder
+  edulaunch compare demo_nodes_cpp other.launch.py --jobs 4
+
+exit codes: 0 nothing differs, 1 something does, 2 the comparison is not possible, 130 it was stopped by Ctrl-C"""
+WIDEST = 60
+"""Letters of a cell of the table; --json has all of them."""
+
+
+def compare_arguments(parser: argparse.ArgumentParser) -> None:
+    """The launch files, how long, and how to say it."""
+    parser.epilog = EXAMPLES
+    parser.add_argument('target', metavar='PACKAGE | PATH', help='package of the launch file, its path, or a folder of them')
+    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths')
+    parser.add_argument(
+        '--for', dest='seconds', type=float, default=10.0, metavar='SECONDS', help='until Ctrl-C, in both worlds (default: 10)'
+    )
+    parser.add_argument('--json', action='store_true', help='as plain data')
+    parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
+    parser.add_argument(
+        '--jobs', type=int, metavar='N', help='of several files so many at a time (default: one for each processor)'
+    )
+    parser.add_argument(
+        '--known', metavar='FILE', help='YAML list of differences that are known and do not count (file, why, kind, name ...)'
+    )
+
+
+def compare_verb(arguments: argparse.Namespace) -> int:
+    """Run all in both worlds, and say what differs."""
+    from edulaunch.extras.comparing.known import BY_DESIGN, read_known
+    from edulaunch.extras.native.environment import needed
+
+    needed()
+    known = [*(read_known(arguments.known) if arguments.known else []), *BY_DESIGN]
+    items = _items(arguments)
+    signal.signal(signal.SIGTERM, lambda *_: os.kill(os.getpid(), signal.SIGINT))  # it ends in order, and all that it has started
+    try:
+        return _many(arguments, items, known) if len(items) != 1 else _one(arguments, items[0], known)
+    except KeyboardInterrupt:
+        print('stopped before the comparison was through; what it had started has ended', file=sys.stderr)
+        return 130
+
+
+def _items(arguments: argparse.Namespace) -> list[tuple[str, ...]]:
+    """The words of each comparison.
+
+    :raises UnusableInput: for a folder or package without launch files.
+    """
+    from edulaunch.extras.comparing.sweep import launch_files
+    from edulaunch.runtime.session import index_for
+
+    target, rest = arguments.target, arguments.rest
+    paths = [word for word in (target, *rest) if ':=' not in word]
+    given = tuple(word for word in rest if ':=' in word)
+    if len(paths) == 1 and not os.path.exists(target):
+        paths = [index_for(workspaces_of_command(arguments.workspace, target)).share(target) or target]
+    if not all(map(os.path.exists, paths)):
+        return [(target, *rest)]
+    found = [file for path in paths for file in (launch_files(path) if os.path.isdir(path) else (path,))]
+    if not found:
+        raise UnusableInput(f'there are no launch files in {target!r}.', help='name a launch file, or a folder with some')
+    return [(path, *given) for path in found]
+
+
+def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Known]) -> int:
+    from edulaunch.extras.comparing.known import reason, split
+    from edulaunch.extras.comparing.pair import compare
+
+    path, file, given = split_words(words[0], list(words[1:]))
+    workspaces = list(workspaces_of_command(arguments.workspace, path))
+    print(f'{" ".join(words)}: in simulation, then for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
+    found, chance, not_up, simulated, real = compare(
+        path, file, given, arguments.seconds, workspaces, lambda each: reason(known, words, each) is not None
+    )
+    found, explained = split(known, words, found)
+    if arguments.json:
+        _print_json(found, explained, simulated, real)
+    else:
+        _print_table(found)
+        for each in explained:
+            print(f'known: {each.why}')
+        if chance:
+            print('left out: what differs between simulations of different random numbers, too: ' + _subjects(chance))
+        for name in sorted(not_up):
+            print(f'left out: what {name} said, and its exit code: it was stopped before it was up')
+        print(f'compared, in simulation/for real: {counts(simulated, real)}')
+    return 1 if found else 0
+
+
+def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: Sequence[Known]) -> int:
+    from edulaunch.extras.comparing.sweep import gone, sweep
+
+    jobs = arguments.jobs or os.cpu_count() or 1
+    print(f'{len(items)} launch files, {jobs} at a time ...', file=sys.stderr)
+    options = [f'--workspace={folder}' for folder in arguments.workspace]
+    options += [f'--known={arguments.known}'] if arguments.known else []
+    rows = sweep(items, arguments.seconds, jobs, options, progress=lambda row: print(told(row), file=sys.stderr))
+    if arguments.json:
+        _print_rows_as_json(rows)
+    else:
+        print(table(rows))
+    for each in gone(known, rows):
+        print(f'known, and it did not occur: {each.file}: {each.why}', file=sys.stderr)
+    return 0 if all(row.is_well for row in rows) else 1
+
+
+def told(row: Row) -> str:
+    """One comparison in a line."""
+    return f'{row.verdict}: {" ".join(row.words)}'
+
+
+def table(rows: Sequence[Row]) -> str:
+    """All that is not equal, and how many of each there are."""
+    from edulaunch.canvas.table import TextTable
+
+    lines: list[tuple[str, ...]] = []
+    for row in rows:
+        name = ' '.join(row.words)
+        lines += [(name, row.trouble, '', '', '')] if row.trouble else []
+        lines += [(name, *each[:4]) for each in row.found]
+        lines += [(name, 'known', each.why, '', '') for each in row.known]
+    verdicts = [row.verdict for row in rows]
+    counts = ', '.join(f'{verdicts.count(each)} {each}' for each in dict.fromkeys(sorted(verdicts)))
+    heads = ('launch file', 'differs', 'of', 'in simulation', 'for real')
+    return '\n'.join([*([str(TextTable('differences', heads, _narrow(lines)))] if lines else []), f'of {len(rows)}: {counts}'])
+
+
+def _print_rows_as_json(rows: Sequence[Row]) -> None:
+    import json
+
+    told = [
+        {
+            'launch': ' '.join(row.words),
+            'verdict': row.verdict,
+            'differences': [each._asdict() for each in row.found],
+            'known': [each.why for each in row.known],
+            'trouble': row.trouble,
+        }
+        for row in rows
+    ]
+    print(json.dumps(told, indent=1))
+
+
+def _narrow(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    return [tuple(cell if len(cell) <= WIDEST else f'{cell[: WIDEST - 3]}...' for cell in row) for row in rows]
+
+
+def _subjects(found: Sequence[Difference]) -> str:
+    """What differs, without how."""
+    return ', '.join(dict.fromkeys(f'{each.kind} {each.name}' for each in found))
+
+
+def _print_json(found: Sequence[Difference], explained: Sequence[Known], simulated: Observation, real: Observation) -> None:
+    import json
+
+    sizes = {'simulated': _sizes(simulated), 'real': _sizes(real)}
+    rows = {'differences': [each._asdict() for each in found], 'known': [each._asdict() for each in explained]}
+    print(json.dumps({'equal': not found, **rows, 'compared': sizes}, indent=1))
+
+
+def _print_table(found: list[Difference]) -> None:
+    from edulaunch.canvas.table import TextTable
+
+    heads = ('differs', 'of', 'in simulation', 'for real')
+    print(TextTable('differences', heads, _narrow([each[:4] for each in found])) if found else 'nothing differs')
+
+
+def counts(simulated: Observation, real: Observation) -> str:
+    """How much there was to compare, in words; of each the number in simulation and for real."""
+    here, there = _sizes(simulated), _sizes(real)
+    return ', '.join(f'{what} {here[what]}/{there[what]}' for what in here)
+
+
+def _sizes(seen: Observation) -> dict[str, int]:
+    return {
+        'nodes': len(seen.nodes),
+        'endpoints': len(seen.ends),
+        'parameters': sum(map(len, seen.parameters.values())),
+        'topics and frames': len(seen.flows),
+        'messages': sum(len(flow.times) for flow in seen.flows.values()),
+        'lines': len(seen.lines),
+        'programs that ended': sum(map(len, seen.codes.values())),
+    }

@@ -1,0 +1,255 @@
+"""`edulaunch course`: what authors, teachers and students do with a whole course."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from typing import Any
+
+
+def add_verbs(verbs: Any) -> None:
+    """The sub-verbs, each with the course that it is about."""
+    reader = verbs.add_parser('reader', help='Make accessible HTML pages of all lessons, to be read without Jupyter and network')
+    reader.add_argument('out', metavar='OUT', help='a folder for the pages')
+    reader.add_argument('--teacher', action='store_true', help='with what was right, and the notes for teachers')
+    reader.add_argument('--kept', action='store_true', help='run nothing: the outputs that are kept, without pictures')
+    reader.add_argument('--pdf', action='store_true', help='OUT/course.pdf too, by a Chromium that is on this computer')
+    slides = verbs.add_parser('slides', help='Make slides of a lesson: one HTML file that needs no network')
+    slides.add_argument('lesson', metavar='LESSON', help='its name, or its number')
+    slides.add_argument('out', nargs='?', metavar='OUT', help='the file (default: LESSON.slides.html)')
+    slides.add_argument('--kept', action='store_true', help='run nothing: the outputs that are kept, without pictures')
+    notes = verbs.add_parser('notes', help='Show the notes for teachers on a lesson, or which there are')
+    notes.add_argument('lesson', nargs='?', metavar='LESSON', help='its name, or its number')
+    for parser in (reader, slides, notes):
+        parser.add_argument('--course', metavar='COURSE', help='its folder (default: the one around this folder, else ours)')
+
+
+def _reader(arguments: argparse.Namespace) -> int:
+    """`edulaunch course reader OUT`."""
+    from edulaunch.course.reader import write_reader
+
+    out = arguments.out
+    names, problem = write_reader(
+        _chosen_course(arguments), out, teacher=arguments.teacher, kept=arguments.kept, pdf=arguments.pdf
+    )
+    print(f'{out}: {len(names)} pages. Begin with {os.path.join(out, names[0])}')
+    if arguments.pdf:
+        print(problem or f'{os.path.join(out, "course.pdf")}: the whole course')
+    return 1 if problem else 0
+
+
+def _slides(arguments: argparse.Namespace) -> int:
+    """`edulaunch course slides LESSON [OUT]`."""
+    from edulaunch.course.slides import write_slides
+
+    out, count = write_slides(_chosen_course(arguments), arguments.lesson, arguments.out, kept=arguments.kept)
+    print(f'{out}: {count} slides. Open it in a browser: arrow keys, N for the whole text, O for all slides, or print it')
+    return 0
+
+
+def _notes(arguments: argparse.Namespace) -> int:
+    """`edulaunch course notes [LESSON]`."""
+    from edulaunch.course.lessons import list_of_notes, notes_of
+
+    course = _chosen_course(arguments)
+    print(notes_of(course, arguments.lesson) if arguments.lesson else list_of_notes(course))
+    return 0
+
+
+def _chosen_course(arguments: argparse.Namespace) -> str:
+    from edulaunch.course.lessons import course_around, given_course
+
+    return given_course(arguments.course) if arguments.course else course_around('.')
+
+
+def course_arguments(parser: argparse.ArgumentParser) -> None:
+    """The sub-verbs of `edulaunch course`."""
+    verbs = parser.add_subparsers(dest='what', metavar='VERB', required=True)
+    new = verbs.add_parser('new', help='Make a course of your own: one lesson and one exercise to begin with')
+    new.add_argument('folder', metavar='DIR')
+    copy = verbs.add_parser('copy', help='Put the course into a folder, as students get it')
+    copy.add_argument('folder', metavar='DIR')
+    copy.add_argument('--update', action='store_true', help='leave the files that you changed, copy what is new')
+    copy.add_argument(
+        '--course', metavar='COURSE', help='the folder of another course (default: the one that comes with edulaunch)'
+    )
+    copy.add_argument(
+        '--student', metavar='NAME', help="make it one student's own: with names and numbers of exercises chosen for NAME"
+    )
+    copy.add_argument('--course-secret-file', metavar='FILE', help='the secret that chooses them; edugrade batch takes the same')
+    lint = verbs.add_parser('lint', help='Check that lessons, exercises, solutions and rubrics belong together')
+    lint.add_argument('folder', nargs='?', default='.', metavar='DIR')
+    lint.add_argument('--quick', action='store_true', help='launch nothing')
+    listed = verbs.add_parser('list', help='Name the lessons and exercises of the course around this folder, or of ours')
+    listed.add_argument('folder', nargs='?', metavar='DIR')
+    verbs.add_parser('status', help='Say how far you are, and what to repeat')
+    opened = verbs.add_parser('open', help='Open the lessons in JupyterLab')
+    opened.add_argument('folder', nargs='?', default='.', metavar='DIR')
+    release = verbs.add_parser('release', help='Make what students get of your course: a folder, or a zip file')
+    release.add_argument('folder', metavar='DIR')
+    release.add_argument('out', metavar='OUT', help='a folder, or the name of a file that ends in .zip')
+    release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
+    template = verbs.add_parser('template', help='Put the files into a course with which a platform opens, checks or grades it')
+    template.add_argument(
+        'name', metavar='NAME', help='github, classroom, gradescope, devcontainer, binder, docker or jupyterhub'
+    )
+    template.add_argument('folder', nargs='?', default='.', metavar='DIR')
+    lite = verbs.add_parser('lite', help='Make the edition that runs in a browser, for any web server')
+    lite.add_argument('out', metavar='OUT')
+    lite.add_argument('--pyodide', metavar='FOLDER', required=True, help='of Pyodide, such as node_modules/pyodide')
+    lite.add_argument(
+        '--course', metavar='COURSE', help='whose exercises it offers (default: the course that comes with edulaunch)'
+    )
+    store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
+    store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
+    add_verbs(verbs)
+
+
+def course_verb(arguments: argparse.Namespace) -> int:
+    """Returns the exit code."""
+    code: int = globals()[f'_{arguments.what}'](arguments)
+    return code
+
+
+def _new(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.copying import new_course
+
+    for name in new_course(arguments.folder):
+        print(f'  {name}')
+    print(f'{arguments.folder} is a course. Check it: edulaunch course lint {arguments.folder}')
+    return 0
+
+
+def _copy(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.copying import copy_files, student_files
+    from edulaunch.course.lessons import given_course, our_course
+
+    course = given_course(arguments.course or our_course())
+    _not_into_itself(course, arguments.folder)
+    files = student_files(course)
+    if arguments.student:
+        files = _personal(files, course, arguments.student, arguments.course_secret_file)
+    done = copy_files(files, arguments.folder, update=arguments.update)
+    for name in done.left_alone:
+        print(f'left alone, for you changed it: {name}')
+    print(f'{arguments.folder}: {len(done.written)} files copied. Begin: edulaunch course open {arguments.folder}')
+    return 0
+
+
+def _personal(files: dict[str, bytes], course: str, student: str, secret: str | None) -> dict[str, bytes]:
+    from edugrade.variant import CourseSecret
+
+    from edulaunch.course.copying import personal_files
+    from edulaunch.errors import UnusableInput
+
+    if secret is None:
+        raise UnusableInput('whose variant it is is chosen by the secret of the course', help='--course-secret-file FILE')
+    return personal_files(files, course, student, CourseSecret(secret))
+
+
+def _lint(arguments: argparse.Namespace) -> int:
+    from edugrade.course_check import main as check
+
+    from edulaunch.course.lesson_form import lesson_problems
+    from edulaunch.course.lessons import given_course
+
+    problems = list(lesson_problems(given_course(arguments.folder)))
+    for problem in problems:
+        print(f'course: {problem}')
+    sys.stdout.flush()  # edugrade's processes write too
+    return 1 if check([arguments.folder, *(['--quick'] if arguments.quick else [])]) or problems else 0
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.lessons import contents, course_around, given_course
+
+    print(contents(given_course(arguments.folder) if arguments.folder else course_around('.')))
+    return 0
+
+
+def _status(arguments: argparse.Namespace) -> int:
+    from edulaunch.course import progress
+
+    print(progress())
+    return 0
+
+
+def _open(arguments: argparse.Namespace) -> int:
+    from importlib.util import find_spec
+    from subprocess import call
+
+    from edulaunch.course.lessons import LESSONS, given_course
+    from edulaunch.errors import UnusableInput
+
+    folder = given_course(arguments.folder)
+    if find_spec('jupyterlab') is None:
+        raise UnusableInput('JupyterLab is not installed', help="pip install 'edulaunch[notebook]' installs it; then try again")
+    lessons = [f'--LabApp.default_url=/lab/tree/{LESSONS}'] if os.path.isdir(os.path.join(folder, LESSONS)) else []
+    try:
+        return call([sys.executable, '-m', 'jupyterlab', *lessons], cwd=folder)
+    except KeyboardInterrupt:
+        return 130
+
+
+def _release(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.copying import copy_files, student_files, write_zip
+    from edulaunch.course.lessons import given_course
+    from edulaunch.errors import UnusableInput
+
+    course, out = given_course(arguments.folder), arguments.out
+    files = student_files(course, rubrics=arguments.with_rubrics)
+    if out.endswith('.zip'):
+        write_zip(files, out)
+    else:
+        _not_into_itself(course, out)
+        if os.path.isdir(out) and os.listdir(out):
+            raise UnusableInput(
+                f'{out} is not empty: what lies there would be released too', help='give a folder that is not there yet'
+            )
+        copy_files(files, out)
+    kept_back = 'solutions and outputs' if arguments.with_rubrics else 'solutions, outputs and rubrics'
+    print(f'{out}: {len(files)} files, without {kept_back}')
+    return 0
+
+
+def _not_into_itself(course: str, target: str) -> None:
+    from edulaunch.errors import UnusableInput
+
+    if os.path.realpath(course) == os.path.realpath(target):
+        raise UnusableInput(f'{target} is the course itself', help='give another folder')
+
+
+def _template(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.templates import NEXT, write_template
+
+    for path in write_template(arguments.name, arguments.folder):
+        print(f'  {path}')
+    print(f'Next: {NEXT[arguments.name]}')
+    return 0
+
+
+def _lite(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.lessons import given_course, our_course
+    from edulaunch.course.lite.site import make_site
+
+    for note in make_site(arguments.out, arguments.pyodide, given_course(arguments.course or our_course())):
+        print(f'note: {note}')
+    print(f'{arguments.out} is a web site. Look at it: python -m http.server --directory {arguments.out}')
+    return 0
+
+
+def _store(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.stored import store_outputs
+    from edulaunch.engine.nearest import nearest_file
+    from edulaunch.errors import UnusableInput
+
+    for notebook in arguments.notebooks:
+        if not os.path.isfile(notebook):
+            folder, name = os.path.split(notebook)
+            beside = os.listdir(folder or '.') if os.path.isdir(folder or '.') else []
+            near = nearest_file(name, [file for file in beside if file.endswith('.ipynb')])
+            raise UnusableInput(f'{notebook} does not exist', help=near and f'did you mean {os.path.join(folder, near)!r}?')
+        store_outputs(notebook)
+        print(f'{notebook}: its outputs are kept, the notebook itself has none')
+    return 0

@@ -1,0 +1,105 @@
+"""`edulaunch env`: where ROS's import packages are; with `--shell` what makes them importable in a shell.
+
+`edulaunch python node.py`: Python with them, and with the packages of the workspaces here.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Mapping
+
+from edulaunch.engine.packages.discovery import find_workspaces
+from edulaunch.engine.underlay_place import underlay_prefix, underlay_python
+
+FUNCTIONS = """colcon() {
+    if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
+}
+sudo() { edulaunch env --answer "$@" || command sudo "$@"; }
+apt() { edulaunch env --answer apt "$@" || command apt "$@"; }
+function source {
+    if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
+}
+function . { source "$@"; }
+for name in rqt rqt_console rqt_graph rqt_plot rviz2; do
+    command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
+done
+unset name
+"""
+"""The lines of a tutorial that set a computer up, as functions of bash and zsh. They step aside for what is really there."""
+
+
+def env_arguments(parser: argparse.ArgumentParser) -> None:
+    """What to print."""
+    parser.add_argument(
+        '--shell',
+        action='store_true',
+        help='print what to evaluate in a shell: eval "$(edulaunch env --shell)", then python3 node.py',
+    )
+    parser.add_argument(
+        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help='say whether a line of a tutorial is needed here'
+    )
+
+
+def env_verb(arguments: argparse.Namespace) -> int:
+    """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers; or lines for a shell."""
+    if arguments.answer is not None:
+        return _answer(arguments.answer)
+    if not arguments.shell:
+        print(underlay_python())
+        return 0
+    from shlex import quote
+
+    for name, value in sorted(sourced_environment(os.environ).items()):
+        print(f'export {name}={quote(value)}')
+    print(f'if [ -n "$BASH_VERSION$ZSH_VERSION" ]; then eval {quote(FUNCTIONS)}; fi')
+    return 0
+
+
+def _answer(words: list[str]) -> int:
+    """Say what a line that sets a computer up means here, or open what stands for a window; 1 when it is none of those."""
+    from edulaunch.advice.workspace.not_needed import WINDOWS, answer
+
+    said = answer(words)
+    if said is None:
+        return 1
+    if words[0] in WINDOWS and sys.stdout.isatty():
+        sys.stdout.flush()
+        os.execv(sys.executable, [sys.executable, '-m', 'edulaunch', 'view', '--tab', WINDOWS[words[0]]])
+    print(said)
+    return 0
+
+
+def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
+    """The variables that a shell, or a program, needs so that Python finds `rclpy` and the packages of the workspaces here."""
+    workspaces = find_workspaces(os.getcwd(), env)
+    first = {
+        'PATH': [os.path.dirname(sys.executable)],
+        'PYTHONPATH': [os.path.join(underlay_prefix(), 'shell'), underlay_python()],
+        'AMENT_PREFIX_PATH': [underlay_prefix()],
+    }
+    found = {
+        name: os.pathsep.join(dict.fromkeys([*paths, *filter(None, env.get(name, '').split(os.pathsep))]))
+        for name, paths in first.items()
+    }
+    found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3')
+    if workspaces:
+        found['EDULAUNCH_WORKSPACES'] = os.pathsep.join(workspaces)
+    return found
+
+
+def python_arguments(parser: argparse.ArgumentParser) -> None:
+    """Whatever Python takes."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell python3')
+
+
+def python_verb(arguments: argparse.Namespace) -> int:
+    """Run it; its exit code is the command's."""
+    env = {**os.environ, **sourced_environment(os.environ)}
+    words = [sys.executable, *arguments.rest]
+    if os.name != 'nt':
+        os.execve(sys.executable, words, env)
+    import subprocess  # on Windows a program that is replaced seems to have ended to the shell
+
+    return subprocess.run(words, env=env, check=False).returncode

@@ -1,0 +1,166 @@
+"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything.
+
+`edulaunch plan --json`: the plan of a launch file, for programs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.cli.launch import split_words
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.advice.explaining.explained import Explanation, Tree
+
+EXAMPLES = """examples:
+  edulaunch explain turtlesim multisim.launch.py
+  edulaunch explain my.launch.py background_r:=200             with an argument, as for `ros2 launch`
+  edulaunch explain my.launch.py /sim background_g             why has this parameter this value
+  edulaunch explain my.launch.py background_r                  why has this launch argument this value
+  edulaunch explain --diff my.launch.py other.launch.py        what differs between two launch files
+  edulaunch explain --diff my.launch.py gui:=true gui:=false   ... between two sets of arguments ("a:=1 b:=2" for several)"""
+
+
+def explain_arguments(parser: argparse.ArgumentParser) -> None:
+    """The launch file as for `edulaunch launch`, and what to show of it."""
+    parser.epilog = EXAMPLES
+    parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or its path')
+    parser.add_argument(
+        'rest',
+        nargs='*',
+        metavar='FILE | name:=value | NODE PARAMETER | ARGUMENT',
+        help='launch file name, launch arguments; what is to be explained, if not all',
+    )
+    parser.add_argument('--diff', action='store_true', help='what differs: two launch files, or two sets of arguments of one')
+    parser.add_argument('--json', action='store_true', help='as plain data')
+    parser.add_argument(
+        '--assume-packages', action='store_true', help='go on when packages are missing, with empty ones instead, and say which'
+    )
+    parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
+
+
+def explain_verb(arguments: argparse.Namespace) -> int:
+    """Print it. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
+    import gc
+
+    gc.disable()  # this program ends soon; to look for what could be forgotten takes longer than to draw the tree
+    if arguments.diff:
+        return _compare(arguments)
+    explanation, subject = explained(arguments)
+    if subject:
+        _print(explanation.why(*subject), arguments)
+        return 0
+    _print(explanation, arguments)
+    if not arguments.json:
+        data = explanation.data
+        reason = data['shutdown_reason'] or 'none'
+        print(f'nodes: {data["nodes"]}, other processes: {data["processes"]}, reason of the shutdown: {reason}')
+    return report(explanation)
+
+
+def explained(arguments: argparse.Namespace) -> tuple[Explanation, list[str]]:
+    """The explanation, and what is asked for: nothing, a launch argument, or a node and perhaps its parameter."""
+    first, file, words, subject = _words(arguments.package_or_path, arguments.rest)
+    return _explained(first, file, words, arguments), subject
+
+
+def _explained(first: str, file: str | None, given: dict[str, str], arguments: argparse.Namespace) -> Explanation:
+    from edulaunch.advice.explaining import explain
+
+    assume = arguments.assume_packages
+    return explain(first, file, arguments=given, workspaces=arguments.workspace, assume_packages=assume)
+
+
+def _words(first: str, rest: Sequence[str]) -> tuple[str, str | None, dict[str, str], list[str]]:
+    """Package or path, file, launch arguments, and the node, parameter or argument to be explained."""
+    words = [word for word in rest if ':=' in word]
+    names = [word for word in rest if ':=' not in word]
+    file = names.pop(0) if names and not os.path.isfile(first) and not _is_path(first) else None
+    if len(names) > 2 or any('=' in name for name in names):
+        split_words(first, list(rest))  # says what is wrong with a word
+        raise UnusableInput(f'too many words: {" ".join(names)}.', help='name a node and a parameter, or a launch argument')
+    return first, file, split_words(first, words)[2], names
+
+
+def _is_path(word: str) -> bool:
+    return os.sep in word or word.endswith(('.py', '.xml', '.yaml', '.yml', '.launch'))
+
+
+def _compare(arguments: argparse.Namespace) -> int:
+    import shlex
+
+    files = [arguments.package_or_path, *(word for word in arguments.rest if ':=' not in word)]
+    sets = [shlex.split(word) for word in arguments.rest if ':=' in word]
+    is_package = not (os.path.isfile(files[0]) or _is_path(files[0]))
+    named = [(files[0], file) for file in files[1:]] if is_package else [(file, None) for file in files]
+    if len(named) == 2:
+        both = [word for words in sets for word in words]
+        cases = [(*name, both) for name in named]
+    elif len(named) == 1 and 1 <= len(sets) <= 2:
+        cases = [(*named[0], words) for words in ([[], *sets] if len(sets) == 1 else sets)]
+    else:
+        raise UnusableInput(
+            '--diff compares two launch files, or one launch file with two sets of arguments.',
+            help='write --diff A.launch.py B.launch.py, or --diff A.launch.py name:=1 name:=2',
+        )
+    before, after = (_explained(first, file, split_words(first, words)[2], arguments) for first, file, words in cases)
+    _print(before.compare(after), arguments)
+    return max(report(before), report(after))
+
+
+def _print(tree: Tree, arguments: argparse.Namespace) -> None:
+    if arguments.json:
+        import json
+
+        data: Any = tree.data
+        print(json.dumps(data, indent=1, sort_keys=True))
+        return
+    from edulaunch.advice.explaining.tree import ASCII_TWIGS, TWIGS, drawn, print_in_colour
+
+    try:
+        ''.join(TWIGS).encode(sys.stdout.encoding or 'ascii')
+        twigs = TWIGS
+    except UnicodeEncodeError:
+        twigs = ASCII_TWIGS
+    if sys.stdout.isatty():
+        print_in_colour(tree.title, tree.entries, twigs)
+        return
+    print('\n'.join((tree.title, *drawn(tree.entries, twigs))))
+
+
+def report(explanation: Explanation) -> int:
+    """What was missing, and the error, on standard error; returns the exit code."""
+    packages, others = explanation.missing
+    if packages:
+        print(f'missing packages, with placeholders instead: {", ".join(packages)}', file=sys.stderr)
+    for other in others:
+        print(f'missing: {other}', file=sys.stderr)
+    error = explanation.plan['error']
+    if error is None:
+        return 0
+    place = f'\n  at {error["origin"]}' if error.get('origin') else ''
+    help = f'\n  help: {error["help"]}' if error.get('help') else ''
+    print(f'error: {error["text"]}{place}{help}', file=sys.stderr)
+    return 1
+
+
+def plan_arguments(parser: argparse.ArgumentParser) -> None:
+    """Those of `edulaunch explain`."""
+    explain_arguments(parser)
+
+
+def plan_verb(arguments: argparse.Namespace) -> int:
+    """With --json the plan, in the plan format 1; else what `edulaunch explain` says."""
+    if not arguments.json or arguments.diff:
+        print('plan is called explain now: edulaunch explain (plan --json stays)', file=sys.stderr)
+        return explain_verb(arguments)
+    import json
+
+    explanation, _ = explained(arguments)
+    print(json.dumps(explanation.plan, indent=1, sort_keys=True))
+    return report(explanation)

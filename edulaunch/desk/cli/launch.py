@@ -1,0 +1,211 @@
+"""`edulaunch launch`: a launch file in the simulation, with the console of `ros2 launch`."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from types import FrameType
+from typing import TextIO
+
+from edulaunch.advice.wording import said_at_the_end
+from edulaunch.desk.cli.ros2.launch import add_launch_arguments, add_network, prefix_arguments, wants_network
+from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.processes.current import current_process
+from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.runtime.launching import find_launch_file, launch_argument
+from edulaunch.runtime.session import Session
+
+
+def launch_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
+    parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
+    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
+    add_launch_arguments(parser)
+    add_network(parser)
+    parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
+    parser.add_argument(
+        '--stdin',
+        action='append',
+        default=[],
+        type=_stdin,
+        metavar='NAME=FILE',
+        help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
+    )
+    parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
+    parser.add_argument(
+        '--real', action='store_true', help='run each node as a real process on the real rclpy (edulaunch network install)'
+    )
+    parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
+    parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
+    parser.add_argument(
+        '--view', metavar='FILE', nargs='?', const='', help='write a page that plays the run, and name it (default: NAME.html)'
+    )
+    parser.add_argument(
+        '--workspace',
+        action='append',
+        default=[],
+        metavar='DIR',
+        help='folder with packages; may be repeated (default: what is found from here, as if it was sourced)',
+    )
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'{text!r} is not a number of seconds') from None
+    if not 0 <= value <= 1e6:
+        raise argparse.ArgumentTypeError(f'{text} is not between 0 and 1000000 seconds')
+    return value
+
+
+def launch_verb(arguments: argparse.Namespace) -> int:
+    """Run it. 0 when launch ended well (also when a node died, as in ROS 2), 1 when it did not, 2 for unusable input."""
+    package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
+    for folder in arguments.workspace:
+        if not os.path.isdir(folder):
+            raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
+    if wants_network(arguments):
+        why = 'a launch with a machine of its own joins no real network: only the machine of the terminals does'
+        raise UnusableInput(why, help='type: ros2 launch --network ... (or --real: each node a real process)')
+    given.update(prefix_arguments(arguments))
+    interactive = sys.stdin.isatty() and not arguments.noninteractive
+    env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
+    with _session_class(arguments)(
+        seed=arguments.seed,
+        workspaces=workspaces_of_command(arguments.workspace, package_or_path),
+        console=_print,
+        env=env,
+        stdin=dict(arguments.stdin),
+    ) as session:
+        if arguments.show_args or arguments.print:
+            return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)
+        launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
+        terminal = Terminal(session, arguments.seconds)
+        terminal.run(0.0 if arguments.fast else 1.0)
+        recording = session.recording()
+        for line in [] if arguments.quiet else said_at_the_end(recording, helped=session.host.asides.helped):
+            print(line, file=sys.stderr)
+        for warning in session.index.warnings:
+            print(f'warning: {warning}', file=sys.stderr)
+        for name in session.host.unread_stdin:
+            print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
+        if arguments.record:
+            recording.save(arguments.record)
+            summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
+            print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
+        if arguments.view is not None:
+            from edulaunch.desk.cli.recording import write_page
+
+            name = os.path.basename(launch.path).partition('.')[0]
+            print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)
+    return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def _session_class(arguments: argparse.Namespace) -> type[Session]:
+    """In the simulation, or for real.
+
+    :raises UnusableInput: for --real without the real rclpy, or with options that need simulated time.
+    """
+    if not arguments.real:
+        return Session
+    from edulaunch.extras.native.environment import needed
+    from edulaunch.extras.network.native_session import NativeSession
+
+    if arguments.fast:
+        raise UnusableInput('--fast needs simulated time.', help='leave out --fast, or --real')
+    needed()
+    return NativeSession
+
+
+def _stdin(word: str) -> tuple[str, str | TextIO]:
+    name, sign, file = word.partition('=')
+    if not (name and sign and file):
+        raise argparse.ArgumentTypeError(f'{word!r} is not NAME=FILE')
+    if file == '-':
+        return name, sys.stdin
+    try:
+        with open(file, encoding='utf-8') as keys:
+            return name, keys.read()
+    except (OSError, UnicodeDecodeError) as error:
+        raise argparse.ArgumentTypeError(f'{file} cannot be read: {error}') from None
+
+
+def _look(session: Session, path: str, show_args: bool) -> int:
+    """Print the arguments or the description of a launch file.
+
+    :raises LaunchFileError: when it cannot be loaded.
+    """
+    from ros2launch.api import print_a_launch_file, print_arguments_of_launch_file
+
+    from edulaunch.runtime.launch_process import explain
+
+    process = current_process()
+    process.index, process.host.index = session.index, session.index
+    process.env.update(session.host.env)
+    try:
+        (print_arguments_of_launch_file if show_args else print_a_launch_file)(launch_file_path=path)
+    except Exception as error:
+        told = explain(error, session.index)
+        raise LaunchFileError(told.text, help=told.help) from error
+    return 0
+
+
+def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str, str]]:
+    """What `ros2 launch` makes of its words: a file by path takes only arguments, a package takes a file name first.
+
+    :raises UnusableInput: for an argument that is not `name:=value`, with ROS 2's text.
+    """
+    file = None
+    words = list(rest)
+    if words and ':=' not in words[0] and not os.path.isfile(first):
+        file = words.pop(0)
+    return first, file, dict(map(launch_argument, words))
+
+
+def _print(stream: str, text: str) -> None:
+    sys.stdout.write(text)
+    sys.stdout.flush()
+
+
+class Terminal:
+    """Ctrl-C for a running session: the first press shuts the system down as ROS 2 does; further ones insist.
+
+    A press only sets a mark, which is looked at between two steps of the simulation. When the mark of the press before is
+    still there, some program keeps its turn: the interrupt is then raised right where it is.
+    """
+
+    def __init__(self, session: Session, seconds: float | None) -> None:
+        self._session = session
+        self._seconds = seconds
+        self._pressed = 0
+        self._deadline_ns: int | None = None
+
+    def run(self, speed: float) -> None:
+        """Run until launch has ended; after `seconds`, press Ctrl-C."""
+        from edulaunch.engine.processes.streams import streams_of_programs
+        from edulaunch.engine.sim.pacing import Pacer
+
+        sim = self._session.sim
+        before = signal.signal(signal.SIGINT, self._press)
+        try:
+            if self._seconds is not None:
+                sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
+            with streams_of_programs():
+                Pacer(sim, speed).run(None, self._is_over)
+        finally:
+            signal.signal(signal.SIGINT, before)
+
+    def _press(self, signum: int, frame: FrameType | None) -> None:
+        if self._pressed:
+            self._pressed = 0
+            raise KeyboardInterrupt
+        self._pressed = 1
+
+    def _is_over(self) -> bool:
+        if self._pressed:
+            self._pressed = 0
+            self._session.interrupt()
+        return self._session.is_over

@@ -1,0 +1,132 @@
+"""What is said to the machine that the terminals of this user and domain share: `edulaunch machine`; `edulaunch network` joins it
+to a real ROS 2 network; `edulaunch view` is its live page in a browser, in place of turtlesim's window, rviz2 and the rqt tools.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    import socket
+
+
+def machine_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the machine shall do."""
+    parser.add_argument('word', choices=('status', 'pause', 'resume', 'speed', 'stop'), nargs='?', default='status')
+    parser.add_argument('value', nargs='?', help='for speed: simulated seconds per second')
+
+
+def machine_verb(arguments: argparse.Namespace) -> int:
+    """Tell it; 1 when no machine is running."""
+    from edulaunch.desk.machine.client import run
+
+    words = ['machine', arguments.word] + ([arguments.value] if arguments.value else [])
+    return run(words, start=False)
+
+
+def network_arguments(parser: argparse.ArgumentParser) -> None:
+    """On or off, and what crosses."""
+    parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
+    parser.add_argument('--topics', nargs='+', default=[], metavar='NAME', help='topics, services and namespaces that cross')
+    parser.add_argument('--clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
+    parser.add_argument('--link', default='cyclonedds', help='what carries the messages: cyclonedds (default) or rclpy')
+
+
+def network_verb(arguments: argparse.Namespace) -> int:
+    """Tell the machine (`on` starts one when there is none), or install the real rclpy."""
+    from edulaunch.desk.machine.client import run
+
+    if arguments.word == 'install':
+        return _install()
+    if arguments.word == 'status':
+        _say_what_is_installed()
+    words = ['machine', 'network', arguments.word]
+    if arguments.word == 'on':
+        words += [arguments.link, 'clock' if arguments.clock else '-', *arguments.topics]
+    return run(words, start=arguments.word == 'on')
+
+
+def _say_what_is_installed() -> None:
+    from edulaunch.extras.native import environment
+
+    there = environment.found()
+    if there is None:
+        print(f'real rclpy: not installed ({environment.unsuited() or "edulaunch network install"})', flush=True)
+    else:
+        print(f'real rclpy: {there.version} in {there.place}', flush=True)
+
+
+def _install() -> int:
+    """Make the environment; on a terminal its steps overwrite each other."""
+    from edulaunch.extras.native import environment
+
+    live = sys.stderr.isatty()
+    made = environment.install(lambda step: print(f'\r\x1b[K{step}' if live else step, end='' if live else '\n', file=sys.stderr))
+    if live:
+        print('\r\x1b[K', end='', file=sys.stderr)
+    print(f'real rclpy: {made.version} in {made.place}')
+    return 0
+
+
+def view_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the verb."""
+    from edulaunch.desk.view import TABS
+
+    parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side at first')
+    parser.add_argument('--port', type=int, default=0, help='port on this computer (default: any that is free)')
+    parser.add_argument('--no-browser', action='store_true', help='only say where the page is')
+    parser.add_argument('--until-eof', action='store_true', help=argparse.SUPPRESS)
+
+
+def view_verb(arguments: argparse.Namespace) -> int:
+    """Serve the page until Ctrl-C. Returns the exit code.
+
+    :raises UnusableInput: when the port is taken, or no machine can be started.
+    """
+    import asyncio
+
+    from edulaunch.desk.machine.place import UnsafePlace, folder
+    from edulaunch.desk.machine.web import serve, show, tell
+
+    try:
+        folder()
+    except UnsafePlace as error:
+        raise UnusableInput(str(error)) from None
+
+    def opened(address: str) -> None:
+        tell(address, '' if arguments.until_eof else '  Ctrl-C ends it; the machine goes on\n')
+        if not arguments.no_browser:
+            show(address)
+
+    async def page() -> None:
+        serving = asyncio.ensure_future(serve(_connect, port=arguments.port, tab=arguments.tab, opened=opened))
+        if arguments.until_eof:  # whoever started us ends, or is killed
+            asyncio.get_running_loop().add_reader(0, serving.cancel)
+        with suppress(asyncio.CancelledError):
+            await serving
+
+    try:
+        asyncio.run(page())
+    except KeyboardInterrupt:
+        return 0
+    except (OSError, OverflowError) as error:
+        raise UnusableInput(f'cannot serve the page: {error}', help='choose another --port, or none') from None
+    return 0
+
+
+def _connect() -> tuple[socket.socket, bytes]:
+    """A new connection to the machine, which starts if it has to."""
+    from edulaunch.desk.machine.client import connect, hello
+    from edulaunch.desk.machine.place import domain
+
+    found = connect(domain(), start=True)
+    if found is None:
+        raise OSError('the machine does not answer')
+    client, token = found
+    client.setblocking(False)
+    return client, hello(token, ['machine', 'view'], keyboard=False)

@@ -1,0 +1,115 @@
+"""`edulaunch pkg create` makes a package as `ros2 pkg create` does; `edulaunch pkg check` looks for common mistakes."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.advice.workspace.new_package import NewPackage
+
+
+def pkg_arguments(parser: argparse.ArgumentParser) -> None:
+    """The sub-verbs."""
+    verbs = parser.add_subparsers(dest='what', metavar='create | check', required=True)
+    add_create_arguments(verbs.add_parser('create', help='create a new ROS 2 package'))
+    check = verbs.add_parser('check', help='look for common mistakes in packages')
+    check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
+
+
+def add_create_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of `ros2 pkg create`."""
+    from edulaunch.advice.workspace.new_package import BUILD_TYPES, NewPackage
+
+    parser.add_argument('package_name', help='the package name')
+    parser.add_argument('--package-format', '--package_format', choices=['2', '3'], default='3', help='the format of package.xml')
+    parser.add_argument('--description', default=NewPackage.description, help='the description given in package.xml')
+    parser.add_argument('--license', default=NewPackage.license, help='the license, such as Apache-2.0')
+    parser.add_argument('--destination-directory', default=os.curdir, help='where to create the package (default: here)')
+    parser.add_argument('--build-type', default=NewPackage.build_type, choices=BUILD_TYPES, help='how the package is built')
+    parser.add_argument('--dependencies', nargs='+', action='extend', default=[], help='packages that it depends on')
+    parser.add_argument('--maintainer-email', help='email address of the maintainer')
+    parser.add_argument('--maintainer-name', help='name of the maintainer')
+    parser.add_argument('--node-name', help='name of an empty node that is created too')
+    parser.add_argument('--library-name', help='name of an empty library that is created too')
+
+
+def pkg_verb(arguments: argparse.Namespace) -> int:
+    """Make a package, or check packages: 0 when all is well, 1 when there are findings or it could not be made."""
+    return create(arguments) if arguments.what == 'create' else check(arguments.path)
+
+
+def create(arguments: argparse.Namespace) -> int:
+    """Make a package, and say what is made."""
+    from edulaunch.advice.workspace.new_package import create_package
+    from edulaunch.errors import PackageError
+
+    try:
+        create_package(described_package(arguments, *maintainer()), print)
+    except PackageError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
+    """What the options describe; `name` and `email` are those of the maintainer when no option says so."""
+    from edulaunch.advice.workspace.new_package import NewPackage
+
+    return NewPackage(
+        arguments.package_name,
+        arguments.destination_directory,
+        arguments.build_type,
+        arguments.license,
+        arguments.description,
+        tuple(arguments.dependencies),
+        arguments.maintainer_name or name,
+        arguments.maintainer_email or email,
+        arguments.node_name,
+        arguments.library_name,
+    )
+
+
+def maintainer() -> tuple[str, str]:
+    """Name and address of whoever works here: the user's, and what git knows, as `ros2 pkg create` takes them."""
+    import getpass
+    import subprocess
+
+    try:
+        name = getpass.getuser()
+    except (OSError, KeyError):
+        name = 'user'
+    try:
+        words = ['git', 'config', '--global', 'user.email']
+        email = subprocess.run(words, capture_output=True, text=True, timeout=5, check=False).stdout.strip()
+    except (OSError, subprocess.SubprocessError):
+        email = ''
+    return name, email or f'{name}@todo.todo'
+
+
+def check(path: str) -> int:
+    """Print what is wrong in the packages below `path`."""
+    from edulaunch.advice.judging import judge_workspace
+    from edulaunch.advice.reader import reader_here
+    from edulaunch.advice.source_package import workspace_at
+    from edulaunch.advice.wording import told
+
+    if not os.path.isdir(path):
+        raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')
+    workspace = workspace_at(path)
+    findings = judge_workspace(workspace)
+    reader = reader_here()._replace(folder=workspace.path)
+    for finding in findings:
+        words = told(finding, reader)
+        print(f'{words.where}: {words.what}\n  help: {words.do}')
+    names, count = [package.name for package in workspace.packages], len(findings)
+    print(
+        f'{len(names)} package{"s" * (len(names) != 1)} checked'
+        + (f' ({", ".join(names)})' if names else '')
+        + f': {count or "no"} finding{"s" * (count != 1)}'
+    )
+    return 1 if findings else 0

@@ -1,0 +1,61 @@
+"""`ros2 run`, `ros2 launch` and `ros2 component standalone` of a program of `--real`: what they start is real, too.
+
+`python -m edulaunch.desk.cli.real LOCK WORDS...`: a file that is locked as long as the launch lives, and the words after `ros2`.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from edulaunch.desk.cli.launch import Terminal
+from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.extras.native.ending import end_with
+from edulaunch.extras.network.native_session import NativeSession
+from edulaunch.runtime.session import Session
+
+
+class Command:
+    """A command in the place of a launch: Ctrl-C reaches it, and the session is over with it."""
+
+    def __init__(self, session: Session, words: Sequence[str]) -> None:
+        spec = ProcessSpec(argv=('ros2', *words), name='ros2', env=dict(session.host.env))
+        self._process = session.host.start(spec, _write)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it has ended."""
+        return self._process.returncode is not None
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C."""
+        self._process.send_signal(signal.SIGINT)
+
+    @property
+    def code(self) -> int:
+        """Its exit code."""
+        return self._process.returncode or 0
+
+
+def _write(stream: str, text: str) -> None:
+    place = getattr(sys, stream)
+    place.write(text)
+    place.flush()
+
+
+def main() -> int:
+    """Run it to its end."""
+    lock, *words = sys.argv[1:]
+    end_with(lock)
+    with NativeSession(workspaces=workspaces_of_command((), words[1] if len(words) > 1 else '')) as session:
+        command: Any = Command(session, words)
+        session.launches.append(command)
+        Terminal(session, None).run(1.0)
+    return int(command.code)
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,235 @@
+"""`edulaunch recording info|show|export`: what a recording holds, as text, a page that plays it, pictures, bags and tables."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import webbrowser
+from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import Any
+
+from edulaunch.engine.recording import Recording
+from edulaunch.errors import UnusableInput
+from edulaunch.ros.sourcing import source
+
+PROCESS = ('name', 'pid', 'origin', 'started_s', 'ended_s', 'returncode')
+PICTURES = ('turtles', 'frames', 'tree', 'graph')
+TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters')
+
+
+def export_arguments(parser: argparse.ArgumentParser) -> None:
+    """Which form, and where."""
+    parser.add_argument('file', metavar='FILE', help='a recording')
+    form = parser.add_mutually_exclusive_group(required=True)
+    form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='as a bag for `ros2 bag` (default: FILE_bag)')
+    form.add_argument('--csv', metavar='FOLDER', nargs='?', const='', help='one table for each topic (default: FILE_csv)')
+    parser.add_argument('--topics', nargs='+', metavar='TOPIC', help='only these topics')
+    parser.add_argument('--storage', choices=('mcap', 'sqlite3'), default='mcap', help='of the bag (default: mcap)')
+
+
+def export(arguments: argparse.Namespace) -> int:
+    """Write it, and print where it is; 0 when that went well.
+
+    :raises UnusableInput: when the folder is there already, or cannot be made.
+    """
+    source()
+    recording = Recording.load(arguments.file)
+    stem = os.path.splitext(arguments.file)[0]
+    folder = (arguments.bag or f'{stem}_bag') if arguments.bag is not None else (arguments.csv or f'{stem}_csv')
+    if os.path.exists(folder):
+        raise UnusableInput(f'{folder} is there already', help='name a new folder, or remove it')
+    names = [name for name, topic in recording.topics.items() if topic.count]
+    for name in arguments.topics or ():
+        if name not in names:
+            raise UnusableInput(f'nothing was published on {name}', help=f'topics: {", ".join(names)}')
+    chosen = arguments.topics or names
+    try:
+        if arguments.bag is not None:
+            _write_bag(recording, folder, arguments.storage, chosen)
+        else:
+            _write_tables(recording, folder, chosen)
+    except OSError as error:
+        raise UnusableInput(f'{folder} cannot be written: {error.strerror}') from None
+    print(folder)
+    return 0
+
+
+def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]) -> None:
+    """The messages at the times when they were published; of a topic with several types those of the first."""
+    from edulaunch.desk.cli.ros2.bag_record import write_bag
+
+    topics = [
+        SimpleNamespace(name=name, cls=type(recording.messages(name)[0][1]), offered=recording.offered(name)) for name in names
+    ]
+    messages = [
+        (recording.start_ns + time_ns, topic.name, wire)
+        for topic in topics
+        for time_ns, wire in recording.wires(topic.name, topic.cls.TYPE)
+    ]
+    write_bag(folder, storage, topics, sorted(messages, key=lambda message: message[0]), recording.registry)
+
+
+def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
+    """A file `turtle1.pose.csv` for the topic /turtle1/pose: seconds, and a column for each number or text of the message."""
+    import csv
+
+    os.makedirs(folder)
+    for name in names:
+        rows = [(time_s, dict(_cells(message))) for time_s, message in recording.messages(name)]
+        columns = list(dict.fromkeys(column for _, cells in rows for column in cells))
+        with open(os.path.join(folder, name.strip('/').replace('/', '.') + '.csv'), 'w', encoding='utf-8', newline='') as file:
+            table = csv.writer(file)
+            table.writerow(['time', *columns])
+            table.writerows([f'{time_s:.9f}', *(cells.get(column, '') for column in columns)] for time_s, cells in rows)
+
+
+def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
+    """Path and value of each number or text in a message, such as ('linear.x', 2.0)."""
+    fields = getattr(value, 'get_fields_and_field_types', None)
+    if fields is not None:
+        for name in fields():
+            yield from _cells(getattr(value, name), f'{path}.{name}' if path else name)
+    elif hasattr(value, '__iter__') and not isinstance(value, (str, bytes)):
+        for number, item in enumerate(value):
+            yield from _cells(item, f'{path}.{number}')
+    else:
+        yield path, value
+
+
+def show_arguments(parser: argparse.ArgumentParser) -> None:
+    """Page or pictures, and what of the run."""
+    parser.add_argument('file', metavar='FILE', help='a recording')
+    parser.add_argument('--html', metavar='OUT', nargs='?', const='', help='write a page that plays it (default: FILE.html)')
+    parser.add_argument('--png', metavar='OUT', nargs='?', const='', help='write a picture (default: FILE.png)')
+    parser.add_argument('--what', choices=PICTURES, help='what the picture shows (default: turtles, or else nodes and topics)')
+    parser.add_argument('--at', type=float, metavar='SECONDS', help='when (default: the end of the run)')
+    parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side of the page')
+    parser.add_argument('--open', action='store_true', help='show it in a browser')
+
+
+def show(arguments: argparse.Namespace) -> int:
+    """Write what is asked for, and print where it is; 0 when that went well.
+
+    :raises UnusableInput: when it cannot be written.
+    :raises NothingToDraw: when the run has nothing of the kind.
+    """
+    recording = Recording.load(arguments.file)
+    stem = os.path.splitext(arguments.file)[0]
+    written = []
+    try:
+        if arguments.html is not None or arguments.png is None:
+            written.append(write_page(recording, arguments.html or f'{stem}.html', arguments.tab))
+        if arguments.png is not None:
+            written.append(write_picture(recording, arguments.png or f'{stem}.png', arguments.what, arguments.at))
+    except OSError as error:
+        raise UnusableInput(f'{error.filename} cannot be written: {error.strerror}') from None
+    for path in written:
+        print(path)
+    if arguments.open:
+        webbrowser.open(f'file://{os.path.abspath(written[0])}')
+    return 0
+
+
+def write_page(recording: Recording, path: str, tab: str = 'graph') -> str:
+    """Write the page that plays a recording in any browser, without a network; returns the path."""
+    from edulaunch.desk.view.page import recorded_page
+    from edulaunch.desk.view.replay import film_of
+
+    name = os.path.basename(recording.launch.file or '') or 'recording'
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(recorded_page(film_of(recording), name, tab))
+    return path
+
+
+def write_picture(recording: Recording, path: str, what: str | None = None, time_s: float | None = None) -> str:
+    """Write a picture as PNG; returns the path. Raises NothingToDraw when the run has nothing of the kind."""
+    from edulaunch.engine.recording.absent import NothingToDraw
+
+    if what is None:
+        try:
+            picture = recording.plot_turtles(time_s)
+        except NothingToDraw:
+            picture = recording.plot_graph()
+    elif what in ('turtles', 'frames'):
+        picture = recording.plot_turtles(time_s) if what == 'turtles' else recording.plot_frames(time_s)
+    else:
+        picture = recording.plot_tf_tree() if what == 'tree' else recording.plot_graph()
+    picture.save(path)
+    return path
+
+
+def recording_arguments(parser: argparse.ArgumentParser) -> None:
+    """The sub-verbs."""
+    verbs = parser.add_subparsers(dest='what_to_do', metavar='export | info | show', required=True)
+    info = verbs.add_parser('info', help='say what a recording holds')
+    info.add_argument('file', metavar='FILE', help='a recording')
+    info.add_argument('--json', action='store_true', help='as JSON')
+    show_arguments(verbs.add_parser('show', help='write a page that plays a recording, or a picture'))
+    export_arguments(verbs.add_parser('export', help='write the messages as a bag, or as tables'))
+
+
+def recording_verb(arguments: argparse.Namespace) -> int:
+    """Print the summary, or write a page, a picture, a bag or tables; returns the exit code."""
+    if arguments.what_to_do != 'info':
+        return (show if arguments.what_to_do == 'show' else export)(arguments)
+    summary = summarise(Recording.load(arguments.file))
+    if arguments.json:
+        import json
+
+        print(json.dumps(summary, indent=2))
+    else:
+        print('\n'.join(lines(summary)).encode(errors='backslashreplace').decode())  # a program may have written half a letter
+    return 0
+
+
+def summarise(recording: Recording) -> dict[str, Any]:
+    """The summary as plain data."""
+    return {
+        'launch_file': recording.launch.file,
+        'arguments': recording.launch.arguments,
+        'seed': recording.seed,
+        'duration_s': recording.duration_s,
+        'digest': recording.digest(),
+        'processes': [{name: getattr(process, name) for name in PROCESS} for process in recording.processes],
+        'nodes': [{'name': node.name, 'process': node.process} for node in recording.nodes],
+        'topics': [
+            {
+                'name': topic.name,
+                'type': topic.type,
+                'messages': topic.count,
+                'publishers': topic.publishers,
+                'subscriptions': topic.subscriptions,
+            }
+            for topic in recording.topics.values()
+        ],
+        'log_messages': len(recording.logs),
+        'not_repeatable': recording.not_repeatable,
+        'warnings': recording.warnings,
+    }
+
+
+def lines(summary: dict[str, Any]) -> list[str]:
+    """The summary for people."""
+    arguments = ' '.join(f'{name}:={value}' for name, value in summary['arguments'].items())
+    text = [
+        f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),
+        f'Duration:     {summary["duration_s"]:.3f} s (seed {summary["seed"]})',
+        f'Digest:       {summary["digest"]}',
+        f'Log messages: {summary["log_messages"]}',
+        *(f'Not repeatable: {why}' for why in summary['not_repeatable']),
+        '',
+        'Processes:',
+    ]
+    for process in summary['processes']:
+        end = (
+            'running at the end'
+            if process['ended_s'] is None
+            else f'ended at {process["ended_s"]:.3f} s with code {process["returncode"]}'
+        )
+        place = '' if process['origin'] is None else f'  [{process["origin"][0]}:{process["origin"][1]}]'
+        text.append(f'  {process["name"]} (pid {process["pid"]}): {end}{place}')
+    text += ['', 'Nodes:', *(f'  {node["name"]} ({node["process"]})' for node in summary['nodes']), '', 'Topics:']
+    width = max((len(topic['name']) for topic in summary['topics']), default=0)
+    text += [f'  {topic["name"]:<{width}}  {topic["messages"]:>7} messages  {topic["type"]}' for topic in summary['topics']]
+    return [*text, *([''] if summary['warnings'] else []), *(f'warning: {line}' for line in summary['warnings'])]

@@ -1,0 +1,156 @@
+"""Where bags lie, reading them with `rosbags`, `ros2 bag info`, and the keys that steer a recording or a playback."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from edulaunch.desk.cli.ros2.output import say_lines, with_help
+from edulaunch.engine.processes.current import current_process
+
+EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
+"""How the topic of a service's events, and its type, end."""
+WIDTH = 19
+
+
+def folder_of(path: str) -> str:
+    """The absolute path of a bag that is named on the command line."""
+    return os.path.abspath(os.path.join(current_process().cwd or '', path))
+
+
+def new_folder() -> str:
+    """A folder that is not there yet, named after date and time of day as in ROS 2; several of one second are numbered."""
+    name = folder_of(time.strftime('rosbag2_%Y_%m_%d-%H_%M_%S'))
+    numbered = (f'{name}_{number}' for number in range(1, 1_000_000))
+    return name if not os.path.exists(name) else next(other for other in numbered if not os.path.exists(other))
+
+
+def found_bag(path: str) -> str:
+    """The folder of the bag at `path`, which is that folder or a file in it.
+
+    :raises RuntimeError: when there is no bag; begins with the words of ROS 2.
+    """
+    folder = folder_of(path)
+    if os.path.isfile(folder):
+        folder = os.path.dirname(folder)
+    if os.path.isfile(os.path.join(folder, 'metadata.yaml')):
+        return folder
+    text = f"'{path}' has no metadata.yaml" if os.path.exists(folder) else f"bag path '{path}' does not exist!"
+    raise RuntimeError(with_help(f'[ERROR] [ros2bag]: {text}', 'give the folder that `ros2 bag record` made'))
+
+
+@contextmanager
+def opened(path: str) -> Iterator[Any]:
+    """The reader of the bag at `path`.
+
+    :raises RuntimeError: when there is no bag, or one that cannot be read.
+    """
+    from rosbags.rosbag2 import Reader, ReaderError
+
+    try:
+        with Reader(Path(found_bag(path))) as reader:
+            yield reader
+    except ReaderError as error:
+        raise RuntimeError(f"[ERROR] [ros2bag]: '{path}' cannot be read: {error}") from None
+
+
+def event_kind(data: bytes) -> int:
+    """What a serialized service event tells: 0 request sent, 1 request received, 2 response sent, 3 response received."""
+    return data[4]  # behind the four bytes that say how it is encoded
+
+
+def info_arguments(parser: argparse.ArgumentParser) -> None:
+    """The bag, and how much to say of it."""
+    parser.add_argument('bag_path', help='Bag to open')
+    parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
+
+
+def info_verb(arguments: argparse.Namespace) -> None:
+    """Print the summary: files, times, the messages of each topic and the events of each service."""
+    import yaml
+
+    folder = found_bag(arguments.bag_path)
+    with open(os.path.join(folder, 'metadata.yaml'), encoding='utf-8') as file:
+        content = yaml.safe_load(file)['rosbag2_bagfile_information']
+    if arguments.topic_name:
+        say_lines([each['topic_metadata']['name'] for each in content['topics_with_message_count']])
+    else:
+        say_lines(_lines(folder, content))
+
+
+def _lines(folder: str, content: dict[str, Any]) -> list[str]:
+    files = content['relative_file_paths']
+    size = sum(os.path.getsize(os.path.join(folder, name)) for name in files)
+    start, length = content['starting_time']['nanoseconds_since_epoch'], content['duration']['nanoseconds']
+    if not content['message_count']:  # the times of nothing are the largest numbers there are
+        start = length = 0
+    listed = content['topics_with_message_count']
+    events = [each for each in listed if each['topic_metadata']['name'].endswith(EVENT_TOPIC)]
+    topics = [each for each in listed if each not in events]
+    rows = (
+        ('Files:', '\n'.join(files)),
+        ('Bag size:', _size(size)),
+        ('Storage id:', content['storage_identifier']),
+        ('ROS Distro:', content.get('ros_distro') or 'unknown'),
+        ('Duration:', f'{_seconds(length)}s'),
+        ('Start:', _moment(start)),
+        ('End:', _moment(start + length)),
+        ('Messages:', str(content['message_count'])),
+        ('Topic information:', '\n'.join(f'Topic: {_described(each, "Count")}' for each in topics)),
+        ('Service:', str(len(events))),
+        ('Service information:', '\n'.join(f'Service: {_described(each, "Event Count")}' for each in events)),
+    )
+    return ['', *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows)]
+
+
+def _described(entry: dict[str, Any], count: str) -> str:
+    about = entry['topic_metadata']
+    return (
+        f'{about["name"].removesuffix(EVENT_TOPIC)} | Type: {about["type"].removesuffix(EVENT_TYPE)} | '
+        f'{count}: {entry["message_count"]} | Serialization Format: {about["serialization_format"]}'
+    )
+
+
+def _size(size: float) -> str:
+    for unit in ('B', 'KiB', 'MiB', 'GiB'):
+        if size < 1024 or unit == 'GiB':
+            break
+        size /= 1024
+    return f'{size:.0f} {unit}' if unit == 'B' else f'{size:.1f} {unit}'
+
+
+def _seconds(nanoseconds: int) -> str:
+    return f'{nanoseconds // 1_000_000_000}.{nanoseconds % 1_000_000_000:09}'
+
+
+def _moment(nanoseconds: int) -> str:
+    from datetime import datetime, timezone
+
+    moment = datetime.fromtimestamp(nanoseconds // 1_000_000_000, timezone.utc)
+    return f'{moment:%b %d %Y %H:%M:%S}.{nanoseconds % 1_000_000_000:09} ({_seconds(nanoseconds)})'
+
+
+class Keys:
+    """Reads what was pressed, without waiting. In a terminal each comes at once; its own mode comes back at the end."""
+
+    def __init__(self) -> None:
+        process = current_process()
+        self._input: Any = process.stdin
+        self._is_over = False
+        if self._input.isatty():
+            tty: Any = process.loader.import_module('tty')
+            tty.setcbreak(0)
+
+    def pressed(self) -> str:
+        """The keys that were pressed since the last look."""
+        keys = ''
+        while not self._is_over and self._input.is_ready():
+            key = self._input.read(1)
+            self._is_over = not key
+            keys += key
+        return keys

@@ -1,0 +1,299 @@
+"""`ros2 bag record`: record topics into a bag folder that any rosbag2 reads, written with `rosbags`."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+from collections.abc import Iterable
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, Protocol
+
+from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder
+from edulaunch.desk.cli.ros2.output import with_help
+from edulaunch.engine.graph import qos
+from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.graph.topics import Publisher
+from edulaunch.engine.interfaces import current_registry
+from edulaunch.engine.interfaces.cdr import encode
+from edulaunch.engine.interfaces.description import type_hash
+from edulaunch.engine.interfaces.registry import Registry
+from edulaunch.engine.interfaces.spec import Constant, FieldType, MessageSpec
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+BagMessage = tuple[int, str, Any]
+"""Time of arrival in ns, topic, wire tuple; in place of that the bytes of a message that came over a real network."""
+SEPARATOR = '=' * 80
+
+
+class BagTopic:
+    """Takes the messages of a topic straight from the graph: no turn of the recorder for each, no copy.
+
+    :param publishers: those there are; the subscription is as reliable and as durable as all of them are.
+    :param messages: what arrives is appended here.
+    """
+
+    def __init__(self, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:
+        first = publishers[0]
+        self.name = first.topic_name
+        self.cls = first.cls
+        self.offered = [publisher.qos for publisher in publishers]
+        self._keep = messages.append
+        self._sim = node.process.sim
+        self.is_paused = False
+        self._queue: Any = ()
+        subscription = first.graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
+        self._queue = subscription.queue
+        self._on_ready()
+
+    def _on_ready(self) -> None:
+        while self._queue:
+            wire = self._queue.popleft()[0]
+            if not self.is_paused:
+                self._keep((self._sim.now_ns, self.name, wire))
+
+
+def _suitable(offered: list[qos.QoS]) -> qos.QoS:
+    reliable = all(each.reliability == qos.RELIABLE for each in offered)
+    kept = all(each.durability == qos.TRANSIENT_LOCAL for each in offered)
+    return qos.QoS(
+        reliability=qos.RELIABLE if reliable else qos.BEST_EFFORT,
+        durability=qos.TRANSIENT_LOCAL if kept else qos.VOLATILE,
+        history=qos.KEEP_ALL,
+    )
+
+
+def record_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of ROS 2 that choose topics and the place of the bag."""
+    parser.add_argument('topics', nargs='*', help='List of topics to record.')
+    parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
+    parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
+    parser.add_argument('--all-topics', action='store_true', help='Record all topics.')
+    parser.add_argument('--services', '--service', nargs='+', default=[], metavar='Service', help='List of services to record.')
+    parser.add_argument('--all-services', action='store_true', help='Record all services via their event topics.')
+    parser.add_argument('--topic-types', nargs='+', default=[], metavar='Type', help='List of topic types to record.')
+    parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
+    parser.add_argument(
+        '-x', '--exclude', '--exclude-regex', default='', help='Exclude topics containing provided regular expression.'
+    )
+    parser.add_argument(
+        '-o', '--output', metavar='OUTPUT', help='Destination of the bagfile to create, defaults to a timestamped folder.'
+    )
+    parser.add_argument(
+        '-s', '--storage', choices=('mcap', 'sqlite3'), default='mcap', help="Storage identifier to be used, defaults to 'mcap'."
+    )
+    _add_discovery(parser)
+
+
+def _add_discovery(parser: argparse.ArgumentParser) -> None:
+    """How topics are found."""
+    parser.add_argument(
+        '-p',
+        '--polling-interval',
+        type=int,
+        default=100,
+        help='Time in ms to wait between querying available topics for recording (default: 100)',
+    )
+    parser.add_argument('--include-hidden-topics', action='store_true', help='Discover and record hidden topics as well.')
+    parser.add_argument('--no-discovery', action='store_true', help='Disables topic auto discovery during recording.')
+
+
+def record_verb(arguments: argparse.Namespace) -> str | None:
+    """Record until interrupted; then write the bag into the folder where the command runs. SPACE pauses and goes on."""
+    wanted = [*arguments.topics, *arguments.more_topics, *map(_event_topic, arguments.services)]
+    if not (
+        wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
+    ):
+        return with_help(
+            'Must specify only one option out of --all, --all-topics, --all-services, --topics, --services, --topic-types, or '
+            '--regex',
+            'write `ros2 bag record -a` to record everything',
+        )
+    folder = new_folder() if arguments.output is None else folder_of(arguments.output)
+    if os.path.exists(folder):
+        return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
+    with cli_node.cli_node(name='rosbag2_recorder', signals='SIGTERM') as node:
+        recorder = BagRecorder(node, [names.absolute(name) for name in wanted], arguments)
+        with suppress(KeyboardInterrupt):  # this is how one ends a recording
+            recorder.record()
+        recorder.write(folder, arguments.storage)
+    return None
+
+
+def _event_topic(service: str) -> str:
+    return service.rstrip('/') + EVENT_TOPIC
+
+
+class BagRecorder:
+    """Subscribes to topics as they appear, and keeps what is published."""
+
+    def __init__(self, node: Node, wanted: list[str], arguments: argparse.Namespace) -> None:
+        self._node = node
+        self._wanted = wanted
+        self._arguments = arguments
+        from rclpy.node_parts.core import core_of
+
+        self._core = core_of(node)
+        self._log = node.get_logger()
+        self._is_paused = self._is_complete = False
+        self.topics: dict[str, BagTopic] = {}
+        self.messages: list[BagMessage] = []
+
+    def record(self) -> None:
+        """Listen until ROS 2 is shut down. Raises KeyboardInterrupt on Ctrl-C."""
+        self._log.info('Press SPACE for pausing/resuming')
+        self._log.info('Listening for topics...')
+        self._log.info('Event publisher thread: Starting')
+        self._subscribe()
+        self._log.info('Recording...')
+        keys, every_s = Keys(), self._arguments.polling_interval / 1000
+        while cli_node.pause(self._node, every_s):
+            if ' ' in keys.pressed():
+                self._pause()
+            if self._is_searching():
+                self._subscribe()
+
+    def _pause(self) -> None:
+        self._is_paused = not self._is_paused
+        self._log.info('Pausing recording.' if self._is_paused else 'Resuming recording.')
+        for topic in self.topics.values():
+            topic.is_paused = self._is_paused
+
+    def _is_searching(self) -> bool:
+        if self._is_complete or self._arguments.no_discovery:
+            return False
+        if self._wanted and all(topic in self.topics for topic in self._wanted):
+            self._log.info('All requested topics are subscribed. Stopping discovery...')
+            self._is_complete = True
+        return not self._is_complete
+
+    def _subscribe(self) -> None:
+        for topic, types in self._node.get_topic_names_and_types():
+            if topic not in self.topics and len(types) == 1 and self._is_wanted(topic, types[0]):
+                self._listen(topic)
+
+    def _is_wanted(self, topic: str, type_name: str) -> bool:
+        chosen, is_event = self._arguments, topic.endswith(EVENT_TOPIC)
+        if topic not in self._core.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
+            return False
+        if topic in self._wanted:
+            return True
+        if is_event:
+            return bool(chosen.all or chosen.all_services)
+        if names.is_hidden(topic) and not chosen.include_hidden_topics:
+            return False
+        by_name = chosen.regex and re.search(chosen.regex, topic)
+        return bool(chosen.all or chosen.all_topics or by_name or type_name in chosen.topic_types)
+
+    def _listen(self, topic: str) -> None:
+        graph = self._core.graph
+        self.topics[topic] = BagTopic(self._core.entry, graph.publishers[topic], self.messages)
+        self._log.info(f"Subscribed to topic '{topic}'")
+
+    def write(self, folder: str, storage: str) -> None:
+        """Write the bag, and say that the recording is over."""
+        self._log.info('Event publisher thread: Exiting')
+
+        write_bag(folder, storage, list(self.topics.values()), self.messages)
+        self._log.info('Recording stopped')
+
+
+class Topic(Protocol):
+    """What a bag says of a topic."""
+
+    name: str
+    cls: Any
+    offered: list[QoS]
+
+
+def write_bag(
+    folder: str, storage: str, topics: Iterable[Topic], messages: list[BagMessage], registry: Registry | None = None
+) -> None:
+    """Write `metadata.yaml` and one storage file.
+
+    :param folder: to be made; must not exist.
+    :param storage: 'mcap' or 'sqlite3'.
+    :param messages: in order of time.
+    :param registry: of the message types (default: those that can be imported).
+    """
+    from rosbags.rosbag2 import StoragePlugin, Writer
+
+    registry = registry or current_registry()
+    with Writer(folder, version=9, storage_plugin=StoragePlugin[storage.upper()]) as writer:
+        connections = {}
+        for topic in topics:
+            kind = topic.cls.TYPE
+            connections[topic.name] = (
+                topic.cls,
+                writer.add_connection(
+                    topic.name,
+                    kind,
+                    msgdef=definition(registry, kind),
+                    rihs01=type_hash(kind, registry.spec),
+                    offered_qos_profiles=[_offered(each) for each in topic.offered],
+                ),
+            )
+        for time_ns, name, wire in messages:
+            cls, connection = connections[name]
+            writer.write(connection, time_ns, wire if isinstance(wire, bytes) else encode(cls, wire))
+    path = os.path.join(folder, 'metadata.yaml')
+    with open(path, encoding='utf-8') as file:
+        text = file.read()
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text.replace('ros_distro: rosbags\n', 'ros_distro: jazzy\n'))  # rosbags names itself
+
+
+def definition(registry: Registry, type_name: str) -> str:
+    """The text of a message and of all messages in it, as bag files carry it."""
+    texts: dict[str, str] = {}
+    waiting = [type_name]
+    while waiting:
+        name = waiting.pop(0)
+        if name not in texts:
+            spec = registry.spec(name)
+            assert isinstance(spec, MessageSpec)
+            texts[name] = '\n'.join(
+                [*map(_constant, spec.constants), *(f'{_type(field.type)} {field.name}' for field in spec.fields)]
+            )
+            waiting += [field.type.base for field in spec.fields if field.type.kind is None]
+    own = texts.pop(type_name)
+    return '\n'.join([own, *(f'{SEPARATOR}\nMSG: {_short(name)}\n{text}' for name, text in texts.items())])
+
+
+def _constant(constant: Constant) -> str:
+    value = constant.value
+    if isinstance(value, bytes):
+        value = value[0]
+    return f'{constant.base} {constant.name}={str(value).lower() if isinstance(value, bool) else repr(value)}'
+
+
+def _type(field_type: FieldType) -> str:
+    return _short(field_type.text)
+
+
+def _short(name: str) -> str:
+    """'geometry_msgs/msg/Point' as bag files write it."""
+    return name.replace('/msg/', '/')
+
+
+def _offered(qos: QoS) -> Any:
+    from rosbags import interfaces
+
+    def finite(nanoseconds: int) -> Any:
+        return interfaces.QosTime(*divmod(nanoseconds or (1 << 63) - 1, 1_000_000_000))
+
+    return interfaces.Qos(
+        interfaces.QosHistory[qos.history.upper()],
+        qos.depth,
+        interfaces.QosReliability[qos.reliability.upper()],
+        interfaces.QosDurability[qos.durability.upper()],
+        finite(qos.deadline_ns),
+        finite(qos.lifespan_ns),
+        interfaces.QosLiveliness[qos.liveliness.upper()],
+        finite(qos.lease_ns),
+        False,
+    )

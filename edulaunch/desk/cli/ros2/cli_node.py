@@ -1,0 +1,109 @@
+"""The node that a command uses, and waiting in simulated time."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+DISCOVERY_S = 0.5
+"""How long a command of ROS 2 listens before it trusts what it knows of the graph."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options about discovery that most verbs have."""
+    parser.add_argument(
+        '--spin-time',
+        type=float,
+        default=None,
+        metavar='SPIN_TIME',
+        help='Spin time in seconds to wait for discovery (default: until the simulation is 0.5 s old)',
+    )
+    parser.add_argument('-s', '--use-sim-time', action='store_true', help='Enable ROS simulation time')
+    parser.add_argument('--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery')
+
+
+@contextmanager
+def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, signals: str = 'ALL') -> Iterator[Node]:
+    """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
+
+    :param arguments: with them the command first waits until the graph is known; without, it begins at once.
+    :param signals: which of them shut ROS 2 down, by the name of `SignalHandlerOptions`: a command that still has something to do
+        after Ctrl-C leaves it out.
+    """
+    import rclpy
+    from rclpy.parameter import Parameter
+    from rclpy.signals import SignalHandlerOptions
+
+    rclpy.init(args=[], signal_handler_options=getattr(SignalHandlerOptions, signals))
+    sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
+    node = rclpy.create_node(
+        name or f'_ros2cli_{current_process().pid}', start_parameter_services=False, parameter_overrides=sim_time
+    )
+    try:
+        if arguments is not None:
+            discover(node, arguments)
+        yield node
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def discover(node: Node, arguments: argparse.Namespace) -> None:
+    """Wait as long as it takes to know the graph.
+
+    In ROS 2 the first command listens for half a second and starts a daemon, which answers those that come
+    later at once. Here the graph is known once the simulation is half a second old: commands of a launch file
+    see what was started beside them.
+    """
+    host: Any = current_process().host
+    if arguments.spin_time is not None:
+        pause(node, arguments.spin_time)
+    elif arguments.no_daemon:
+        pause(node, DISCOVERY_S)
+    elif host.is_real:
+        host.discover(node)
+    else:
+        sim = current_task().sim
+        pause(node, DISCOVERY_S - (sim.now_ns - sim.start_ns) / 1e9)
+
+
+def pause(node: Node, seconds: float) -> bool:
+    """Let simulated time pass; False when ROS 2 was shut down meanwhile.
+
+    :raises KeyboardInterrupt: on Ctrl-C.
+    """
+    return pause_until(node, current_task().sim.now_ns + round(seconds * 1e9))
+
+
+def pause_until(node: Node, at_ns: int) -> bool:
+    """Let time pass until the simulated time `at_ns`; see :func:`pause`."""
+    sim = current_task().sim
+    while sim.now_ns < at_ns and node.context.ok():
+        node.context.park(at_ns)
+    return bool(node.context.ok())
+
+
+def call(node: Node, service: str, service_type: Any, **fields: Any) -> Any:
+    """Call a service and wait for its response.
+
+    :raises RuntimeError: when there is none because ROS 2 was shut down.
+    """
+    import rclpy
+
+    client = node.create_client(service_type, service)
+    client.wait_for_service()
+    future = client.call_async(service_type.Request(**fields))
+    rclpy.spin_until_future_complete(node, future)
+    node.destroy_client(client)
+    response = future.result()
+    if response is None:
+        raise RuntimeError(f'Exception while calling service of node: {future.exception()!r}')
+    return response

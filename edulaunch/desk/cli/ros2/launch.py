@@ -1,0 +1,209 @@
+"""`ros2 launch`: a launch file in this process (its options are those of `edulaunch launch`, too). `ros2 run`: a program."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+from typing import Any
+
+from edulaunch.desk.cli.ros2.output import say, with_help
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.sim.task import current_task
+from edulaunch.errors import UnusableInput
+from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launch_argument
+
+
+def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
+    """How to launch, or only to look."""
+    parser.add_argument(
+        '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
+    )
+    parser.add_argument(
+        '-d', '--debug', action='store_true', help='Put the launch system in debug mode, provides more verbose output.'
+    )
+    look = parser.add_mutually_exclusive_group()
+    look.add_argument(
+        '-p', '--print', '--print-description', action='store_true', help='Print the launch description, without launching it.'
+    )
+    look.add_argument(
+        '-s', '--show-args', '--show-arguments', action='store_true', help='Show arguments that may be given to the launch file.'
+    )
+    parser.add_argument(
+        '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
+    )
+    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
+    parser.add_argument('--launch-prefix', help="Words in front of each program, in quotes, such as 'xterm -e gdb --args'")
+    parser.add_argument('--launch-prefix-filter', help='Regular expression for the names of the programs that get the prefix')
+
+
+def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
+    """The launch configurations that hold the prefix.
+
+    :raises UnusableInput: for a filter without a prefix, with ROS 2's text.
+    """
+    if arguments.launch_prefix is None and arguments.launch_prefix_filter is not None:
+        raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
+    options = {'launch-prefix': arguments.launch_prefix, 'launch-prefix-filter': arguments.launch_prefix_filter}
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def add_network(parser: argparse.ArgumentParser) -> None:
+    """Whether it runs on a real network."""
+    parser.add_argument('--network', action='store_true', help='join a real ROS 2 network while it runs (ROS_DOMAIN_ID)')
+    parser.add_argument(
+        '--network-topics',
+        action='append',
+        default=[],
+        metavar='NAMES',
+        help='topics and namespaces that cross, with commas; all',
+    )
+    parser.add_argument('--network-clock', action='store_true', help="publish the machine's time on /clock")
+    parser.add_argument('--network-link', metavar='LINK', help='what carries them: cyclonedds (default) or rclpy')
+
+
+def wants_network(arguments: argparse.Namespace) -> bool:
+    """Whether any of those options was given."""
+    return bool(arguments.network or arguments.network_topics or arguments.network_clock or arguments.network_link)
+
+
+def join_network(arguments: argparse.Namespace, process: Process) -> None:
+    """Join the network that the options ask for, until the program ends.
+
+    :raises EdulaunchError: when that cannot be.
+    """
+    if not wants_network(arguments):
+        return
+    if process.host.join_network is None:
+        raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
+    names = [name for names in arguments.network_topics for name in names.split(',') if name]
+    link, clock = arguments.network_link or 'cyclonedds', arguments.network_clock
+    process.at_exit.append(process.host.join_network(process.env, link, clock, names, say))
+
+
+def launch_arguments(parser: argparse.ArgumentParser) -> None:
+    """What to launch, how, and with which arguments."""
+    add_launch_arguments(parser)
+    parser.add_argument('--view', action='store_true', help='open the live page in a browser while it runs')
+    add_network(parser)
+    parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
+    parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
+    parser.add_argument(
+        'launch_arguments', nargs='*', help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)"
+    )
+
+
+def launch_verb(arguments: argparse.Namespace) -> int:
+    """Launch it and wait for the end; returns launch's exit code.
+
+    :raises UnusableInput: when there is no such package or file, or an argument without `:=`; in the words of ROS 2.
+    """
+    from ros2launch import api
+
+    from edulaunch.runtime.launch_process import note_unread_arguments
+
+    process = current_process()
+    given = [f'{name}:={value}' for name, value in prefix_arguments(arguments).items()]
+    path, first = _launch_file(process, arguments)
+    given += [*first, *arguments.launch_arguments]
+    if arguments.show_args or arguments.print:
+        (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
+        return 0
+    named = dict(map(launch_argument, given))
+    join_network(arguments, process)
+    if arguments.view:
+        say('to see what runs, type in another terminal: edulaunch view')
+    if arguments.show_all_subprocesses_output:
+        process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
+    code = api.launch_a_launch_file(
+        launch_file_path=path,
+        launch_file_arguments=given,
+        noninteractive=arguments.noninteractive or not process.stdin.isatty(),
+        debug=arguments.debug,
+    )
+    note_unread_arguments(process, named)
+    return int(code)
+
+
+def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
+    """The path of the launch file, from the folder of the terminal, and a launch argument that stands where its name could."""
+    word, name = arguments.package_name, arguments.launch_file_name
+    path = os.path.join(process.cwd or '', word)
+    is_argument = name is not None and ':=' in name
+    if os.path.isfile(path) or ((name is None or is_argument) and (os.sep in word or word.endswith(LAUNCH_SUFFIXES))):
+        return find_launch_file(process.index, path, None), [] if name is None else [name]
+    return find_launch_file(process.index, word, None if is_argument else name), [name] if is_argument else []
+
+
+def run_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 run`."""
+    parser.add_argument('--prefix', help='Prefix command, which should go before the executable')
+    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
+    parser.add_argument('package_name', help='Name of the ROS package')
+    parser.add_argument('executable_name', help='Name of the executable')
+    parser.add_argument('argv', nargs=argparse.REMAINDER, help='Pass arbitrary arguments to the executable')
+
+
+def run_verb(arguments: argparse.Namespace) -> int | str:
+    """Run it to its end; returns its exit code."""
+    import shlex
+
+    from edulaunch.advice.workspace.not_needed import WINDOWS, shown_by
+
+    process = current_process()
+    package, executable = arguments.package_name, arguments.executable_name
+    path = process.index.find_executable(package, executable)
+    if path is None and package in WINDOWS:
+        say(shown_by(package))
+        return 0
+    if path is None:
+        return _not_found(process.index, package, executable)
+    words = [*shlex.split(arguments.prefix or ''), path, *arguments.argv]
+    spec = ProcessSpec(
+        argv=tuple(words),
+        name=process.name,
+        cwd=process.cwd,
+        env=dict(process.env),
+        origin=process.spec.origin,
+        package=package,
+        executable=executable,
+        has_pipe=process.spec.has_pipe,
+    )
+    code = run_child(process, spec)
+    if code:
+        say(f'[ros2run]: {signal.strsignal(-code) if code < 0 else f"Process exited with failure {code}"}')
+    return code
+
+
+def run_child(process: Process, spec: ProcessSpec) -> int:
+    """Run a program that writes to the streams of `process` and gets its Ctrl-C; returns its return code."""
+    from edulaunch.engine.processes.children import inherit_terminal
+
+    task = current_task()
+    child: Any = process.host.start(spec, process.on_output or process.write, lambda code: task.wake())
+    child.is_passed_on = True
+    inherit_terminal(process, child)
+    for stream in ('stdout', 'stderr') if isinstance(child, Process) else ():
+        getattr(child, stream).is_terminal = getattr(process, stream).is_terminal
+    process.at_exit.append(lambda: child.send_signal(signal.SIGTERM))
+    while child.returncode is None:
+        try:
+            task.park()
+        except KeyboardInterrupt:
+            child.send_signal(signal.SIGINT)
+    return int(child.returncode)
+
+
+def _not_found(index: Index, package: str, executable: str) -> str:
+    from edulaunch.advice.wording import help_of_facts
+    from edulaunch.advice.workspace.missing import missing_executable, missing_package
+
+    if package not in index.packages():
+        return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package)))
+    native = index.native_executables(package)
+    if executable in native:
+        return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')
+    return with_help('No executable found', help_of_facts(missing_executable(index, package, executable)))

@@ -1,0 +1,141 @@
+"""`ros2 lifecycle`: the states of managed nodes, and transitions."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.cli.ros2 import cli_node, names, node_parameters
+from edulaunch.desk.cli.ros2 import node as node_command
+from edulaunch.desk.cli.ros2.output import complain, say, say_lines, with_help
+from edulaunch.engine.nearest import did_you_mean
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+_SERVICE, _TYPE = '/get_state', 'lifecycle_msgs/srv/GetState'
+
+
+def _common_arguments(parser: argparse.ArgumentParser) -> None:
+    """Discovery, and whether hidden nodes count."""
+    cli_node.add_arguments(parser)
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
+
+
+def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
+    """The full names of all lifecycle nodes, sorted: those that serve their state."""
+    served = (name for name, types in node.get_service_names_and_types() if name.endswith(_SERVICE) and _TYPE in types)
+    return sorted(name for service in served if include_hidden or not names.is_hidden(name := service.removesuffix(_SERVICE)))
+
+
+class LifecycleNodeOf(node_parameters.OtherNode):
+    """The lifecycle node `name`."""
+
+    PACKAGE = 'lifecycle_msgs'
+
+    def state(self) -> str:
+        """Label and number of its state."""
+        state = self._call('get_state', 'GetState').current_state
+        return f'{state.label} [{state.id}]'
+
+    def transitions(self, every: bool = False) -> list[Any]:
+        """Descriptions of the transitions that it can make now, or of all."""
+        service = 'get_transition_graph' if every else 'get_available_transitions'
+        return list(self._call(service, 'GetAvailableTransitions').available_transitions)
+
+    def change(self, number: int) -> bool:
+        """Make a transition; whether that went well."""
+        from lifecycle_msgs.msg import Transition
+
+        return bool(self._call('change_state', 'ChangeState', transition=Transition(id=number)).success)
+
+
+@contextmanager
+def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
+    """The one that the command line names.
+
+    :raises NodeNotFound: when there is none of that name; in the words of ROS 2.
+    """
+    name = names.absolute(arguments.node_name)
+    with cli_node.cli_node(arguments) as node:
+        known = _lifecycle_nodes(node, arguments.include_hidden_nodes)
+        if name not in known:
+            raise node_parameters.NodeNotFound(
+                with_help('Node not found', did_you_mean(name, known) or 'see `ros2 lifecycle nodes`')
+            )
+        yield LifecycleNodeOf(node, name)
+
+
+def described(transition: Any) -> str:
+    """A transition as ROS 2 lists it."""
+    return f'- {transition.label} [{transition.id}]'
+
+
+def get_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 lifecycle get`."""
+    _common_arguments(parser)
+    parser.add_argument('node_name', nargs='?', help='Name of the ROS node')
+
+
+def get_verb(arguments: argparse.Namespace) -> None:
+    """Print label and number of the state; of all nodes with their names before them."""
+    if arguments.node_name is not None:
+        with lifecycle_node(arguments) as one:
+            say(one.state())
+        return
+    with cli_node.cli_node(arguments) as node:
+        for name in _lifecycle_nodes(node, arguments.include_hidden_nodes):
+            say(f'{name}: {LifecycleNodeOf(node, name).state()}')
+
+
+def list_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 lifecycle list`."""
+    _common_arguments(parser)
+    parser.add_argument('node_name', help='Name of the ROS node')
+    parser.add_argument('-a', '--all', action='store_true', help='Display all existing transitions')
+
+
+def list_verb(arguments: argparse.Namespace) -> None:
+    """Print each with the state that it starts from and the one that it leads to."""
+    with lifecycle_node(arguments) as node:
+        for found in node.transitions(arguments.all):
+            say(described(found.transition))
+            say(f'\tStart: {found.start_state.label}')
+            say(f'\tGoal: {found.goal_state.label}')
+
+
+nodes_arguments = node_command.list_arguments
+
+
+def nodes_verb(arguments: argparse.Namespace) -> None:
+    """Print their full names, sorted."""
+    with cli_node.cli_node(arguments) as node:
+        found = _lifecycle_nodes(node, arguments.all)
+    if arguments.count_nodes:
+        say(str(len(found)))
+    else:
+        say_lines(found)
+
+
+def set_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 lifecycle set`."""
+    _common_arguments(parser)
+    parser.add_argument('node_name', help='Name of the ROS node')
+    parser.add_argument('transition', help='The lifecycle transition')
+
+
+def set_verb(arguments: argparse.Namespace) -> str | None:
+    """Print how it went; status 0 either way, as in ROS 2. One that the node cannot make now is an error."""
+    with lifecycle_node(arguments) as node:
+        possible = [found.transition for found in node.transitions()]
+        number = next((one.id for one in possible if arguments.transition in (one.label, str(one.id))), None)
+        if number is None:
+            return '\n'.join(['Unknown transition requested, available ones are:', *map(described, possible)])
+        successful = node.change(number)
+    if successful:
+        say('Transitioning successful')
+    else:
+        complain('Transitioning failed')
+    return None

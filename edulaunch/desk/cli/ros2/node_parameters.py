@@ -1,0 +1,150 @@
+"""Reading and changing the parameters of another node through its services."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2.output import with_help
+from edulaunch.engine.nearest import did_you_mean
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+TYPE_WORDS = (
+    'not set',
+    'boolean',
+    'integer',
+    'double',
+    'string',
+    'byte array',
+    'boolean array',
+    'integer array',
+    'double array',
+    'string array',
+)
+LOOK_EVERY_S = 0.1
+SPELLINGS = {
+    'double': 'write the number with a point, as in 5.0',
+    'integer': 'write the number without a point',
+    'string': "write '!!str VALUE', in quotation marks",
+    'bool': 'write true or false',
+}
+
+
+class NodeNotFound(RuntimeError):
+    """The node did not appear in time."""
+
+
+def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
+    """The node, and how long to wait for it."""
+    cli_node.add_arguments(parser)
+    parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
+    parser.add_argument(
+        '--timeout', metavar='N', type=float, default=1.0, help='Wait for N seconds until node becomes available (default: 1)'
+    )
+
+
+class OtherNode:
+    """The node `name`, as seen from the node of a command. `PACKAGE` has the types of its services."""
+
+    PACKAGE: str
+
+    def __init__(self, node: Node, name: str) -> None:
+        self._node = node
+        self.name = name
+
+    def _call(self, service: str, cls: str, **fields: Any) -> Any:
+        types = import_module(f'{self.PACKAGE}.srv')
+        return cli_node.call(self._node, f'{self.name}/{service}', getattr(types, cls), **fields)
+
+
+class ParametersOf(OtherNode):
+    """The parameters of the node `name`."""
+
+    PACKAGE = 'rcl_interfaces'
+
+    def names(self, prefixes: list[str] | None = None) -> list[str]:
+        """Sorted names of all, or of those under some prefixes."""
+        response = self._call('list_parameters', 'ListParameters', prefixes=prefixes or [])
+        return sorted(response.result.names)
+
+    def values(self, parameters: list[str]) -> list[Any]:
+        """Their ParameterValues; none at all when one is not declared."""
+        return list(self._call('get_parameters', 'GetParameters', names=parameters).values)
+
+    def all_values(self) -> dict[str, Any]:
+        """All that have a value, as plain Python data, sorted by name."""
+        known = self.names()
+        values = self.values(known)
+        if len(values) < len(known):  # one without a value makes the whole answer empty
+            given = [(name, self.values([name])) for name in known]
+            return {name: python_value(found[0]) for name, found in given if found}
+        return {name: python_value(value) for name, value in zip(known, values, strict=True)}
+
+    def descriptors(self, parameters: list[str]) -> list[Any]:
+        """Their descriptors; none at all when one is not declared."""
+        return list(self._call('describe_parameters', 'DescribeParameters', names=parameters).descriptors)
+
+    def set(self, messages: list[Any]) -> list[Any]:
+        """Set each for itself; the results."""
+        return list(self._call('set_parameters', 'SetParameters', parameters=messages).results)
+
+    def help_for(self, parameter: str) -> str | None:
+        """One line of help for a name that the node does not have."""
+        return did_you_mean(parameter, self.names())
+
+
+@contextmanager
+def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
+    """The parameters of the node that the command line names, when it is there in time.
+
+    :raises NodeNotFound: when it is not; in the words of ROS 2.
+    """
+    name = names.absolute(arguments.node_name)
+    with cli_node.cli_node(arguments) as node:
+        for _ in range(max(1, round(arguments.timeout / LOOK_EVERY_S))):
+            if name in names.node_names(node, arguments.include_hidden_nodes):
+                yield ParametersOf(node, name)
+                return
+            cli_node.pause(node, LOOK_EVERY_S)
+        known = names.node_names(node, arguments.include_hidden_nodes)
+        raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or 'see `ros2 node list`'))
+
+
+def python_value(value: Any) -> Any:
+    """A ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
+    from rclpy.parameter import parameter_value_to_python
+
+    found = parameter_value_to_python(value)
+    if hasattr(found, 'tolist'):
+        return found.tolist()
+    return [item[0] if isinstance(item, bytes) else item for item in found] if isinstance(found, (list, tuple)) else found
+
+
+def type_help(reason: str) -> str | None:
+    """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
+    import re
+
+    found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
+    return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
+
+
+def nested_text(values: dict[str, Any], node_name: str) -> str:
+    """Parameters as the text of a parameter file; dots in names nest."""
+    import yaml
+
+    tree: dict[str, Any] = {}
+    for name, value in values.items():
+        *path, last = name.split('.')
+        place = tree
+        for part in path:
+            place = place.setdefault(part, {})
+        place[last] = value
+    content = {node_name: {'ros__parameters': tree}}
+    return yaml.safe_dump(content, default_flow_style=False, width=float('inf'), allow_unicode=True)

@@ -1,0 +1,198 @@
+"""`ros2 topic bw|delay|hz`: how many bytes come, how old messages are when they come, and how often."""
+
+from __future__ import annotations
+
+import argparse
+from collections import deque
+from typing import Any, Protocol
+
+from edulaunch.desk.cli.ros2 import cli_node, listening, names
+from edulaunch.desk.cli.ros2.output import positive_int, say
+from edulaunch.engine.sim.task import current_task
+
+REPORT_EVERY_NS = 1_000_000_000
+
+
+class Measure(Protocol):
+    """Takes messages, gives reports."""
+
+    def take(self, message: Any, now_ns: int) -> None:
+        """One message (serialized when the measure asks for raw bytes)."""
+
+    def report(self) -> str | None:
+        """The lines to print, None when there is nothing to say."""
+
+
+def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
+    """The topic, and how many messages count."""
+    names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
+    parser.add_argument(
+        '-w',
+        '--window',
+        metavar='WINDOW',
+        type=positive_int,
+        default=window,
+        help=f'window size, in # of messages, for calculating rate (default: {window})',
+    )
+
+
+def listen(
+    arguments: argparse.Namespace, measure: Measure, *, verb: str, heading: str | None = None, raw: bool = False
+) -> str | None:
+    """Feed the measure and print its reports until interrupted; returns the text of an error."""
+    import rclpy
+    from rclpy.qos import qos_profile_sensor_data
+
+    with cli_node.cli_node(arguments) as node:
+        cls = listening.topic_class(node, arguments.topic_name, None, verb=verb, wait=True)
+        if isinstance(cls, str):
+            return cls
+        reports = Reports(measure)
+        topic = node.resolve_topic_name(arguments.topic_name)
+        node.create_subscription(cls, topic, reports.on_message, qos_profile_sensor_data, raw=raw)
+        if heading is not None:
+            say(heading.format(topic=topic))
+        rclpy.spin(node)
+    return None
+
+
+class Reports:
+    """Prints a report with the first message that comes a second or more after the last one."""
+
+    def __init__(self, measure: Measure) -> None:
+        self._measure = measure
+        self._last_ns: int | None = None
+
+    def on_message(self, message: Any) -> None:
+        """Take one message."""
+        now = current_task().sim.now_ns
+        self._measure.take(message, now)
+        if self._last_ns is None:
+            self._last_ns = now
+        elif now >= self._last_ns + REPORT_EVERY_NS:
+            text = self._measure.report()
+            if text is not None:
+                self._last_ns = now
+                say(text)
+
+
+def mean(values: list[float]) -> float:
+    """The arithmetic mean."""
+    return sum(values) / len(values)
+
+
+def spread(values: list[float], window: int) -> str:
+    """The line with the least and the largest value, and the (population) standard deviation."""
+    middle = mean(values)
+    deviation = mean([(value - middle) ** 2 for value in values]) ** 0.5
+    return f'\tmin: {min(values):.3f}s max: {max(values):.3f}s std dev: {deviation:.5f}s window: {window}'
+
+
+def bw_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 topic bw`."""
+    _common_arguments(parser, 100)
+
+
+def bw_verb(arguments: argparse.Namespace) -> str | None:
+    """Print a report each second."""
+    return listen(arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True)
+
+
+class Bandwidth:
+    """Times and sizes of the last messages."""
+
+    def __init__(self, window: int) -> None:
+        self._taken: deque[tuple[int, int]] = deque(maxlen=window)
+
+    def take(self, message: bytes, now_ns: int) -> None:
+        """Note when it came and how long it is, CDR header included."""
+        self._taken.append((now_ns, len(message)))
+
+    def report(self) -> str | None:
+        """The two lines of ROS 2."""
+        seconds = (current_task().sim.now_ns - self._taken[0][0]) / 1e9
+        if seconds <= 0:
+            return None
+        sizes = [size for _, size in self._taken]
+        unit, factor = _unit(max(sizes))
+        shown = [
+            f'{word}: {size / factor:.2f} {unit}'
+            for word, size in (('mean', sum(sizes) / len(sizes)), ('min', min(sizes)), ('max', max(sizes)))
+        ]
+        rate = sum(sizes) / seconds
+        rate_unit, rate_factor = _unit(rate)
+        heading = f'{rate / rate_factor:.2f} {rate_unit}/s from {len(sizes)} messages'
+        return f'{heading}\n\tMessage size {" ".join(shown)}'
+
+
+def _unit(size: float) -> tuple[str, float]:
+    return ('B', 1.0) if size < 1 else ('KB', 1e3) if size < 1e6 else ('MB', 1e6)
+
+
+def delay_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 topic delay`."""
+    _common_arguments(parser, 10000)
+
+
+def delay_verb(arguments: argparse.Namespace) -> str | None:
+    """Print a report each second."""
+    return listen(arguments, Delay(arguments.window), verb='echo')
+
+
+class Delay:
+    """The last delays."""
+
+    def __init__(self, window: int) -> None:
+        self._delays: deque[float] = deque(maxlen=window)
+
+    def take(self, message: Any, now_ns: int) -> None:
+        """Note how long ago its header was stamped.
+
+        :raises RuntimeError: for a message without header; in the words of ROS 2.
+        """
+        if not hasattr(message, 'header'):
+            raise RuntimeError('msg does not have header\n  help: only stamped messages tell when they were made')
+        stamp = message.header.stamp
+        self._delays.append((now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) / 1e9)
+
+    def report(self) -> str:
+        """The two lines of ROS 2."""
+        values = list(self._delays)
+        return f'average delay: {mean(values):.3f}\n{spread(values, len(values))}'
+
+
+def hz_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 topic hz`."""
+    _common_arguments(parser, 10000)
+    parser.add_argument('--filter', metavar='EXPR', help="only measure messages matching the Python expression, as in 'm.x > 1'")
+    parser.add_argument('--wall-time', action='store_true', help='accepted; simulated time is the only one here')
+
+
+def hz_verb(arguments: argparse.Namespace) -> str | None:
+    """Print a report each second."""
+    return listen(arguments, Rate(arguments.window, arguments.filter), verb='echo')
+
+
+class Rate:
+    """Intervals between the last messages."""
+
+    def __init__(self, window: int, expression: str | None) -> None:
+        self._intervals: deque[float] = deque(maxlen=max(1, window - 1))
+        self._last_ns: int | None = None
+        self._passes = listening.message_filter(expression)
+
+    def take(self, message: Any, now_ns: int) -> None:
+        """Note when it came."""
+        if not self._passes(message):
+            return
+        if self._last_ns is not None:
+            self._intervals.append((now_ns - self._last_ns) / 1e9)
+        self._last_ns = now_ns
+
+    def report(self) -> str | None:
+        """The two lines of ROS 2."""
+        if not self._intervals:
+            return None
+        values = list(self._intervals)
+        average = mean(values)
+        return f'average rate: {1 / average if average else 0.0:.3f}\n{spread(values, len(values) + 1)}'

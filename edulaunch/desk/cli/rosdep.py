@@ -1,0 +1,73 @@
+"""What sets a computer up for ROS 2: `edulaunch rosdep check` names dependencies that are not here, `edulaunch colcon build` says
+that nothing has to be built, and what is done instead.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+from edulaunch.errors import UnusableInput
+
+
+def rosdep_arguments(parser: argparse.ArgumentParser) -> None:
+    """The sub-verbs."""
+    verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
+    check = verbs.add_parser('check', help='name each dependency that neither the underlay nor the workspace has')
+    check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
+    for verb in ('init', 'install', 'update'):
+        other = verbs.add_parser(verb, help='says that this is not needed')
+        other.add_argument('rest', nargs='*', metavar='WORD', help='what you would tell rosdep')
+        other.set_defaults(takes_anything=True)
+
+
+def rosdep_verb(arguments: argparse.Namespace) -> int:
+    """Print what is missing. 0 when nothing is, else 1."""
+    if arguments.what != 'check':
+        from edulaunch.advice.workspace.not_needed import answer
+
+        print(answer(['rosdep', arguments.what]))
+        return 0
+    from edulaunch.advice.workspace.dependencies import missing_dependencies
+
+    if not os.path.isdir(arguments.path):
+        raise UnusableInput(f'{arguments.path!r} is not a directory.', help='name a workspace, or the folder of a package')
+    packages, missing = missing_dependencies(arguments.path)
+    for package, (name, tag, line), near in missing:
+        place = f'{os.path.relpath(package.manifest_file)}:{line}' if line else os.path.relpath(package.manifest_file)
+        print(
+            f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
+            + (f'; the nearest name is {near}' if near else '')
+        )
+    if missing:
+        names = ', '.join(dict.fromkeys(package.name for package, *_ in missing))
+        print(f'\nnodes of these packages that use what is missing cannot run: {names}')
+    elif packages:
+        print('All dependencies have been satisfied')
+    else:
+        print(f'no package.xml below {arguments.path}')
+    return 1 if missing or not packages else 0
+
+
+def command() -> int:
+    """The command `rosdep`: the real one where there is one, else `edulaunch rosdep`. Returns the exit code."""
+    from edulaunch.desk.cli.main import main as edulaunch
+    from edulaunch.desk.machine.command import step_aside
+
+    words = sys.argv[1:]
+    step_aside('rosdep', words, words[:1] == ['--verbose'])
+    return edulaunch(['rosdep', *words])
+
+
+def colcon_arguments(parser: argparse.ArgumentParser) -> None:
+    """Whatever colcon takes."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell colcon')
+
+
+def colcon_verb(arguments: argparse.Namespace) -> int:
+    """Print one sentence. Always 0: the tutorial goes on with its next command."""
+    from edulaunch.advice.workspace.not_needed import answer
+
+    print(answer(['colcon', *(arguments.rest or ['build'])]))
+    return 0

@@ -1,0 +1,83 @@
+"""The live desk in a notebook: a widget whose page is the same as everywhere, with the kernel as its machine.
+
+It asks for nothing of JupyterLab's own: whatever shows ipywidgets shows it (Notebook, VS Code, Colab). Loaded late: it needs
+anywidget.
+"""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import anywidget
+import traitlets
+
+from edulaunch.canvas.filmstrip import still
+from edulaunch.canvas.worlds import read_worlds
+from edulaunch.desk.machine.host import Host, Page
+from edulaunch.desk.view.page import module
+from edulaunch.desk.view.viewer import Viewer
+from edulaunch.engine.recording.absent import NothingToDraw
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+
+class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]
+    """One widget; each place that shows it is a page of its own."""
+
+    _esm = module()
+    tab = traitlets.Unicode('graph').tag(sync=True)
+
+    def __init__(self, machine: Host, tab: str) -> None:
+        super().__init__(tab=tab)
+        self._machine = machine
+        self._pages: dict[str, Page] = {}
+        self.on_msg(self._hear)
+
+    def _hear(self, widget: object, words: Any, buffers: object) -> None:
+        """A message may come on a thread of its own (a subshell of the kernel): it is taken where the machine runs."""
+        self._machine.soon(lambda: self._take(words))
+
+    def _take(self, words: Any) -> None:
+        name = words.get('page') if isinstance(words, dict) else None
+        if not isinstance(name, str):
+            return
+        if words.get('op') == 'bye':
+            page = self._pages.pop(name, None)
+            if page is not None:
+                self._machine.pages.remove(page)
+            return
+        if name not in self._pages:
+            self._pages[name] = Page(Viewer(self._machine, lambda message: self.send({**message, 'page': name})))
+            self._machine.pages.append(self._pages[name])
+        if words.get('op') == 'next':
+            self._pages[name].ask()
+        else:
+            self._machine.do_for(self._pages[name].viewer, words)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The widget; where there is no front end (nbconvert, nbval, GitHub), a picture of this instant and its text."""
+        bundle = super()._repr_mimebundle_(**options)
+        data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
+        data.update(_still(self._machine.recording()))
+        return (data, *bundle[1:]) if isinstance(bundle, tuple) else data
+
+
+def _still(recording: Recording) -> dict[str, str]:
+    """What is to be seen at the end of a recording: turtles and robots as a picture, and in words who is there."""
+    try:
+        picture, said = still(read_worlds(recording), recording.duration_s)
+    except NothingToDraw:
+        return {'text/plain': f'live view, t={recording.duration_s:.3f} s: {who_is_there(recording)}'}
+    text = f'live view, {said}; {who_is_there(recording)}'
+    shown = f'<img alt="{escape(text)}" src="data:image/svg+xml;base64,{b64encode(picture.encode()).decode()}">'
+    return {'text/plain': text, 'text/html': shown, 'image/svg+xml': picture}
+
+
+def who_is_there(recording: Recording) -> str:
+    """The nodes and frames at the end of a recording, in words."""
+    nodes = [node.name for node in recording.nodes if node.ended_s is None and not node.name.rpartition('/')[2].startswith('_')]
+    frames = list(recording.frames_at(recording.duration_s))
+    return f'nodes: {", ".join(nodes) or "none"}' + (f'; frames: {", ".join(frames)}' if frames else '')

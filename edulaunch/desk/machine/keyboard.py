@@ -1,0 +1,76 @@
+"""The real terminal of a client: its mode follows the program that reads, and comes back whatever becomes of the client."""
+
+from __future__ import annotations
+
+import os
+import signal
+
+from edulaunch.desk.machine.wire import CANONICAL, ECHO, PLAIN_MODE, SIGNALS
+
+
+class Keyboard:
+    """Standard input, when it is a terminal.
+
+    :ivar is_terminal: whether it is one; else changing the mode does nothing.
+    """
+
+    def __init__(self) -> None:
+        self.is_terminal = os.isatty(0)
+        self._before: list[object] | None = None
+        self._lifeline = -1
+
+    def set_mode(self, mode: int) -> None:
+        """Read as the program wants: lines or keys, with or without echo, with or without Ctrl-C as a signal."""
+        if not self.is_terminal or (mode == PLAIN_MODE and self._before is None):
+            return
+        import termios
+
+        if self._before is None:
+            self._before = termios.tcgetattr(0)
+            self._lifeline = _restore_when_we_die(self._before)
+        now = list(self._before)
+        now[3] = int(now[3])  # type: ignore[call-overload]
+        for sign, flag in ((CANONICAL, termios.ICANON), (ECHO, termios.ECHO), (SIGNALS, termios.ISIG)):
+            if not mode & sign:
+                now[3] &= ~flag  # type: ignore[operator]
+        termios.tcsetattr(0, termios.TCSADRAIN, now)  # type: ignore[arg-type]
+
+    def restore(self) -> None:
+        """Give the terminal back as it was found."""
+        if self._before is not None:
+            import termios
+
+            termios.tcsetattr(0, termios.TCSADRAIN, self._before)  # type: ignore[arg-type]
+            os.write(self._lifeline, b'.')
+            os.close(self._lifeline)
+            self._before = None
+
+
+def _restore_when_we_die(before: list[object]) -> int:
+    """Leave somebody behind who puts the terminal right when this process ends without a word, as SIGKILL makes it.
+
+    A session of its own lets it live on when the terminal's programs are killed together. It goes when it reads a byte.
+    """
+    import termios
+
+    reader, writer = os.pipe()
+    ready, is_ready = os.pipe()
+    if os.fork() == 0:
+        try:
+            os.setsid()
+            for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+                signal.signal(signum, signal.SIG_IGN)
+            os.closerange(1, reader)
+            os.closerange(reader + 1, is_ready)
+            os.closerange(is_ready + 1, 256)
+            os.write(is_ready, b'.')
+            os.close(is_ready)
+            if not os.read(reader, 1):
+                termios.tcsetattr(0, termios.TCSADRAIN, before)  # type: ignore[arg-type]
+        finally:
+            os._exit(0)
+    for number in (reader, is_ready):
+        os.close(number)
+    os.read(ready, 1)  # a signal that comes before would end the one left behind, too
+    os.close(ready)
+    return writer

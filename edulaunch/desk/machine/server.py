@@ -1,0 +1,175 @@
+"""Serves terminals: one Session in real time, and everybody who is connected to it."""
+
+from __future__ import annotations
+
+import os
+import selectors
+import socket
+import sys
+import time
+import traceback
+from collections.abc import Callable
+from functools import partial
+
+from edulaunch.desk.machine.connection import Connection
+from edulaunch.desk.machine.terminals import Terminal, Terminals
+from edulaunch.engine.sim.pacing import RealTime
+from edulaunch.runtime.session import Session
+
+MOST_CONNECTIONS = 512
+MOST_MISTAKES = 20
+HELLO_WITHIN_S = 5.0
+LOOK_EVERY_S = 5.0
+FORGET_EVERY_S = 10.0
+REMEMBERED_S = 120.0
+MESSAGES_KEPT = 200
+"""What a machine that runs for hours keeps of the past: simulated seconds, and messages of each topic at least."""
+
+
+class Server:
+    """Serves terminals on a listening socket, with one Session behind them.
+
+    Everything happens in :meth:`run_due` and :meth:`listen`, by turns: in a loop of its own (`serving`), or in somebody
+    else's, such as a notebook's, which waits for the `selector` itself.
+
+    :param token: what a terminal has to say first.
+    :ivar is_listening: whether it waits, and no program has its turn.
+    :ivar rounds: how many times it has waited.
+    """
+
+    def __init__(self, session: Session, listener: socket.socket, token: str) -> None:
+        self.session = session
+        self.time = RealTime(session.sim)
+        self.selector = selectors.DefaultSelector()
+        self.terminals = Terminals(session, self.time, self.selector)
+        self.is_asked_to_end = False
+        self.is_listening = False
+        self.rounds = 0
+        self.is_behind = False
+        self._mistakes = 0
+        self.last_seen_s = self._forgot_s = time.monotonic()
+        self.on_accept: Callable[[socket.socket], object] = lambda client: None
+        self._listener = listener
+        self._token = token
+        self._connections: list[Connection] = []
+        listener.setblocking(False)
+        self.selector.register(listener, selectors.EVENT_READ, self._accept)
+
+    def run_due(self) -> float | None:
+        """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
+        wait_s = self.time.advance()
+        if self.terminals.network is not None:
+            self.terminals.network.after_turn()
+        self.flush()
+        return wait_s
+
+    def run_due_safely(self) -> float | None:
+        """As :meth:`run_due`; a mistake of the engine in one program's turn is noted, and the other programs go on.
+
+        :raises Exception: when nothing goes on any more.
+        """
+        try:
+            due_s = self.run_due()
+            self._mistakes = 0
+        except Exception:
+            self._mistakes += 1
+            if self._mistakes >= MOST_MISTAKES:
+                raise
+            traceback.print_exc(file=sys.__stderr__)
+            due_s = 0.0
+        return due_s
+
+    def flush(self) -> None:
+        """Hand on what was said."""
+        for connection in list(self._connections):
+            connection.flush()
+
+    def listen(self, seconds: float | None) -> None:
+        """Take what terminals say, and wait for it at most so long."""
+        if self.is_behind:
+            self.is_behind = False
+            for connection in list(self._connections):
+                connection.take_heard()
+        self.rounds += 1
+        self.is_listening = True
+        heard = self.selector.select(seconds)
+        self.is_listening = False
+        if heard:
+            self.time.advance()  # what was typed is typed now, not when something was due last
+        for key, events in heard:
+            take: Callable[[int], object] = key.data
+            take(events)
+
+    def look_for_signals(self) -> None:
+        """Called in the midst of a program's turn: hear whether its terminal wants it to end."""
+        program = self.session.host.program_here()
+        for connection in list(self._connections):
+            terminal = connection.terminal
+            if program is not None and isinstance(terminal, Terminal) and terminal.process is program.group:
+                self.is_behind = True
+                connection.look_for_signals(partial(terminal.signal, running=program))
+
+    def move_to(self, session: Session) -> None:
+        """Let whoever comes from now on find another session."""
+        self._leave_network()
+        self.session = session
+        self.time = RealTime(session.sim)
+        self.terminals = Terminals(session, self.time, self.selector)
+
+    def _leave_network(self) -> None:
+        if self.terminals.network is not None:
+            self.terminals.network.off()
+
+    def has_connections(self) -> bool:
+        """Whether anybody is connected, known or not; a real network counts."""
+        return bool(self._connections) or (self.terminals.network is not None and self.terminals.network.bridge is not None)
+
+    def has_terminals(self) -> bool:
+        """Whether anybody is connected who may be."""
+        return any(connection.terminal is not None for connection in self._connections)
+
+    def _accept(self, events: int) -> None:
+        try:
+            client, _ = self._listener.accept()
+        except OSError:
+            return
+        if len(self._connections) >= MOST_CONNECTIONS or not _is_ours(client):
+            client.close()
+            return
+        self.on_accept(client)
+        self._connections.append(Connection(client, self.selector, self._token, self.terminals, self._forget))
+
+    def _forget(self, connection: Connection) -> None:
+        self._connections.remove(connection)
+        self.last_seen_s = time.monotonic()
+
+    def forget(self) -> None:
+        """Now and then let go of what is long over."""
+        if time.monotonic() - self._forgot_s < FORGET_EVERY_S:
+            return
+        self._forgot_s = time.monotonic()
+        self.session.host.forget_overlays()
+        self.session.recorder.forget_before(self.session.sim.now_ns - round(REMEMBERED_S * 1e9), MESSAGES_KEPT)
+
+    def drop_the_silent(self) -> None:
+        """Close connections that did not say who they are in time."""
+        late = time.monotonic() - HELLO_WITHIN_S
+        for connection in list(self._connections):
+            if connection.terminal is None and connection.since_s < late:
+                connection.close()
+
+    def close(self) -> None:
+        """Let every terminal go."""
+        self._leave_network()
+        for connection in list(self._connections):
+            connection.close()
+        self.selector.close()
+        self._listener.close()
+
+
+def _is_ours(client: socket.socket) -> bool:
+    """Whether the other end is a program of this user, as far as the system can tell."""
+    if client.family == getattr(socket, 'AF_UNIX', None) and hasattr(socket, 'SO_PEERCRED'):
+        credentials = client.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12)
+        return int.from_bytes(credentials[4:8], sys.byteorder) == os.geteuid()
+    return True

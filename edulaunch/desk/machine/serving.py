@@ -1,0 +1,120 @@
+"""The process that hosts a machine, from its start to its end.
+
+Ctrl-C reaches a program that keeps its turn, too: nobody listens to terminals then, so the system has to say that one has spoken.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+import os
+import signal
+import socket
+import sys
+import time
+from importlib import import_module
+from types import FrameType
+
+from edulaunch.desk.machine.place import LISTENER, Address, locked, read_address, remove_address
+from edulaunch.desk.machine.server import LOOK_EVERY_S, Server
+from edulaunch.engine.processes.streams import streams_of_programs
+from edulaunch.runtime.session import Session
+
+PATIENCE_S = 0.3
+"""Real seconds after which a turn is too long for somebody who has pressed a key."""
+GRACE_S = 10.0
+"""Seconds that a machine waits for another terminal after the last one has gone."""
+QUIET_S = 0.04
+TURN_LIMIT_S = 2.0
+"""As in a Session, but others wait here."""
+EARLY = ('rclpy', 'launch', 'launch_ros.actions')
+"""What most commands need; loaded while nothing else is to be done."""
+
+
+def wake_by_signal(connection: socket.socket) -> None:
+    """Let SIGIO come whenever something comes over a connection."""
+    if hasattr(signal, 'SIGIO'):
+        import fcntl
+
+        fcntl.fcntl(connection, fcntl.F_SETOWN, os.getpid())
+        fcntl.fcntl(connection, fcntl.F_SETFL, fcntl.fcntl(connection, fcntl.F_GETFL) | os.O_ASYNC)
+
+
+class Impatience:
+    """Looks for Ctrl-C in the midst of a turn that is too long. Only in a process of its own: it takes SIGIO and SIGALRM."""
+
+    def __init__(self, server: Server) -> None:
+        self._server = server
+        self._round = -1
+
+    def begin(self) -> None:
+        """From now on look."""
+        if hasattr(signal, 'SIGIO'):
+            signal.signal(signal.SIGIO, self._somebody_spoke)
+            signal.signal(signal.SIGALRM, self._too_long)
+
+    def _somebody_spoke(self, signum: int, frame: FrameType | None) -> None:
+        if not self._server.is_listening:
+            self._round = self._server.rounds
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE_S)
+
+    def _too_long(self, signum: int, frame: FrameType | None) -> None:
+        if not self._server.is_listening and self._server.rounds == self._round:
+            self._server.look_for_signals()
+
+
+def serve(server: Server, place: str, number: str, address: Address) -> None:
+    """Serve until the last terminal has been gone for a while, or somebody says so."""
+    early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
+    while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
+        due_s = server.run_due_safely()
+        left_s = math.inf if server.has_connections() else server.last_seen_s + grace_s - time.monotonic()
+        if left_s <= 0:
+            break
+        if early and (due_s is None or due_s > QUIET_S):
+            left_s = QUIET_S
+        begun_s = time.monotonic()
+        wait_s = min(left_s, math.inf if due_s is None else due_s, LOOK_EVERY_S)
+        server.listen(wait_s)
+        if early and time.monotonic() - begun_s >= QUIET_S:
+            import_module(early.pop(0))
+        server.drop_the_silent()
+        server.forget()
+    with locked(place, number):
+        remove_address(place, number, address)
+    server.flush()
+    server.close()
+
+
+def _seconds(name: str, usual: float) -> float:
+    """A number from the environment."""
+    try:
+        return float(os.environ.get(name, usual))
+    except ValueError:
+        return usual
+
+
+def main() -> None:
+    """The program of a machine: `python -m edulaunch.desk.machine.serving FOLDER DOMAIN`, the listening socket is number 3."""
+    place, number = sys.argv[1:3]
+    listener = socket.socket(fileno=LISTENER)
+    with locked(place, number):  # whoever started us has written the address by then
+        address = read_address(place, number)
+    if address is None or address.pid != os.getpid():
+        return
+    for name in ('SIGINT', 'SIGHUP'):
+        signal.signal(getattr(signal, name), lambda signum, frame: None)  # not SIG_IGN, which real programs would inherit
+    session = Session(start_ns=time.time_ns(), turn_limit_s=_seconds('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
+    server = Server(session, listener, address.token)
+    signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
+    session.host.is_paced = True
+    server.on_accept = wake_by_signal
+    Impatience(server).begin()
+    gc.freeze()
+    with streams_of_programs():
+        serve(server, place, number, address)
+    session.close()
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,72 @@
+"""A slider of a lesson's own for a parameter of a living machine. Loaded late: it needs ipywidgets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.desk.machine.started import Machine
+
+WITHOUT_STEP = 100
+"""Steps over a range of floats that names none."""
+
+
+def slider(machine: Machine, node: str, name: str, limits: tuple[float, float] | None) -> Any:
+    """See `Machine.slider`."""
+    ipywidgets = widgets()
+    recorder = machine.session.recorder
+    known = {row[2]: row[3] for row in recorder.parameters if row[1] == node}
+    if not known:
+        nodes = {row[1] for row in recorder.parameters}
+        raise UnusableInput(f'there is no node {node!r} with parameters', help=did_you_mean(node, nodes) or _names(nodes))
+    if known.get(name) is None:
+        raise UnusableInput(f'{node} has no parameter {name!r}', help=did_you_mean(name, known) or _names(known))
+    value = known[name]
+    said = next((row for row in reversed(recorder.descriptors) if row[1:3] == [node, name]), [0, node, name, '', False, None])
+    about: dict[str, Any] = {'description': name, 'tooltip': said[3] or f'{node} {name}', 'disabled': said[4]}
+    if isinstance(value, bool):
+        made = ipywidgets.Checkbox(value=value, **about)
+    elif isinstance(value, (int, float)):
+        made = _number(ipywidgets, value, said[5], limits, about)
+    else:
+        raise UnusableInput(f'{node} {name} is no number: {value!r}', help='machine.view("parameters") changes it')
+
+    def set_parameter(change: Any) -> None:
+        text = str(change.new).lower() if isinstance(value, bool) else str(change.new)
+        machine.soon(lambda: machine.take({'op': 'param', 'node': node, 'name': name, 'value': text}))
+
+    made.observe(set_parameter, 'value')
+    return made
+
+
+def _number(ipywidgets: Any, value: float, declared: Any, limits: tuple[float, float] | None, about: dict[str, Any]) -> Any:
+    """A slider over the declared range, or over `limits`.
+
+    :raises UnusableInput: when there is neither.
+    """
+    if limits is None and declared is None:
+        raise UnusableInput(
+            f'{about["description"]} declares no range', help='say one: machine.slider(node, name, limits=(0, 10))'
+        )
+    low, high, step = declared if limits is None else (*limits, 0)
+    kind, usual = (ipywidgets.IntSlider, 1) if isinstance(value, int) else (ipywidgets.FloatSlider, (high - low) / WITHOUT_STEP)
+    return kind(value=value, min=low, max=high, step=step or usual, continuous_update=False, **about)
+
+
+def widgets() -> Any:
+    """The module ipywidgets.
+
+    :raises UnusableInput: when it is not installed.
+    """
+    try:
+        import ipywidgets
+    except ImportError:
+        raise UnusableInput('sliders need ipywidgets', help="pip install 'edulaunch[notebook]'") from None
+    return ipywidgets
+
+
+def _names(names: Any) -> str:
+    return f'there is: {", ".join(sorted(names))}' if names else 'let some time pass first: machine.run(1)'

@@ -1,0 +1,321 @@
+"""`edulaunch.start`: a machine of one's own that lives beside the cells of a notebook, or in a script, and can be looked at.
+
+It is deterministic as `edulaunch.run` is: what somebody did by hand is kept with its simulated time, so that any instant can be
+reached again and gone on from.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import shlex
+import signal
+import time
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import suppress
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.machine.host import Host, Page
+from edulaunch.desk.machine.on_network import OnNetwork
+from edulaunch.desk.view import TABS
+from edulaunch.desk.view.viewer import Viewer
+from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.processes.streams import streams_of_programs
+from edulaunch.engine.sim.loops import outer_loop_set_aside
+from edulaunch.engine.sim.pacing import RealTime
+from edulaunch.engine.sim.simulation import EPOCH_NS
+from edulaunch.errors import UnusableInput
+from edulaunch.runtime.session import PathLike, Session
+
+if TYPE_CHECKING:
+    from edulaunch.desk.machine.desk_widget import DeskWidget
+    from edulaunch.engine.recording import Recording
+
+
+LONGEST_SLEEP_S = 0.02
+KEPT_S = 600.0
+FORGET_EVERY_S = 10.0
+MESSAGES_KEPT = 200
+COMMAND_S = 5.0
+PATIENCE_S = 15.0
+"""Simulated seconds that a command has, and then to end after Ctrl-C."""
+
+
+class Machine(OnNetwork, Host):
+    """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
+
+    Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
+
+    :ivar session: what runs on it.
+    :ivar pages: those that show it, each told what is new as time passes.
+    :ivar time: how simulated time follows the clock on the wall: `time.speed`, `time.paused`.
+    """
+
+    can_continue = True
+    """Until it joins a real network: what comes from there cannot be repeated."""
+
+    def __init__(self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None) -> None:
+        self._make = make
+        self._keep_s = keep_s
+        self._forgot_s = 0.0
+        self._done: list[tuple[int, dict[str, Any]]] = []
+        self._start_ns = EPOCH_NS
+        self._is_again = False
+        self.pages: list[Page] = []
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._task: asyncio.Task[None] | None = None
+        self._begin(speed)
+        with suppress(RuntimeError):  # no loop runs: time passes in `run` only
+            self._loop = asyncio.get_running_loop()
+            self._task = self._loop.create_task(self._follow())
+
+    def _begin(self, speed: float) -> None:
+        with outer_loop_set_aside():
+            self.session = self._make(self._start_ns)
+        self.time = RealTime(self.session.sim, speed)
+        self._forgot_s = 0.0
+        self._hand = Viewer(self, lambda message: None)
+
+    def __repr__(self) -> str:
+        state = 'paused' if self.time.paused else f'speed {self.time.speed:g}'
+        return f'<Machine at {self.session.sim.elapsed_s:.3f} s, {state}, {len(self.session.graph.nodes)} nodes>'
+
+    async def _follow(self) -> None:
+        """Let simulated time follow the clock on the wall while other cells run."""
+        while True:
+            wait_s = self._advance()
+            for page in list(self.pages):
+                page.show()
+            await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
+
+    def soon(self, action: Callable[[], object]) -> None:
+        """Do something where the machine runs; from any thread."""
+        if self._loop is None:
+            action()
+        else:
+            self._loop.call_soon_threadsafe(action)
+
+    def _advance(self) -> float | None:
+        with outer_loop_set_aside(), streams_of_programs():
+            if self.network is not None:
+                self.network.listen(0)
+            wait_s = self.time.advance()
+            if self.network is not None:
+                self.network.after_turn()
+        self._forget()
+        return wait_s
+
+    @property
+    def is_on_network(self) -> bool | None:
+        """See `OnNetwork.is_on_network`; None also where time passes in `run` only."""
+        return None if self._loop is None else super().is_on_network
+
+    def join_network(self, joins: bool) -> str:
+        """Join a real network, in the environment in which Python was started, or leave it; returns what to say.
+
+        For that everything runs again up to this instant, as if it had begun so long ago by the clock on the wall.
+        """
+        from edulaunch.extras.network.switch import is_walls_time
+
+        if self._loop is None:
+            return 'a machine joins a network while an asyncio loop runs, as in a notebook'
+        if joins and self.can_continue and not is_walls_time(self.session.sim.now_ns):
+            elapsed_ns = self.session.sim.now_ns - self._start_ns
+            self._start_ns = time.time_ns() - elapsed_ns
+            self._reach(elapsed_ns)
+            self.time.paused = False
+        self.can_continue = False
+        return super().join_network(joins)
+
+    def _forget(self) -> None:
+        """Let go of old messages now and then, by simulated time: a machine that goes on for hours stays small."""
+        sim = self.session.sim
+        if self._keep_s is not None and sim.elapsed_s - self._forgot_s >= FORGET_EVERY_S:
+            self._forgot_s = sim.elapsed_s
+            self.session.recorder.forget_before(sim.now_ns - round(self._keep_s * 1e9), MESSAGES_KEPT)
+
+    def run(self, duration_s: float) -> Recording:
+        """Let simulated seconds pass as fast as possible; returns what was recorded so far.
+
+        The interrupt button (Ctrl-C) ends it early; what was recorded is kept.
+        """
+        left_s = duration_s
+        while left_s > 0:
+            part_s = min(left_s, FORGET_EVERY_S)
+            left_s -= part_s
+            with outer_loop_set_aside():
+                interrupted = self.session.run(part_s)
+            self._forget()
+            if interrupted:
+                break
+        self.time.go_on()
+        return self.recording()
+
+    def pause(self) -> None:
+        """Let time stand still."""
+        self.time.paused = True
+
+    def play(self, speed: float | None = None) -> None:
+        """Let time go on, at `speed` simulated seconds per real second."""
+        if speed is not None:
+            self.time.speed = speed
+        self.time.paused = False
+
+    def step(self, what: str = 'tick') -> None:
+        """One step: a 'tick' of turtlesim (16 ms), to the next 'message', or one 'callback'; then time stands still.
+
+        :raises UnusableInput: for another word.
+        """
+        if what not in ('tick', 'message', 'callback'):
+            raise UnusableInput(f'one step is a tick, a message or a callback, not {what!r}')
+        self.take({'op': 'step', 'what': what})
+
+    def ros2(self, line: str, seconds: float = COMMAND_S) -> str:
+        """Run a command of ROS 2 to its end and return what it printed: `machine.ros2('topic list')`.
+
+        :param seconds: simulated seconds after which Ctrl-C is pressed.
+        :raises UnusableInput: when the words cannot be read.
+        """
+        try:
+            words = shlex.split(line)
+        except ValueError as error:
+            raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
+        said: list[str] = []
+        spec = ProcessSpec(argv=('ros2', *words), name='ros2')
+        sim = self.session.sim
+        with outer_loop_set_aside():
+            process = self.session.host.start(spec, lambda stream, text: said.append(text), lambda code: sim.stop())
+            assert isinstance(process, Process)
+            self.session.run(seconds)
+            if process.returncode is None:
+                process.send_signal(signal.SIGINT)
+                self.session.run(PATIENCE_S)
+        self.time.go_on()
+        return ''.join(said)
+
+    def view(self, tab: str = 'graph') -> DeskWidget:
+        """The live desk as a widget; `tab` is what it shows beside the turtles, such as 'frames', 'graph' or 'plot'.
+
+        :raises UnusableInput: when anywidget is not installed, or there is no such tab.
+        """
+        return desk_widget(self, tab)
+
+    def slider(self, node: str, name: str, limits: tuple[float, float] | None = None) -> Any:
+        """A widget that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
+
+        :param limits: the least and the largest value; default: the range that the node declares.
+        :raises UnusableInput: when ipywidgets is not installed, there is no such node or parameter, or no range is known.
+        """
+        from edulaunch.desk.machine.sliders import slider
+
+        return slider(self, node, name, limits)
+
+    def take(self, words: dict[str, Any]) -> None:
+        """Do by hand what a page would ask for."""
+        self.do_for(self._hand, words)
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this; kept with its time."""
+        if not self._is_again:
+            self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
+
+    def continue_at(self, time_s: float) -> None:
+        """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.
+
+        What came after is gone.
+
+        :param time_s: simulated seconds since the start.
+        """
+        self._reach(round(time_s * 1e9))
+        self.time.paused = True
+
+    def _reach(self, until: int) -> None:
+        old, speed = self.session, self.time.speed
+        self._done = [(at, words) for at, words in self._done if at <= until]
+        old.close()
+        self._begin(speed)
+        self.time.paused = True
+        sim, self._is_again = self.session.sim, True
+        try:
+            with outer_loop_set_aside(), streams_of_programs():
+                for at, words in self._done:
+                    sim.run(self._start_ns + at)
+                    self._hand.take(words)
+                sim.run(max(self._start_ns + until, sim.now_ns))
+        finally:
+            self._is_again = False
+
+    def close(self) -> None:
+        """End everything that runs on it."""
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+        if self.network is not None and self.selector is not None:
+            self.network.off()
+            self.selector.close()
+        with outer_loop_set_aside():
+            self.session.close()
+
+    def __enter__(self) -> Machine:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def __await__(self) -> Generator[Any, None, Recording]:
+        return self._ended().__await__()
+
+    async def _ended(self) -> Recording:
+        while not self.session.is_over:
+            await asyncio.sleep(LONGEST_SLEEP_S)
+        return self.recording()
+
+
+def desk_widget(machine: Host, tab: str) -> DeskWidget:
+    """The live desk of a machine as a widget; see `Machine.view`.
+
+    :raises UnusableInput: when anywidget is not installed, or there is no such tab.
+    """
+    from edulaunch.engine.nearest import did_you_mean
+
+    if tab not in TABS:
+        raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
+    try:
+        from edulaunch.desk.machine.desk_widget import DeskWidget
+    except ImportError:
+        raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
+    return DeskWidget(machine, tab)
+
+
+def start(
+    path_or_package: PathLike | None = None,
+    file: str | None = None,
+    *,
+    arguments: Mapping[str, object] | None = None,
+    seed: int = 0,
+    speed: float = 1.0,
+    workspaces: Sequence[PathLike] | None = None,
+    keep_s: float | None = KEPT_S,
+) -> Machine:
+    """Start a machine, and a launch file on it: as :func:`edulaunch.run`, but it goes on and can be looked at.
+
+    :param path_or_package: as in `run`; None: nothing is launched.
+    :param speed: simulated seconds per real second.
+    :param keep_s: simulated seconds after which messages are let go, so that a machine that goes on for hours stays small; None:
+        never. Nodes, parameters and the last messages of each topic stay.
+    :raises UnusableInput: when the file or package does not exist, or `speed` is no positive number.
+    """
+    if not 0 < speed <= 100:
+        raise UnusableInput(f'speed has to be a number above 0 and up to 100, not {speed!r}')
+    texts = {name: str(value) for name, value in (arguments or {}).items()}
+    folders = workspaces_of_command((), path_or_package or '.') if workspaces is None else workspaces
+
+    def make(start_ns: int) -> Session:
+        session = Session(seed=seed, workspaces=folders, start_ns=start_ns)
+        if path_or_package is not None:
+            session.launch(path_or_package, file, texts)
+        return session
+
+    return Machine(make, speed, keep_s)

@@ -1,0 +1,264 @@
+"""Terminals as the machine sees them: each runs one command inside the simulation, or says a word to the machine itself
+(`edulaunch machine status|stop|pause|resume|speed X`, `edulaunch network ...`).
+
+What `ros2 doctor` says of the machine besides ROS 2's own checks is no part of what the command printed inside the simulation: a
+recording has no sentence in anybody's language.
+"""
+
+from __future__ import annotations
+
+import os
+import selectors
+import signal
+from codecs import getincrementaldecoder
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.reader import Reader, reader_of
+from edulaunch.advice.wording import diagnosis, said_at_the_end
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.connection import RemoteInput
+from edulaunch.desk.machine.on_network import OnNetwork
+from edulaunch.engine.packages.discovery import find_workspaces
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.sim.pacing import RealTime
+from edulaunch.runtime.session import Session, index_for, machine_environment
+
+if TYPE_CHECKING:
+    from edulaunch.desk.machine.connection import Connection
+    from edulaunch.desk.machine.desk import Desk
+
+FASTEST, SLOWEST = 100.0, 0.01
+NOT_FOUND = 127
+ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
+"""Commands behind which it is said what is wrong."""
+HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
+
+
+def is_doctor(words: Sequence[str]) -> bool:
+    """Whether a command asks for the checks, and not for a report of what there is."""
+    return (
+        len(words) > 1 and words[0] == 'ros2' and words[1] in ('doctor', 'wtf') and not {'hello', '-r', '--report'} & set(words)
+    )
+
+
+def doctors_text(session: Session, reader: Reader) -> str:
+    """What the rules find in what ran on the machine until now."""
+    heading = reader.says('edulaunch has looked at what ran here until now:')
+    return '\n'.join((heading, *diagnosis(session.glance().advice, reader), ''))
+
+
+def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
+    """Do what the words say; returns the exit code."""
+    word, value = (words + ['status', ''])[:2] if words else ('status', '')
+    if word == 'network':
+        from edulaunch.extras.network.switch import run_network
+
+        return run_network(terminals.switch(), words[1:], env, say, terminals.tell)
+    if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
+        say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
+        return 1
+    if word == 'status':
+        say(status(terminals))
+    elif word == 'stop':
+        terminals.is_asked_to_end = True
+        say('the machine stops\n')
+    elif word in ('pause', 'resume'):
+        terminals.time.paused = word == 'pause'
+        say(f'time {"stands still" if terminals.time.paused else "goes on"} at {terminals.session.sim.elapsed_s:.3f} s\n')
+    elif word == 'speed':
+        return _set_speed(terminals, value, say)
+    else:
+        say(f'unknown word {word!r}: status, stop, pause, resume or speed X\n')
+        return 2
+    return 0
+
+
+def _set_speed(terminals: Terminals, value: str, say: Callable[[str], object]) -> int:
+    try:
+        speed = float(value)
+    except ValueError:
+        speed = 0.0
+    if not SLOWEST <= speed <= FASTEST:
+        say(f'{value!r} is not a speed from {SLOWEST} to {FASTEST:.0f} simulated seconds per second\n')
+        return 2
+    terminals.time.speed = speed
+    say(f'one second is {speed:g} simulated seconds now\n')
+    return 0
+
+
+def status(terminals: Terminals) -> str:
+    """What runs on the machine, in words."""
+    time, session = terminals.time, terminals.session
+    pace = 'paused' if time.paused else f'speed {time.speed:g}'
+    lines = [f'machine: process {os.getpid()}, {session.sim.elapsed_s:.1f} s old, {pace}']
+    for terminal in terminals.open_ones:
+        programs = len(terminal.programs())
+        lines.append(f'terminal {terminal.number}: {" ".join(terminal.words)} ({programs} program{"s" * (programs != 1)})')
+    return '\n'.join(lines) + '\n'
+
+
+class Terminals(OnNetwork):
+    """All terminals of a machine, in the order in which they came.
+
+    :ivar is_asked_to_end: whether somebody said that the machine has to stop.
+    :ivar said: advice that was given in one of them: it is not given again.
+    """
+
+    def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
+        self.session = session
+        self.time = time
+        self.selector = selector
+        session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
+        self.open_ones: list[Terminal] = []
+        self.is_asked_to_end = False
+        self.said: set[str] = set()
+        self._count = 0
+
+    def tell(self, text: str) -> None:
+        """Say something to everybody who has a command running, and for the record."""
+        super().tell(text)
+        for terminal in self.open_ones:
+            terminal.show('stderr', f'warning: {text}\n')
+
+    def _join_network(
+        self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str], say: Callable[[str], object]
+    ) -> Callable[[], object]:
+        from edulaunch.extras.network.switch import Wish
+
+        return self.switch().join(env, Wish(link, clock, topics), self.tell, say)
+
+    def _where_on_network(self) -> str | None:
+        return self.network.where() if self.network is not None and self.network.bridge is not None else None
+
+    def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
+        """A terminal for what somebody said first.
+
+        :raises ValueError, IndexError: when that is not what a terminal says.
+        """
+        cwd, columns, lines, terminals, count = fields[:5]
+        words, variables = fields[5 : 5 + int(count)], fields[5 + int(count) :]
+        if not words or len(terminals) != 3:
+            raise ValueError('no command')
+        if words == ['machine', 'view']:
+            from edulaunch.desk.machine.desk import Desk
+
+            return Desk(self, connection)
+        self._count += 1
+        env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
+        terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)
+        terminal.words = words
+        terminal.number = self._count
+        if words[0] == 'machine':
+            code = run_words(self, words[1:], env, lambda text: connection.send(wire.OUTPUT, text.encode()))
+            terminal.ended(code)
+        else:
+            terminal.start(words, cwd, env)
+        return terminal
+
+
+class Terminal:
+    """One terminal with its command.
+
+    :param size: columns and lines.
+    :param terminals: which of stdin, stdout and stderr are one at the other end, as '1' and '0'.
+    """
+
+    def __init__(self, terminals: Terminals, connection: Connection, size: tuple[int, int], terminals_there: str) -> None:
+        self._terminals = terminals
+        self._connection = connection
+        self._terminals_there = terminals_there
+        self._decoder = getincrementaldecoder('utf-8')('replace')
+        self.words: list[str] = []
+        self.number = 0
+        self.process: Process | None = None
+        self.input = RemoteInput(connection.send, terminals_there[0] == '1', size)
+
+    def start(self, words: list[str], cwd: str, env: dict[str, str]) -> None:
+        """Run the command inside the simulation."""
+        host = self._terminals.session.host
+        name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
+        workspaces = find_workspaces(cwd, env, _launch_file(words, cwd))
+        index = index_for(workspaces) if workspaces else host.index
+        spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
+        if not host.knows(spec):
+            self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
+            self.ended(NOT_FOUND)
+            return
+        self._reader = reader_of(env, cwd)
+        self._began_s = self._terminals.session.sim.elapsed_s
+        process = host.start(spec, self.show, self._finished, index=index)
+        assert isinstance(process, Process)
+        process.stdin = self.input
+        process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
+        self.process = process
+        self._terminals.open_ones.append(self)
+
+    def show(self, stream: str, text: str) -> None:
+        """Write in this terminal."""
+        self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
+
+    def _finished(self, code: int) -> None:
+        """The command has run to its end: what it launched or ran is judged."""
+        if self.words[:2] in ADVISED and '--quiet' not in self.words:
+            session, typed = self._terminals.session, self.process.name if self.process else ''
+            said = said_at_the_end(session.glance(), self._reader, self._began_s, session.host.asides.helped, typed)
+            self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
+            self._terminals.said.update(said)
+        elif is_doctor(self.words):
+            self.show('stdout', doctors_text(self._terminals.session, self._reader))
+        self.ended(code)
+
+    def ended(self, code: int) -> None:
+        """The command has ended; so does the terminal."""
+        self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
+        self._connection.end()
+
+    def take(self, kind: bytes, payload: bytes) -> None:
+        """What the other end says."""
+        if kind == wire.INPUT:
+            self.input.feed(self._decoder.decode(payload), last=not payload)
+        elif kind == wire.SIGNAL:
+            self.signal(int(payload))
+        elif kind == wire.SIZE:
+            columns, lines = map(int, payload.split())
+            self.input.size = columns, lines
+
+    def signal(self, signum: int, running: Process | None = None) -> None:
+        """Ctrl-C and Ctrl-\\ reach every program of the terminal; anything else, its command.
+
+        :param running: the program in the midst of whose turn this comes; what the signal raises there leaves this method.
+        """
+        if self.process is None:
+            return
+        reached = [self.process]
+        if self.input.isatty() and signum in (signal.SIGINT, getattr(signal, 'SIGQUIT', None)):
+            reached = [program for program in self.programs() if not program.is_passed_on]
+        if running is not None:  # who would pass it on does not get a turn
+            reached = [*([] if running.is_passed_on else [each for each in reached if each is not running]), running]
+        for program in reached:
+            program.send_signal(signum)
+
+    def programs(self) -> list[Process]:
+        """What runs in the terminal, the command first."""
+        processes = self._terminals.session.host.processes
+        return [process for process in processes if process.group is self.process]
+
+    def hang_up(self) -> None:
+        """The other end is gone: what still runs there gets SIGHUP."""
+        if self in self._terminals.open_ones:
+            self._terminals.open_ones.remove(self)
+        host = self._terminals.session.host
+        for program in self.programs():
+            program.send_signal(HUP)
+        for real in [real for real in host.real_programs if real.group is self.process]:
+            real.send_signal(HUP)
+
+
+def _launch_file(words: list[str], cwd: str) -> str | None:
+    """The launch file that a command names by path."""
+    if words[:2] != ['ros2', 'launch']:
+        return None
+    paths = (os.path.join(cwd, word) for word in words[2:] if not word.startswith('-'))
+    return next(filter(os.path.isfile, paths), None)

@@ -1,0 +1,133 @@
+"""The page beside a terminal: a small server on the loopback, between the browser and the machine.
+
+Whoever wants in needs the token in the address, and a page of another origin gets nothing: a web socket is accepted only from the
+page that this server gave out. One connection to the machine stands behind each page.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import secrets
+import socket
+import sys
+import webbrowser
+from collections.abc import Callable
+from contextlib import suppress
+
+from tornado.httpserver import HTTPServer
+from tornado.iostream import IOStream, StreamClosedError
+from tornado.web import Application, HTTPError, RequestHandler
+from tornado.websocket import WebSocketHandler
+
+from edulaunch.desk.machine import wire
+from edulaunch.desk.view.page import live_page
+
+LONGEST_WORDS = 1 << 16
+"""Bytes of one message from the page."""
+Connect = Callable[[], tuple[socket.socket, bytes]]
+"""Gives a connected socket of the machine, and the first frame to say on it."""
+
+
+class _Guarded(RequestHandler):
+    """Only the page with the token, and only by the address that we gave out: a name that leads to the loopback is refused."""
+
+    def prepare(self) -> None:
+        expected = self.application.settings
+        given = self.path_args[0] if self.path_args else ''
+        if self.request.host not in expected['hosts'] or not hmac.compare_digest(given.encode(), expected['token'].encode()):
+            raise HTTPError(404)
+
+
+class _Page(_Guarded):
+    def get(self, token: str) -> None:
+        self.set_header('Cache-Control', 'no-store')
+        self.set_header('Referrer-Policy', 'no-referrer')
+        self.set_header('X-Frame-Options', 'DENY')
+        self.set_header('X-Content-Type-Options', 'nosniff')
+        self.write(live_page('edulaunch', self.application.settings['tab']))
+
+
+class _Socket(_Guarded, WebSocketHandler):
+    """Passes words of the page on to the machine, and what the machine says back."""
+
+    def check_origin(self, origin: str) -> bool:
+        return origin in {f'http://{host}' for host in self.application.settings['hosts']}
+
+    async def open(self, *args: str, **kwargs: str) -> None:
+        try:
+            connection, hello = self.application.settings['connect']()
+        except OSError as error:
+            self.close(1011, str(error)[:100])
+            return
+        self._machine = IOStream(connection)
+        with suppress(StreamClosedError):
+            await self._machine.write(hello)
+        asyncio.get_running_loop().create_task(self._pass_on())
+
+    async def _pass_on(self) -> None:
+        frames, line = wire.Frames(wire.FROM_MACHINE), b''
+        try:
+            while True:
+                for kind, payload in frames.feed(await self._machine.read_bytes(1 << 18, partial=True)):
+                    if kind != wire.OUTPUT:
+                        continue
+                    *lines, line = (line + payload).split(b'\n')
+                    for text in lines:
+                        await self.write_message(text)
+        except Exception:  # whichever side has gone, the other one is let go
+            self.close()
+
+    def on_message(self, message: str | bytes) -> None:
+        data = message.encode() if isinstance(message, str) else message
+        if len(data) <= LONGEST_WORDS and b'\n' not in data and not self._machine.closed():
+            self._machine.write(wire.frame(wire.INPUT, data + b'\n'))
+
+    def on_close(self) -> None:
+        if hasattr(self, '_machine'):
+            self._machine.close()
+
+
+async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: Callable[[str], object] | None = None) -> None:
+    """Serve the page until cancelled.
+
+    :param port: of the loopback; 0: any that is free.
+    :param opened: called with the address of the page once it is there.
+    :raises OSError: when the port is taken.
+    """
+    token = secrets.token_urlsafe(24)
+    listener = socket.socket(socket.AF_INET)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.bind(('127.0.0.1', port))
+    listener.listen()
+    listener.setblocking(False)
+    number = listener.getsockname()[1]
+    hosts = {f'127.0.0.1:{number}', f'localhost:{number}'}
+    paths = [(r'/([\w-]+)/', _Page), (r'/([\w-]+)/socket', _Socket)]
+    application = Application(
+        paths, token=token, hosts=hosts, tab=tab, connect=connect, websocket_max_message_size=LONGEST_WORDS, log_function=_quiet
+    )
+    server = HTTPServer(application)
+    server.add_socket(listener)
+    try:
+        if opened is not None:
+            opened(f'http://127.0.0.1:{number}/{token}/')
+        await asyncio.Event().wait()
+    finally:
+        server.stop()
+
+
+def _quiet(handler: RequestHandler) -> None:
+    """Nobody needs to hear of each request."""
+
+
+def tell(address: str, more: str = '') -> None:
+    """Say where the page is."""
+    sys.stdout.write(f'the view is at {address}\n{more}')
+    sys.stdout.flush()
+
+
+def show(address: str) -> None:
+    """Open the page where there is a browser."""
+    with suppress(webbrowser.Error):
+        webbrowser.open(address)

@@ -1,0 +1,134 @@
+"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys for it, completes words, and shows
+what is said.
+"""
+
+from __future__ import annotations
+
+import shlex
+import signal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.attached import attached
+from edulaunch.engine.processes.inputs import PipedInput
+from edulaunch.engine.processes.process import Process
+
+if TYPE_CHECKING:
+    from edulaunch.runtime.session import Session
+
+COUNT = 2
+SIZE = (80, 24)
+Start = Callable[[list[str], str, Callable[[str, str], object], Callable[[int], object]], Process]
+"""Starts a program: its words, a name, what hears its output, what hears its end."""
+
+
+class Pane:
+    """One terminal.
+
+    :param say: hands a message (plain data) to the page.
+    """
+
+    def __init__(self, number: int, start: Start, say: Callable[[dict[str, Any]], object]) -> None:
+        self._number = number
+        self._start = start
+        self._say = say
+        self._job: Process | None = None
+        self._left: list[Process] = []
+        self._keyboard: _Keyboard | None = None
+
+    def has_programs(self) -> bool:
+        """Whether something runs that was started here, with `&` or without."""
+        return any(one is not None and one.returncode is None for one in (self._job, *self._left))
+
+    def line(self, text: str) -> None:
+        """A line was typed: for the program that runs, or a command.
+
+        :raises ValueError: when the words cannot be read.
+        """
+        if self._job is not None and self._job.returncode is None:
+            self.keys(f'{text}\n')
+            return
+        words = shlex.split(text)
+        background = words[-1:] == ['&']
+        words = words[: len(words) - background]
+        if words[:1] != ['ros2']:
+            self.tell('stderr', f'{words[0] if words else text}: this terminal knows ros2 ... only\n')
+            return
+        job = self._start(words, 'ros2', self.tell, (lambda code: None) if background else self._ended)
+        if background:
+            self._left.append(job)
+        else:
+            self._job, self._keyboard = job, _Keyboard(self._tell_mode)
+            job.stdin = self._keyboard
+            self._tell_mode(False)
+
+    def keys(self, text: str) -> None:
+        """Keys were pressed for the program that runs."""
+        if self._keyboard is not None:
+            self._keyboard.feed(text)
+
+    def interrupt(self) -> None:
+        """Ctrl-C."""
+        if self._job is not None and self._job.returncode is None:
+            self._job.send_signal(signal.SIGINT)
+
+    def tell(self, stream: str, text: str) -> None:
+        """A program says something."""
+        self._say({'text': text, 'pane': self._number})
+
+    def _tell_mode(self, by_key: bool) -> None:
+        self._say({'pane': self._number, 'runs': True, 'keys': by_key})
+
+    def _ended(self, code: int) -> None:
+        self._job = self._keyboard = None
+        self._say({'pane': self._number, 'runs': False, 'keys': False})
+
+
+class _Keyboard(PipedInput):
+    """What a program in a pane reads; it may ask for keys in place of lines."""
+
+    is_inherited = True
+
+    def __init__(self, tell_mode: Callable[[bool], object]) -> None:
+        super().__init__()
+        self._tell_mode = tell_mode
+
+    def isatty(self) -> bool:
+        """Somebody sits there."""
+        return True
+
+    def terminal_size(self) -> tuple[int, int]:
+        """As a terminal has it that nobody has pulled larger."""
+        return SIZE
+
+    def change_mode(self, process: Process, flags: int) -> None:
+        """The page is told whether keys or lines are wanted."""
+        super().change_mode(process, flags)
+        self._tell_mode(self.by_key)
+
+
+def completions(session: Session, words: list[str], typed: str) -> list[str]:
+    """Words that could come behind `ros2 WORDS...` and begin as what is typed, in alphabetical order."""
+    possible = attached('completions')(words, typed, lambda: session.index, lambda command: _listed(session, command))
+    return sorted({word for word in possible if word.startswith(typed)})
+
+
+def _listed(session: Session, command: str) -> list[str]:
+    """What a command such as `topic list` would print now, without a turn of anybody's."""
+    rows, (what, *rest) = session.recorder.endpoints, command.split()
+    if what == 'node':
+        return [node.fully_qualified_name for node in session.graph.nodes if not node.name.startswith('_')]
+    if what == 'param':
+        return [row[2] for row in session.recorder.parameters if row[1] == rest[-1]]
+    if what == 'topic' and rest[0] == 'type':
+        return [row[2] for row in rows if row[1] == rest[-1]]
+    if what == 'interface':
+        from edulaunch.engine.interfaces import current_registry
+
+        kinds = {'-m': 'msg', '-s': 'srv', '-a': 'action'}
+        return current_registry().types(next((kinds[word] for word in rest if word in kinds), None))
+    kinds_of = {'topic': ('publisher', 'subscription'), 'service': ('service',), 'action': ('service',)}.get(what, ())
+    names = [row[1] for row in rows if row[0] in kinds_of]
+    if what == 'action':
+        return [name.removesuffix('/_action/send_goal') for name in names if name.endswith('/_action/send_goal')]
+    return [name for name in names if '/_action/' not in name]

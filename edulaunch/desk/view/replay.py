@@ -1,0 +1,183 @@
+"""What films are made from, and the replay of a run: the live desk without a machine behind it, in a frame that asks nothing of
+other machines.
+"""
+
+from __future__ import annotations
+
+import html
+import os
+from base64 import b64encode
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.canvas.filmstrip import filmstrip
+from edulaunch.canvas.picture import scene_data
+from edulaunch.canvas.worlds import World, read_worlds
+from edulaunch.desk.view.film import Film, marks_of
+from edulaunch.desk.view.page import recorded_page
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recorder, Recording
+
+_PARTS = {'output': 'output_lines'}
+HEIGHT_PX = 780
+MOVING = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
+
+
+def film_of(recording: Recording) -> dict[str, Any]:
+    """All of a recording as one piece of film, with what the rules say of it."""
+    film = Film(OfRecording(recording))
+    film.mark(marks_of(recording))
+    return film.piece()
+
+
+class OfRecording:
+    """A finished recording as the source of a film: equal on every machine, for paths of this one are left out."""
+
+    def __init__(self, recording: Recording) -> None:
+        from edulaunch.engine.recording.canonical import canonical
+
+        self._content = canonical(recording._content)
+        self._class = recording._class
+        self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
+
+    def topics(self) -> list[tuple[str, str]]:
+        """(topic, type) of all there are."""
+        return list(self._topics)
+
+    def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
+        """See `Source.rows`."""
+        column = self._topics[topic, kind]
+        return column['times'][first:], column['publishers'][first:], column['messages'][first:]
+
+    def part(self, name: str) -> Sequence[Any]:
+        """See `Source.part`."""
+        rows: Sequence[Any] = self._content.get(name) or ()
+        return rows
+
+    def numbers(self, name: str) -> Sequence[int]:
+        """A recording has everything."""
+        return range(len(self.part(name)))
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
+        """See `numbers`."""
+        return 0
+
+    def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
+        """See `Source.wire_type`."""
+        entries: Sequence[tuple[str, str]] = self._class(kind).wire_type()
+        return entries
+
+    def start_ns(self) -> int:
+        """See `Source.start_ns`."""
+        start: int = self._content['start_ns']
+        return start
+
+    def now_ns(self) -> int:
+        """The length of the recording."""
+        duration: int = self._content['duration_ns']
+        return duration
+
+
+class OfRecorder:
+    """The recorder of a machine that goes on running as the source of a film."""
+
+    def __init__(self, recorder: Recorder) -> None:
+        self._recorder = recorder
+
+    def topics(self) -> list[tuple[str, str]]:
+        """(topic, type) of all there are, in alphabetical order."""
+        return sorted(self._recorder.columns)
+
+    def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
+        """See `Source.rows`."""
+        flat = self._recorder.columns[topic, kind]
+        start, at = self._recorder.sim.start_ns, 3 * (first - self.forgotten((topic, kind)))
+        return [time - start for time in flat[at::3]], flat[at + 1 :: 3], flat[at + 2 :: 3]
+
+    def numbers(self, name: str) -> Sequence[int]:
+        """See `Source.numbers`."""
+        return self._recorder.numbers(_PARTS.get(name, name))
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
+        """See `Source.forgotten`."""
+        return self._recorder.forgotten.get(topic, 0)
+
+    def part(self, name: str) -> Sequence[Any]:
+        """See `Source.part`."""
+        rows: Sequence[Any] = getattr(self._recorder, _PARTS.get(name, name))
+        return rows
+
+    def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
+        """See `Source.wire_type`."""
+        from edulaunch.engine.interfaces import current_registry
+
+        overlay = self._recorder.overlay
+        registry = overlay.registry if overlay is not None else current_registry()
+        entries: Sequence[tuple[str, str]] = registry.get(kind).wire_type()
+        return entries
+
+    def start_ns(self) -> int:
+        """See `Source.start_ns`."""
+        return self._recorder.sim.start_ns
+
+    def now_ns(self) -> int:
+        """Simulated time since the start."""
+        return self._recorder.sim.now_ns - self._recorder.sim.start_ns
+
+
+class Replay:
+    """Everything of a run over time: turtles, frames, graph, numbers, log, parameters, with play, pause, steps and a slider.
+
+    A notebook or an HTML page made from it shows the desk; where scripts do not run there is a filmstrip of small pictures;
+    `repr()` is one line; a digest of what moved goes with it, for tests of notebooks.
+
+    :raises NothingToDraw: when nothing moved in the recording.
+    """
+
+    def __init__(self, recording: Recording) -> None:
+        self._worlds: list[World] = read_worlds(recording)
+        self._title = os.path.basename(recording.launch.file or '') or 'replay'
+        self.duration_s = recording.duration_s
+        self.film: dict[str, Any] = film_of(recording)
+
+    @property
+    def caption(self) -> str:
+        """One line that says what is to be seen."""
+        worlds = []
+        for world in self._worlds:
+            names = ', '.join(dict.fromkeys(track.name for track in world.tracks))
+            worlds.append(f'{world.title} with {names or "nobody"}')
+        return f'replay of {self.duration_s:.2f} s: {"; ".join(worlds)}'
+
+    def __repr__(self) -> str:
+        return self.caption
+
+    def filmstrip(self) -> str:
+        """Small pictures of the run as an SVG."""
+        return filmstrip(self._worlds, self.duration_s)
+
+    def page(self, *, small: bool = True) -> str:
+        """The desk as an HTML page that needs no other file; with `small` off the same bytes with every version of zlib."""
+        return recorded_page(self.film, self._title, small=small)
+
+    def html(self) -> str:
+        """What a notebook shows: the desk in an isolated frame, over a picture for places that allow no frames or scripts."""
+        alternative, picture = html.escape(self.caption), b64encode(self.filmstrip().encode()).decode()
+        return (
+            f'<div style="position:relative;height:{HEIGHT_PX}px;overflow:hidden">'
+            f'<img alt="{alternative}" style="max-width:100%;max-height:100%;object-fit:contain" '
+            f'src="data:image/svg+xml;base64,{picture}">'
+            f'<iframe title="{alternative}" sandbox="allow-scripts" '
+            f'style="position:absolute;inset:0;width:100%;height:100%;border:0;background:#fff" '
+            f'srcdoc="{html.escape(self.page(small=False))}"></iframe></div>'
+        )
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        moved = [topic for topic in self.film['topics'] if topic['type'] in MOVING]
+        return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.film.get('tf')])}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the desk as an HTML file that any browser plays, without a network."""
+        Path(path).write_text(self.page(), encoding='utf-8')

@@ -1,0 +1,250 @@
+"""One desk on a machine that lives: hands out the film, and does what somebody asks for with a mouse or a keyboard.
+
+What comes from the page is plain data that may be anything: a word that is not understood is answered with a sentence.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.view import Living
+from edulaunch.desk.view.film import Film, marks_of
+from edulaunch.desk.view.page import recorded_page
+from edulaunch.desk.view.panes import COUNT, Pane, completions
+from edulaunch.desk.view.replay import OfRecorder, film_of
+from edulaunch.engine.processes.inputs import PipedInput
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec
+
+if TYPE_CHECKING:
+    from edulaunch.engine.sim.pacing import RealTime
+
+TICK_NS = 16_000_000
+"""One step of turtlesim's window."""
+LONGEST_STEP_NS = 10_000_000_000
+FASTEST = 100.0
+LONGEST_LINE = 4000
+MOST_CHOICES = 60
+DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
+
+
+class Viewer:
+    """What stands behind one page.
+
+    :param say: hands a message (plain data) to the page.
+    """
+
+    def __init__(self, machine: Living, say: Callable[[dict[str, Any]], object]) -> None:
+        self._machine = machine
+        self._say = say
+        self._session = machine.session
+        self._film = Film(OfRecorder(self._session.recorder))
+        self._driver: PipedInput | None = None
+        self._panes = [Pane(number, self._start, say) for number in range(COUNT)]
+        self._told: dict[str, object] | None = None
+
+    def show(self) -> None:
+        """Say what is new: a piece of film, and how time goes."""
+        message: dict[str, Any] = {}
+        if self._look():
+            message['reset'] = True
+        machine = self._machine
+        state: dict[str, object] = {'running': not self._time.paused, 'speed': self._time.speed}
+        state |= {'can_continue': machine.can_continue, 'network': machine.is_on_network}
+        if state != self._told:
+            message['machine'] = self._told = state
+        self._say({**message, 'piece': self._film.piece()})
+
+    def has_programs(self) -> bool:
+        """Whether a program runs that was started in one of the page's terminals."""
+        return self._machine.session is self._session and any(pane.has_programs() for pane in self._panes)
+
+    @property
+    def _time(self) -> RealTime:
+        return self._machine.time
+
+    def _look(self) -> bool:
+        """Whether another session runs on the machine than before: a page begins anew then."""
+        if self._machine.session is self._session:
+            return False
+        self._session = self._machine.session
+        self._film = Film(OfRecorder(self._session.recorder))
+        self._driver, self._told = None, None
+        self._panes = [Pane(number, self._start, self._say) for number in range(COUNT)]
+        return True
+
+    def take(self, words: Any) -> None:
+        """Do what a page asks for: a dict with `op` and what belongs to it."""
+        op = words.get('op') if isinstance(words, dict) else None
+        action = _ACTIONS.get(op) if isinstance(op, str) else None
+        if action is None:
+            self._say({'said': 'the machine did not understand this'})
+            return
+        self._look()
+        if op in ('drive', 'teleport', 'param', 'line', 'keys', 'interrupt'):
+            self._machine.took(words)
+        try:
+            action(self, words)
+        except (KeyError, TypeError, ValueError) as error:
+            self._say({'said': f'{words["op"]}: {error}'})
+
+    def _pause(self, words: dict[str, Any]) -> None:
+        self._time.paused = words['op'] == 'pause'
+
+    def _speed(self, words: dict[str, Any]) -> None:
+        speed = _number(words, 'speed')
+        self._time.speed = min(speed, FASTEST) if speed > 0 else FASTEST
+
+    def _step(self, words: dict[str, Any]) -> None:
+        """Let time go on by a tick of turtlesim, to the next message, or by one item of the agenda; then it stands still."""
+        self._time.paused = True
+        sim, recorder = self._session.sim, self._session.recorder
+        what = words.get('what', 'tick')
+        if what == 'tick':
+            sim.run(sim.now_ns + TICK_NS)
+        elif what == 'callback':
+            sim.step()
+        elif what == 'message':
+            before, latest = recorder.publication_count(), sim.now_ns + LONGEST_STEP_NS
+            while recorder.publication_count() == before and (sim.next_time_ns() or latest) < latest:
+                sim.step()
+        else:
+            raise ValueError(f'one step is a tick, a message or a callback, not {what!r}')
+        self._time.go_on()
+
+    def _continue(self, words: dict[str, Any]) -> None:
+        if not self._machine.can_continue:
+            raise ValueError('other terminals hang on this machine: a machine of its own can, see edulaunch.start')
+        self._machine.continue_at(min(max(_number(words, 'time'), 0.0), self._session.sim.elapsed_s))
+
+    def _drive(self, words: dict[str, Any]) -> None:
+        who = _name(words, 'turtle')
+        if self._driver is None:
+            self._driver = PipedInput()
+            process = self._start(['python3', DRIVER], 'desk')
+            process.stdin = self._driver
+        self._driver.feed(f'{who or "/"} {_number(words, "linear")} {_number(words, "angular")}\n')
+
+    def _network(self, words: dict[str, Any]) -> None:
+        """Onto a real network, or off it."""
+        self._say({'said': self._machine.join_network(words['on'] is True)})
+
+    def _teleport(self, words: dict[str, Any]) -> None:
+        x, y, theta = (_number(words, name) for name in ('x', 'y', 'theta'))
+        request = f'{{x: {x:.4f}, y: {y:.4f}, theta: {theta:.4f}}}'
+        name = f'{_name(words, "turtle")}/teleport_absolute'
+        self._start(['ros2', 'service', 'call', name, 'turtlesim/srv/TeleportAbsolute', request], 'ros2')
+        self._step({'what': 'tick'})
+
+    def _parameter(self, words: dict[str, Any]) -> None:
+        value = str(words['value'])
+        words_of_line = ['ros2', 'param', 'set', _name(words, 'node'), str(words['name']), '--', value]
+        self._start(words_of_line, 'ros2', lambda stream, text: self._say({'said': text.strip()}))
+
+    def _line(self, words: dict[str, Any]) -> None:
+        """A line typed in one of the page's terminals."""
+        self._panes[_pane(words)].line(str(words['line'])[:LONGEST_LINE])
+
+    def _keys(self, words: dict[str, Any]) -> None:
+        """Keys pressed there for a program that wants keys."""
+        self._panes[_pane(words)].keys(str(words['keys'])[:LONGEST_LINE])
+
+    def _complete(self, words: dict[str, Any]) -> None:
+        """The Tab key in the page's terminal: the line as far as it is sure, and what could follow."""
+        line = str(words['line'])[:LONGEST_LINE]
+        *before, typed = line.split(' ')
+        if before[:1] != ['ros2']:
+            return
+        found = completions(self._session, before[1:], typed)
+        sure = os.path.commonprefix(found) + (' ' if len(found) == 1 and not found[0].endswith(('=', '/')) else '')
+        completed = line[: len(line) - len(typed)] + sure if found else line
+        self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(words)})
+
+    def _interrupt(self, words: dict[str, Any]) -> None:
+        """Ctrl-C in one of the page's terminals."""
+        self._panes[_pane(words)].interrupt()
+
+    def _export(self, words: dict[str, Any]) -> None:
+        """Give the page a file that plays what has happened until now, from disk and without a network."""
+        recording = self._machine.recording()
+        name = os.path.basename(recording.launch.file or '').partition('.')[0] or 'machine'
+        self._say({'export': recorded_page(film_of(recording), name), 'name': f'{name}.html'})
+
+    def _advise(self, words: dict[str, Any]) -> None:
+        """Let the rules look at what has happened until now."""
+        marks = marks_of(self._machine.recording()) or []
+        self._film.mark(marks)
+        self._say({'said': f'to look at: {len(marks)}' if marks else 'the rules find nothing to say'})
+
+    def _start(
+        self,
+        argv: list[str],
+        name: str,
+        on_output: Callable[[str, str], object] | None = None,
+        on_exit: Callable[[int], object] | None = None,
+    ) -> Process:
+        spec = ProcessSpec(argv=tuple(argv), name=f'{name}-view', cwd=os.getcwd())
+        process = self._session.host.start(spec, on_output, on_exit)
+        assert isinstance(process, Process)
+        return process
+
+    def close(self) -> None:
+        """The page is gone: what it started ends, the machine goes on."""
+        if self._driver is not None:
+            self._driver.feed('', last=True)
+        for pane in self._panes:
+            pane.interrupt()
+
+
+_ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
+    'pause': Viewer._pause,
+    'play': Viewer._pause,
+    'speed': Viewer._speed,
+    'step': Viewer._step,
+    'continue': Viewer._continue,
+    'drive': Viewer._drive,
+    'teleport': Viewer._teleport,
+    'param': Viewer._parameter,
+    'line': Viewer._line,
+    'keys': Viewer._keys,
+    'complete': Viewer._complete,
+    'interrupt': Viewer._interrupt,
+    'advise': Viewer._advise,
+    'export': Viewer._export,
+    'network': Viewer._network,
+}
+
+
+def _number(words: dict[str, Any], name: str) -> float:
+    """A finite number.
+
+    :raises ValueError: when it is something else.
+    """
+    value = words.get(name)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
+        raise ValueError(f'{name} has to be a number')
+    return float(value)
+
+
+def _pane(words: dict[str, Any]) -> int:
+    """Which of the page's terminals.
+
+    :raises ValueError: when there is none of that number.
+    """
+    pane = words.get('pane', 0)
+    if pane not in range(COUNT) or isinstance(pane, bool):
+        raise ValueError(f'there are {COUNT} terminals')
+    return int(pane)
+
+
+def _name(words: dict[str, Any], name: str) -> str:
+    """A ROS name: letters, digits, underscores and slashes.
+
+    :raises ValueError: when it is something else.
+    """
+    value = words.get(name)
+    if not isinstance(value, str) or len(value) > 255 or not all(letter.isalnum() or letter in '_/' for letter in value):
+        raise ValueError(f'{name} has to be a name')
+    return value

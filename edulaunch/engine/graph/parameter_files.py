@@ -1,0 +1,181 @@
+"""Parameter files and `-p` values, read by the rules of rcl's YAML parser (stricter than YAML: typed lists, no aliases)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.graph.parameters import scalar_from_text, sequence_type_name
+
+PARAMETERS_KEY = 'ros__parameters'
+LAYOUT = 'launch.parameter-file'
+_YAML_MARKS = frozenset('\'"[]{}!&*#|>:%@`,\n')
+
+
+class ParameterFileError(ValueError):
+    """A parameter file or value that rcl would refuse; the text is rcl's reason."""
+
+
+class Entry(NamedTuple):
+    """One parameter of a file: the node pattern it stands under, its dotted name, its value, and its line (from 1)."""
+
+    pattern: str
+    name: str
+    value: Any
+    line: int
+
+
+def read_parameter_file(text: str) -> list[Entry]:
+    """All parameters of a parameter file, in order.
+
+    :raises ParameterFileError: with rcl's reason, which names the line.
+    """
+    reader = _Reader(text)
+    if not reader.skip_to_root():
+        return []
+    entries: list[Entry] = []
+    try:
+        _read_nodes(reader, '', entries)
+    except RecursionError:
+        raise ParameterFileError('The mappings of the file are nested too deep') from None
+    return entries
+
+
+def read_value(text: str) -> Any:
+    """The value of a `-p name:=value` argument.
+
+    :raises ParameterFileError: for anything but a scalar or a list of scalars of one type.
+    """
+    if text.strip() and text == text.strip() and not _YAML_MARKS.intersection(text) and text[:2] not in ('-', '- ', '?', '? '):
+        return scalar_from_text(text)
+    if not text:
+        raise ParameterFileError('error not set')
+    reader = _Reader(text, of_a_file=False)
+    if not reader.skip_to_root(mapping=False):
+        return None  # nothing but a comment
+    return _read_value(reader, reader.next())
+
+
+class _Reader:
+    """The YAML events of a text, one at a time."""
+
+    def __init__(self, text: str, of_a_file: bool = True) -> None:
+        import yaml
+
+        self.of_a_file = of_a_file
+        self._line = 1
+        self._events: Iterator[Any] = yaml.parse(text, Loader=getattr(yaml, 'CLoader', yaml.Loader))
+        self._error = yaml.YAMLError
+
+    def next(self) -> Any:
+        try:
+            event = next(self._events)
+        except self._error as error:
+            reason = f'Error parsing a event near line {self._line}' if self.of_a_file else 'Error parsing an event'
+            raise with_facts(ParameterFileError(reason), 'launch.yaml', **_problem(error)) from None
+        self._line = line_of(event)  # rcl names the line of what it could still read
+        if type(event).__name__ == 'AliasEvent':
+            reason = f'Will not support aliasing at line {self._line}' if self.of_a_file else 'Unknown YAML event'
+            raise ParameterFileError(reason)
+        return event
+
+    def skip_to_root(self, mapping: bool = True) -> bool:
+        """Move to the document's root value; False when the text has none."""
+        for skipped in ('StreamStartEvent', 'DocumentStartEvent'):
+            if type(self.next()).__name__ != skipped:
+                return False
+        if mapping:
+            root = self.next()
+            if type(root).__name__ != 'MappingStartEvent':
+                raise _too_early(root, '')
+        return True
+
+
+def _problem(error: Any) -> dict[str, Any]:
+    mark = getattr(error, 'problem_mark', None)
+    return {'at': None if mark is None else mark.line + 1, 'problem': str(getattr(error, 'problem', error))}
+
+
+def line_of(event: Any) -> int:
+    """The line an event starts at, from 1."""
+    return int(event.start_mark.line) + 1
+
+
+def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
+    """Read a mapping of namespaces and node names; `path` is where it stands. To rcl, /sim and sim are two patterns, of which the
+    later one wins; both mean the same nodes."""
+    while type(key := reader.next()).__name__ != 'MappingEndEvent':
+        name = _key_text(key)
+        value = reader.next()
+        if type(value).__name__ != 'MappingStartEvent':
+            raise _too_early(value, path)
+        if name != PARAMETERS_KEY:
+            _read_nodes(reader, f'{path}/{name.strip("/")}' if path else name.rstrip('/'), entries)
+        elif path:
+            _read_parameters(reader, path, '', entries)
+        else:
+            raise with_facts(
+                ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}'), LAYOUT
+            )
+
+
+def _too_early(event: Any, path: str) -> ParameterFileError:
+    """What to raise for a value that stands too early; `path` is what stands above it."""
+    error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
+    misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
+    return with_facts(error, LAYOUT) if misspelt is None else with_facts(error, 'launch.parameters-key', found=misspelt)
+
+
+def _read_parameters(reader: _Reader, pattern: str, prefix: str, entries: list[Entry]) -> None:
+    """Read the mapping under `ros__parameters`; nested mappings become dotted names."""
+    while type(key := reader.next()).__name__ != 'MappingEndEvent':
+        name = prefix + _key_text(key)
+        value = reader.next()
+        if type(value).__name__ == 'MappingStartEvent':
+            _read_parameters(reader, pattern, name + '.', entries)
+        else:
+            entries.append(Entry(pattern, name, _read_value(reader, value), line_of(value)))
+
+
+def _key_text(event: Any) -> str:
+    kind = type(event).__name__
+    if kind != 'ScalarEvent':
+        what = 'Sequences' if kind == 'SequenceStartEvent' else 'Mappings'
+        raise ParameterFileError(f'{what} can only be values and not keys in params. Error at line {line_of(event)}')
+    return str(event.value)
+
+
+def _read_value(reader: _Reader, event: Any) -> Any:
+    kind = type(event).__name__
+    if kind == 'ScalarEvent':
+        return _scalar(event)
+    if kind == 'SequenceStartEvent':
+        return _read_sequence(reader) or None  # rcl cannot tell of what an empty list would be: the parameter is not set
+    if not reader.of_a_file:
+        raise with_facts(ParameterFileError('Unknown YAML event'), 'launch.parameter-value')
+    raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')
+
+
+def _read_sequence(reader: _Reader) -> list[Any]:
+    items: list[Any] = []
+    while type(event := reader.next()).__name__ != 'SequenceEndEvent':
+        if type(event).__name__ != 'ScalarEvent':
+            what = 'Sequences' if type(event).__name__ == 'SequenceStartEvent' else 'Mappings'
+            raise ParameterFileError(f'{what} cannot be values of a sequence. Error at line {line_of(event)}')
+        item = _scalar(event)
+        if items and type(item) is not type(items[0]):
+            kind = sequence_type_name(item)
+            reason = f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line_of(event)}"
+            raise with_facts(ParameterFileError(reason), 'launch.list-of-one-type')
+        items.append(item)
+    return items
+
+
+def _scalar(event: Any) -> Any:
+    text = str(event.value)
+    if event.style in ('"', "'") or event.tag == 'tag:yaml.org,2002:str':
+        return text
+    if not text:
+        raise with_facts(ParameterFileError(f'No value at line {line_of(event)}'), 'launch.no-value')
+    return scalar_from_text(text)

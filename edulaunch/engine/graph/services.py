@@ -1,0 +1,111 @@
+"""Services: requests find their server by name, replies find their client by number."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.qos import QoS
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.graph import Graph, NodeEntry
+
+RequestId = tuple['ServiceClient', int]
+"""Who asked, and the number that client gave the request."""
+
+
+class ServiceEnd:
+    """What servers and clients share. `cls` is the service class, with `Request` and `Response`."""
+
+    kind = 'service end'
+
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
+        self.graph = graph
+        self.node = node
+        self.service_name = service_name
+        self.cls = cls
+        self.type_name: str = cls.TYPE
+        self.qos = qos
+        self.on_ready = on_ready
+        self.index = graph.next_index()
+        self.destroyed = False
+
+
+class ServiceServer(ServiceEnd):
+    """One server of a service; `queue` holds the requests that wait, oldest first."""
+
+    kind = 'service'
+
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
+        super().__init__(graph, node, service_name, cls, qos, on_ready)
+        self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
+
+    def take(self) -> tuple[Any, RequestId] | None:
+        """The oldest waiting (wire, request id), or None."""
+        return self.queue.popleft() if self.queue else None
+
+    def respond(self, request_id: RequestId, wire: Any) -> None:
+        """Send the reply to whoever asked. A client that is gone, or whom another server has answered, is not told."""
+        client, sequence = request_id
+        if client.destroyed or sequence not in client.unanswered:
+            return
+        client.unanswered.remove(sequence)
+        self.graph.tracer.response(client, sequence, wire)
+        client.queue.append((sequence, wire))
+        client.on_ready()
+
+    def destroy(self) -> None:
+        """Stop serving; waiting requests are never answered."""
+        self.graph.remove_service(self)
+
+
+class ServiceClient(ServiceEnd):
+    """One client of a service; `queue` holds (sequence, wire) of replies, oldest first.
+
+    :ivar lost: how many requests found no server.
+    :ivar unanswered: the numbers of the requests that wait for a reply.
+    """
+
+    kind = 'client'
+
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
+        super().__init__(graph, node, service_name, cls, qos, on_ready)
+        self.queue: deque[tuple[int, Any]] = deque()
+        self.lost = 0
+        self.unanswered: set[int] = set()
+        self._sequence = 0
+
+    def server_is_ready(self) -> bool:
+        """Whether a server of this name and type exists now."""
+        return bool(self.graph.servers_for(self))
+
+    def send(self, wire: Any) -> int:
+        """Send a request and return its number. All servers of the name get it and the first reply counts; with no server it is
+        lost, as in ROS 2.
+        """
+        self._sequence = sequence = self._sequence + 1
+        servers = self.graph.servers_for(self)
+        self.graph.tracer.request(self, sequence, wire, bool(servers))  # before anybody answers: built-in ones do so at once
+        if servers:
+            self.unanswered.add(sequence)
+        else:
+            self.lost += 1
+        for server in servers:
+            server.queue.append((wire, (self, sequence)))
+            server.on_ready()
+        return sequence
+
+    def take(self) -> tuple[int, Any] | None:
+        """The oldest waiting (sequence, wire), or None."""
+        return self.queue.popleft() if self.queue else None
+
+    def destroy(self) -> None:
+        """Leave the service; replies that are still to come are dropped."""
+        self.graph.remove_client(self)

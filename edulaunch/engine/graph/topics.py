@@ -1,0 +1,174 @@
+"""Topics: publishers, subscriptions, and the delivery between them."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS, incompatible_policy
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.graph import Graph, NodeEntry
+
+Taken = tuple[Any, int, 'Publisher']
+"""What a subscription's queue holds: (wire tuple, time of publication in ns, publisher)."""
+
+
+class Endpoint:
+    """What publishers and subscriptions share."""
+
+    kind = 'endpoint'
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        self.graph = graph
+        self.node = node
+        self.topic_name = topic_name
+        self.cls = cls
+        self.type_name: str = cls.TYPE
+        self.qos = qos
+        self.index = graph.next_index()
+        self.destroyed = False
+        self.on_incompatible: Callable[[str], object] | None = None
+        self.on_matched: Callable[[int], object] | None = None
+
+    def _tell_matched(self, change: int) -> None:
+        if self.on_matched is not None:
+            self.on_matched(change)
+
+    def _tell_incompatible(self, policy: str) -> None:
+        if self.on_incompatible is not None:
+            self.on_incompatible(policy)
+
+
+class Publisher(Endpoint):
+    """One publisher of one node. Numbered in order of creation (`index`)."""
+
+    kind = 'publisher'
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self._sim = graph.sim
+        self.record = graph.tracer.channel(self)
+        self.matched: list[Subscription] = []
+        self.history: deque[Taken] | None = None
+        if qos.durability == TRANSIENT_LOCAL:
+            self.history = deque(maxlen=qos.queue_length)
+
+    @property
+    def subscription_count(self) -> int:
+        """How many subscriptions this publisher reaches."""
+        return len(self.matched)
+
+    def publish(self, wire: Any) -> None:
+        """Deliver a snapshot: it stands in all matched queues, and their nodes are told, when this returns."""
+        now = self._sim.now_ns
+        self.record((now, self.index, wire))
+        if self.history is not None:
+            self.history.append((wire, now, self))
+        for subscription in self.matched:
+            subscription.queue.append((wire, now, self))
+            subscription.on_ready()
+
+    def kept(self) -> list[Taken]:
+        """What a late subscription gets: the messages whose lifespan is not over."""
+        return [taken for taken in self.history or () if self.is_current(taken[1])]
+
+    def is_current(self, published_ns: int) -> bool:
+        """Whether the lifespan of a message is not over; one that is exactly that old is gone."""
+        return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
+
+    def destroy(self) -> None:
+        """Leave the topic. Doing it twice is doing it once."""
+        self.graph.remove_publisher(self)
+
+
+class WatchedPublisher(Publisher):
+    """A publisher that offers a deadline or a lease: `on_publish` is called for each message, `on_life` for each sign of life."""
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self.on_publish: list[Callable[[], object]] = []
+        self.on_life: list[Callable[[], object]] = []
+
+    def publish(self, wire: Any) -> None:
+        """See `Publisher.publish`."""
+        super().publish(wire)
+        for tell in self.on_publish:
+            tell()
+        self.show_life()
+
+    def show_life(self) -> None:
+        """Tell that the publisher is alive, without a message."""
+        for tell in self.on_life:
+            tell()
+
+
+class Subscription(Endpoint):
+    """One subscription of one node.
+
+    `queue` holds what was not taken yet, oldest first; when it is full (QoS depth) the oldest is dropped. `on_ready()` is
+    called on the publisher's turn after each delivery: it marks and wakes, nothing more.
+    """
+
+    kind = 'subscription'
+
+    def __init__(
+        self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self.on_ready = on_ready
+        self.queue: deque[Taken] = deque(maxlen=qos.queue_length)
+        self.publishers: list[Publisher] = []
+        self.may_expire = False
+
+    def drop_expired(self) -> None:
+        """Forget the waiting messages whose publisher's lifespan is over."""
+        current = [taken for taken in self.queue if taken[2].is_current(taken[1])]
+        if len(current) < len(self.queue):
+            self.queue.clear()
+            self.queue.extend(current)
+
+    @property
+    def publisher_count(self) -> int:
+        """How many publishers reach this subscription."""
+        return len(self.publishers)
+
+    def take(self) -> Taken | None:
+        """The oldest waiting (wire, source time in ns, publisher), or None."""
+        if self.may_expire:
+            self.drop_expired()
+        return self.queue.popleft() if self.queue else None
+
+    def destroy(self) -> None:
+        """Leave the topic; what waits in the queue is gone."""
+        self.graph.remove_subscription(self)
+
+
+def connect(publisher: Publisher, subscription: Subscription) -> None:
+    """Match two endpoints of one topic, or tell both why they do not match."""
+    policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
+    if policy is not None:
+        publisher.graph.tracer.incompatible(publisher, subscription, policy)
+        if policy != 'TYPE':
+            publisher._tell_incompatible(policy)
+            subscription._tell_incompatible(policy)
+        return
+    publisher.matched.append(subscription)
+    subscription.publishers.append(publisher)
+    subscription.may_expire |= bool(publisher.qos.lifespan_ns)
+    publisher._tell_matched(+1)
+    subscription._tell_matched(+1)
+    kept = publisher.kept() if publisher.history and subscription.qos.durability == TRANSIENT_LOCAL else ()
+    if kept:
+        subscription.queue.extend(kept)
+        subscription.on_ready()
+
+
+def disconnect(publisher: Publisher, subscription: Subscription) -> None:
+    """Undo `connect`, if it made a match."""
+    if subscription in publisher.matched:
+        publisher.matched.remove(subscription)
+        subscription.publishers.remove(publisher)
+        publisher._tell_matched(-1)
+        subscription._tell_matched(-1)

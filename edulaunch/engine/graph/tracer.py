@@ -1,0 +1,84 @@
+"""What the graph and the processes tell whoever keeps the record; this one keeps nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.graph import NodeEntry
+
+Record = tuple[int, int, Any]
+"""One publication: (time in ns, number of the publisher, wire tuple)."""
+
+
+Look = Callable[[], Iterable[tuple[str, dict[str, Any]]]]
+"""What is odd about a node at this moment: facts as (kind, plain data)."""
+
+
+def _forget(_: Record) -> None:
+    return None
+
+
+class Tracer:
+    """Told of everything that crosses a process boundary, before anybody who receives it. Subclass it to keep a record."""
+
+    def channel(self, publisher: Any) -> Callable[[Record], object]:
+        """Where this publisher's publications go: called once per publisher, so that publishing stays cheap."""
+        return _forget
+
+    def node_added(self, node: NodeEntry) -> None:
+        """A node joined the graph."""
+
+    def node_removed(self, node: NodeEntry) -> None:
+        """A node left the graph."""
+
+    def endpoint_added(self, kind: str, endpoint: Any) -> None:
+        """An endpoint came: kind is 'publisher', 'subscription', 'service' or 'client'."""
+
+    def endpoint_removed(self, kind: str, endpoint: Any) -> None:
+        """An endpoint went."""
+
+    def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
+        """A service request was sent; `served` tells whether a server took it."""
+
+    def response(self, client: Any, sequence: int, wire: Any) -> None:
+        """A reply went back to its client."""
+
+    def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
+        """Two endpoints of one topic cannot talk because of `policy` ('TYPE' when their types differ)."""
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        """A parameter was declared or changed (value None: undeclared)."""
+
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        """What a parameter was declared to be: limits are the least and the largest value, and the step (0: any)."""
+
+    def process_started(self, process: Any) -> None:
+        """A program began."""
+
+    def process_exited(self, process: Any) -> None:
+        """A program ended."""
+
+    def output(self, process: Any, stream: str, text: str) -> None:
+        """A program wrote to 'stdout' or 'stderr'."""
+
+    def log(self, process: Any, level: int, logger: str, message: str) -> None:
+        """A program logged a message."""
+
+    def note(self, process: Any, kind: str, text: str) -> None:
+        """The engine saw something that the user should hear about."""
+
+    def fact(self, process: Any, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        """Something odd happened in a program: plain data, no words. With a key that came before it happened once more."""
+
+    def fact_over(self, process: Any, kind: str, key: Hashable) -> None:
+        """What was noted under that key has come right after all: it never was."""
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        """`look()` tells what is odd about a node; it is called when the node leaves, or when the record ends before that."""
+
+    def node_leaving(self, node: NodeEntry) -> None:
+        """A node is about to leave, with all its endpoints."""

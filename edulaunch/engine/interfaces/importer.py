@@ -1,0 +1,169 @@
+"""Makes `import geometry_msgs.msg` work for packages that have interface files; classes are made when first asked for."""
+
+from __future__ import annotations
+
+import sys
+from importlib.machinery import ModuleSpec, PathFinder
+from types import FrameType, ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.interfaces.registry import KINDS_OF_INTERFACE
+from edulaunch.errors import InterfaceError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from importlib.abc import Loader
+
+    from edulaunch.engine.interfaces.registry import Registry
+else:
+    Loader = object  # importlib.abc costs more to import than this whole module
+
+
+class InterfaceFinder(Loader):
+    """A finder for `sys.meta_path`: provides `<package>.msg|srv|action` and, unless Python finds a real one,
+    `<package>` itself.
+
+    It must stand before Python's path finder: in a workspace the folder `my_interfaces/msg` looks like a
+    namespace package.
+    """
+
+    def __init__(self, registry: Registry) -> None:
+        self.registry = registry
+
+    def __repr__(self) -> str:
+        return 'edulaunch interfaces'  # shown in the repr of the modules
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        """The spec of a module that this finder provides, else None."""
+        package, *rest = fullname.split('.')
+        if len(rest) > 2 or not self.registry.has(package):
+            return None
+        if not rest:
+            return None if _is_real_package(package) else ModuleSpec(fullname, self, is_package=True)
+        if rest[0] not in KINDS_OF_INTERFACE or not self.registry.has(package, rest[0]):
+            return None
+        if len(rest) == 1:
+            return ModuleSpec(fullname, self, is_package=True)
+        return ModuleSpec(fullname, self) if self._interface(fullname) else None
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+        """Part of the import protocol."""
+
+        depth = spec.name.count('.')
+        if depth == 0:
+            return None
+        if depth == 1:
+            return InterfaceModule(spec.name, self.registry)
+        interface = self._interface(spec.name)
+        return PartModule(spec.name, self.registry, interface) if interface else None
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Part of the import protocol: nothing runs, classes are made when first asked for."""
+
+    def invalidate_caches(self) -> None:
+        """Called by importlib.invalidate_caches(): look at the folders again."""
+        self.registry.refresh()
+
+    def _interface(self, fullname: str) -> str | None:
+        """'turtlesim.srv._teleport_absolute' -> 'turtlesim/srv/TeleportAbsolute'."""
+        from edulaunch.engine.interfaces.spec import module_name
+
+        package, kind, module = fullname.split('.')
+        return next(
+            (f'{package}/{kind}/{name}' for name in self.registry.names(package, kind) if f'_{module_name(name)}' == module), None
+        )
+
+
+def install(registry: Registry) -> InterfaceFinder:
+    """Make the interfaces of a registry importable, in place of those of an earlier one."""
+    uninstall()
+    finder = InterfaceFinder(registry)
+    sys.meta_path.insert(0, finder)
+    return finder
+
+
+def installed_registry() -> Registry | None:
+    """The registry whose interfaces are importable now, if any."""
+    return next((finder.registry for finder in sys.meta_path if isinstance(finder, InterfaceFinder)), None)
+
+
+def uninstall() -> None:
+    """Take the finder away, with the modules that it made."""
+    finders = [finder for finder in sys.meta_path if isinstance(finder, InterfaceFinder)]
+    for finder in finders:
+        sys.meta_path.remove(finder)
+    for name, module in list(sys.modules.items()):
+        if getattr(getattr(module, '__spec__', None), 'loader', None) in finders:
+            del sys.modules[name]
+
+
+def _is_real_package(name: str) -> bool:
+    """Whether Python itself finds a module of this name; a bare folder (namespace package) does not count."""
+    spec = PathFinder.find_spec(name)
+    return spec is not None and spec.loader is not None and spec.origin is not None
+
+
+class InterfaceModule(ModuleType):
+    """`<package>.msg`, `.srv` or `.action`: one class for each interface file.
+
+    A wrong name is Python's own ImportError or AttributeError, which knows the nearest name, or where the
+    type is.
+    """
+
+    def __init__(self, name: str, registry: Registry) -> None:
+        package, kind = name.split('.')
+        super().__init__(name, f'The {kind} interfaces of {package}.')
+        self._registry = registry
+        self.__all__ = registry.names(package, kind)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self.__all__:
+            cls = self._registry.get(f'{self.__name__.replace(".", "/")}/{name}')
+            setattr(self, name, cls)
+            return cls
+        if name.startswith('__'):
+            raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
+        raise self._no_name(name, sys._getframe(1))
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.__all__})
+
+    def _no_name(self, name: str, asker: FrameType) -> Exception:
+        from edulaunch.engine.facts import with_facts  # late: every start loads this module
+        from edulaunch.engine.nearest import nearest
+
+        # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.
+        error: Exception = AttributeError(f'module {self.__name__!r} has no attribute {name!r}', name=name, obj=self)
+        if _is_from_import(asker):
+            error = ImportError(f'cannot import name {name!r} from {self.__name__!r} (unknown location)', name=self.__name__)
+        package, kind = self.__name__.split('.')
+        homes = self._registry.homes(name)
+        near = nearest(name, self._registry.names(package, kind))
+        return with_facts(error, 'messages.no-interface', interface=name, module=self.__name__, homes=homes, near=near)
+
+
+class PartModule(ModuleType):
+    """`<package>.msg._twist`: where a class says it comes from; pickle finds it here."""
+
+    def __init__(self, name: str, registry: Registry, interface: str) -> None:
+        super().__init__(name)
+        self._registry = registry
+        self._interface = interface  # 'turtlesim/srv/Spawn'
+
+    def __getattr__(self, name: str) -> Any:
+        own = self._interface.rpartition('/')[2]
+        if name == own or name.startswith(f'{own}_'):
+            try:
+                cls = self._registry.get(f'{self._interface.rpartition("/")[0]}/{name}')
+            except InterfaceError:
+                raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}') from None
+            setattr(self, name, cls)
+            return cls
+        raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
+
+
+def _is_from_import(frame: FrameType) -> bool:
+    """Whether the frame is executing `from module import name` at this moment."""
+    from opcode import opmap
+
+    return frame.f_code.co_code[frame.f_lasti] == opmap['IMPORT_FROM']

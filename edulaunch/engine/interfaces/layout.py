@@ -1,0 +1,124 @@
+"""How a message lies flat in a wire tuple.
+
+A wire tuple holds the message's single values in order, with the fields of nested messages in place of the
+nested message: a Twist is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated
+fields are tuples (or bytes) inside it; each element of a repeated message field is such a flat tuple again.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.interfaces.spec import BYTE_LIKE, Field, FieldType, MessageSpec
+
+SpecOf = Callable[[str], MessageSpec]
+
+
+class Branch:
+    """A nested message: the variable that holds it in generated code, its holder's variable and slot, and its
+    type.
+    """
+
+    __slots__ = ('variable', 'holder', 'slot', 'type')
+
+    def __init__(self, variable: str, holder: str, slot: str, type_name: str) -> None:
+        self.variable = variable
+        self.holder = holder
+        self.slot = slot
+        self.type = type_name
+
+
+class Leaf:
+    """One entry of the wire tuple: its dotted path, the variable of its holder, the holder's message type,
+    and the field itself.
+    """
+
+    __slots__ = ('path', 'holder', 'owner', 'field', 'type')
+
+    def __init__(self, path: str, holder: str, owner: str, field: Field) -> None:
+        self.path = path
+        self.holder = holder
+        self.owner = owner
+        self.field = field
+        self.type = field.type
+
+    @property
+    def target(self) -> str:
+        """The slot in generated code."""
+        return f'{self.holder}._{self.field.name}'
+
+    def held_by(self, variable: str) -> Leaf:
+        """The same leaf in another variable."""
+        return Leaf(self.path, variable, self.owner, self.field)
+
+
+class Layout:
+    """The branches (outer before inner) and the leaves (in wire order) of one message."""
+
+    __slots__ = ('branches', 'leaves')
+
+    def __init__(self, branches: tuple[Branch, ...], leaves: tuple[Leaf, ...]) -> None:
+        self.branches = branches
+        self.leaves = leaves
+
+
+def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
+    """The flat layout of a message; `spec_of` gives the spec of a nested type."""
+    branches: list[Branch] = []
+    leaves: list[Leaf] = []
+
+    def visit(message: MessageSpec, variable: str, prefix: str) -> None:
+        for field in message.fields:
+            path = f'{prefix}{field.name}'
+            if field.type.kind is None and not field.type.array:
+                branch = Branch(f'b{len(branches)}', variable, f'_{field.name}', field.type.base)
+                branches.append(branch)
+                visit(spec_of(field.type.base), branch.variable, f'{path}.')
+            else:
+                leaves.append(Leaf(path, variable, message.type, field))
+
+    visit(spec, 'm', '')
+    return Layout(tuple(branches), tuple(leaves))
+
+
+def is_byte_like(field_type: FieldType) -> bool:
+    """Whether a repeated field travels as one bytes object."""
+    return bool(field_type.array) and field_type.base in BYTE_LIKE
+
+
+def is_fixed_numbers(field_type: FieldType) -> bool:
+    """Whether the field is a numpy array to its reader."""
+    return field_type.array == 'fixed' and field_type.kind is not None and field_type.kind.is_number
+
+
+def is_number_sequence(field_type: FieldType) -> bool:
+    """Whether the field is an array.array to its reader."""
+    return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
+
+
+def zero(field_type: FieldType) -> Any:
+    """The value of one element that was never set."""
+    kind = field_type.kind
+    assert kind is not None
+    return b'\x00' if kind.python is bytes else kind.python()
+
+
+def default_wire(field: Field) -> Any:
+    """The wire value of a field that was never set."""
+    field_type = field.type
+    if not field_type.array:
+        return zero(field_type) if field.default is None else field.default
+    values = field.default
+    if values is None:
+        if field_type.kind is None:
+            raise ValueError('the elements of a nested field have no plain default')
+        values = (zero(field_type),) * (field_type.size if field_type.array == 'fixed' else 0)
+    if field_type.base == 'float32':
+        values = array('f', values)  # as numpy keeps them; a single float32 stays as it was written until it is sent
+    return _as_bytes(field_type, values) if is_byte_like(field_type) else tuple(values)
+
+
+def _as_bytes(field_type: FieldType, values: tuple[Any, ...]) -> bytes:
+    return b''.join(values) if field_type.base == 'byte' else bytes(value & 255 for value in values)

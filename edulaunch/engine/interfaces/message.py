@@ -1,0 +1,120 @@
+"""The base of all generated message classes, and class attributes that are made when first read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.engine.interfaces.layout import Layout
+    from edulaunch.engine.interfaces.spec import MessageSpec
+
+
+class Lazy:
+    """A class attribute computed at its first reading, then kept on the class that owns it."""
+
+    def __init__(self, compute: Callable[[], Any]) -> None:
+        self._compute = compute
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: type) -> Any:
+        value = self._compute()
+        setattr(owner, self._name, value)
+        return value
+
+
+class ConstantsStay(type):
+    """The metaclass of messages: the constants of a message type cannot be assigned to, as in rclpy."""
+
+    _constants: frozenset[str] = frozenset()
+
+    def __setattr__(cls, name: str, value: object) -> None:
+        if name in cls._constants:
+            error = AttributeError(f"property {name!r} of 'Metaclass_{cls.__name__}' object has no setter")
+            raise with_facts(error, 'messages.constant', constant=name, type=cls.__name__)
+        super().__setattr__(name, value)
+
+
+class Message(metaclass=ConstantsStay):
+    """What every message class has besides its fields; the fields look and behave as in rclpy.
+
+    `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message
+    from one.
+    """
+
+    __slots__: list[str] = []
+    TYPE: ClassVar[str]
+    LAYOUT: ClassVar[Layout]
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    _SPEC: ClassVar[MessageSpec]
+    _FIELDS: ClassVar[dict[str, str]]
+    _RULES: ClassVar[dict[str, Any]]
+    _CODEC: ClassVar[Any]
+    to_wire: ClassVar[Callable[[Any], tuple[Any, ...]]]
+    from_wire: ClassVar[Callable[[Any], Any]]
+    if TYPE_CHECKING:
+
+        def __init__(self, **kwargs: Any) -> None: ...
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Field names with their types as text, in order: {'linear': 'geometry_msgs/Vector3', ...}."""
+        return dict(cls._FIELDS)
+
+    @classmethod
+    def wire_type(cls) -> tuple[tuple[str, str], ...]:
+        """(dotted path, type in .msg notation) of each entry of a wire tuple, in order."""
+        return tuple((leaf.path, leaf.type.text) for leaf in cls.LAYOUT.leaves)
+
+    @property
+    def _check_fields(self) -> bool:
+        """ROS 2 Jazzy can switch the type checks off (`check_fields`); here they always stay on."""
+        return True
+
+    def __repr__(self) -> str:
+        cls = type(self)
+        package, kind = cls.TYPE.split('/')[:2]
+        values = []
+        for name, text in cls._FIELDS.items():
+            value = getattr(self, name)
+            # Sequences of numbers are shown as plain lists, as rclpy does; everything else as itself.
+            shown = value.tolist() if text.startswith('sequence<') and hasattr(value, 'typecode') else value
+            values.append(f'{name}={shown!r}')
+        return f'{package}.{kind}.{cls.__name__}({", ".join(values)})'
+
+
+def spec_of(message: Message | type[Message]) -> MessageSpec:
+    """How a message was defined; no public attribute of its own, since those are the fields'."""
+    return message._SPEC
+
+
+def rules_of(message: Message | type[Message]) -> dict[str, Any]:
+    """What each field takes, by name; `rules_of(m)['pose'].message` is the class of a nested message."""
+    return message._RULES
+
+
+def set_fields(message: Message, values: dict[str, Any]) -> None:
+    """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see
+    `Message._check_fields`.
+
+    :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
+    """
+    if not values.keys() <= message._FIELDS.keys():
+        values = {name: value for name, value in values.items() if name != 'check_fields'}
+        if not values.keys() <= message._FIELDS.keys():
+            _refuse_arguments(message, values)
+    for name, value in values.items():
+        setattr(message, name, value)
+
+
+def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
+    fields = message._FIELDS
+    unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
+    error = AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}')
+    near, name = nearest(unknown[0], fields), type(message).__name__
+    raise with_facts(error, 'messages.field', type=name, field=unknown[0], near=near, fields=list(fields))

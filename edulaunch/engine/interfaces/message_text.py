@@ -1,0 +1,83 @@
+"""Messages as YAML and CSV, as `ros2 topic echo` prints them."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from edulaunch.engine.interfaces.message import Message, spec_of
+
+
+class Shortening(NamedTuple):
+    """What is left out of a text.
+
+    :ivar length: how many items of an array and characters of a string are shown; None for all.
+    :ivar no_arr, no_str: whether arrays and strings are replaced by what they are.
+    """
+
+    length: int | None = None
+    no_arr: bool = False
+    no_str: bool = False
+
+
+EVERYTHING = Shortening()
+WIDEST = 2**31 - 1
+
+
+def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
+    """The message as YAML text, fields in their order, ending with a line end."""
+    import yaml
+
+    content = message_dict(message, short)
+    plain = repr(content)
+    simple = plain.isascii() and '\\' not in plain
+    # The C writer is faster, but writes other letters than ASCII in another way than ROS 2 shows them.
+    dumper = getattr(yaml, 'CSafeDumper', yaml.SafeDumper) if simple else yaml.SafeDumper
+    text: str = yaml.dump(
+        content, Dumper=dumper, sort_keys=False, width=WIDEST, allow_unicode=True, default_flow_style=flow_style
+    )
+    return text
+
+
+def message_csv(message: Message, short: Shortening = EVERYTHING) -> str:
+    """All single values of the message, separated by commas."""
+    return ','.join(_flat(message_dict(message, short)))
+
+
+def message_dict(message: Message, short: Shortening = EVERYTHING) -> dict[str, Any]:
+    """The message as plain dicts, lists, numbers and strings."""
+    found: dict[str, Any] = {}
+    for field in spec_of(message).fields:
+        value = getattr(message, field.name)
+        if field.type.array and short.no_arr:
+            found[field.name] = f'<{field.type.ros_text}, length: {len(value)}>'
+        elif field.type.array:
+            found[field.name] = _list(value, short)
+        else:
+            found[field.name] = plain_value(value, short)
+    return found
+
+
+def _list(values: Any, short: Shortening) -> list[Any]:
+    items = values.tolist() if hasattr(values, 'tolist') else list(values)
+    cut = short.length is not None and len(items) > short.length
+    shown = [plain_value(item, short) for item in (items[: short.length] if cut else items)]
+    return [*shown, '...'] if cut else shown
+
+
+def plain_value(value: Any, short: Shortening) -> Any:
+    """One value of a field as plain data."""
+    if isinstance(value, Message):
+        return message_dict(value, short)
+    if isinstance(value, bytes):
+        return value[0] if len(value) == 1 else list(value)
+    if isinstance(value, str):
+        if short.no_str:
+            return f'<string, length: <{len(value)}>>'
+        return value if short.length is None or len(value) <= short.length else value[: short.length] + '...'
+    return _list(value, short) if hasattr(value, 'tolist') else value
+
+
+def _flat(value: Any) -> list[str]:
+    if isinstance(value, dict):
+        return [text for item in value.values() for text in _flat(item)]
+    return [text for item in value for text in _flat(item)] if isinstance(value, list) else [str(value)]

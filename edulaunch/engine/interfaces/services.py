@@ -1,0 +1,158 @@
+"""Services and actions: their classes, which hold message classes and are never instantiated, and the messages that ROS
+derives from them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+from edulaunch.engine.interfaces.generator import module_of
+from edulaunch.engine.interfaces.message import Lazy, Message
+from edulaunch.engine.interfaces.spec import ActionSpec, Field, FieldType, MessageSpec, ServiceSpec
+
+_GOAL_ID = Field('goal_id', FieldType('unique_identifier_msgs/msg/UUID'))
+
+
+def event_of(service: ServiceSpec) -> MessageSpec:
+    """The introspection event of a service."""
+    return MessageSpec(
+        f'{service.type}_Event',
+        (
+            Field('info', FieldType('service_msgs/msg/ServiceEventInfo')),
+            Field('request', FieldType(service.request.type, None, 'bounded', 1)),
+            Field('response', FieldType(service.response.type, None, 'bounded', 1)),
+        ),
+        (),
+        service.request.file,
+    )
+
+
+def send_goal_of(action: ActionSpec) -> ServiceSpec:
+    """The service that carries a goal to an action server."""
+    name, file = f'{action.type}_SendGoal', action.goal.file
+    return ServiceSpec(
+        name,
+        MessageSpec(f'{name}_Request', (_GOAL_ID, Field('goal', FieldType(action.goal.type))), (), file),
+        MessageSpec(
+            f'{name}_Response',
+            (Field('accepted', FieldType('bool')), Field('stamp', FieldType('builtin_interfaces/msg/Time'))),
+            (),
+            file,
+        ),
+    )
+
+
+def get_result_of(action: ActionSpec) -> ServiceSpec:
+    """The service that answers with the result once a goal has ended."""
+    name, file = f'{action.type}_GetResult', action.goal.file
+    return ServiceSpec(
+        name,
+        MessageSpec(f'{name}_Request', (_GOAL_ID,), (), file),
+        MessageSpec(
+            f'{name}_Response', (Field('status', FieldType('int8')), Field('result', FieldType(action.result.type))), (), file
+        ),
+    )
+
+
+def feedback_message_of(action: ActionSpec) -> MessageSpec:
+    """The message of the feedback topic."""
+    return MessageSpec(
+        f'{action.type}_FeedbackMessage', (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))), (), action.goal.file
+    )
+
+
+def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
+    """The interface itself and everything derived from it, by full type name."""
+    if isinstance(spec, MessageSpec):
+        return {spec.type: spec}
+    if isinstance(spec, ServiceSpec):
+        return {part.type: part for part in (spec, spec.request, spec.response, event_of(spec))}
+    parts: dict[str, MessageSpec | ServiceSpec | ActionSpec] = {
+        part.type: part for part in (spec, spec.goal, spec.result, spec.feedback, feedback_message_of(spec))
+    }
+    return parts | parts_of(send_goal_of(spec)) | parts_of(get_result_of(spec))
+
+
+ClassOf = Callable[[str], type[Any]]
+
+
+class Service:
+    """Base of service classes such as `turtlesim.srv.Spawn`."""
+
+    TYPE: ClassVar[str]
+    Request: ClassVar[type[Message]]
+    Response: ClassVar[type[Message]]
+    Event: ClassVar[type[Message]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError('Service classes can not be instantiated')
+
+
+class Action:
+    """Base of action classes such as `turtlesim.action.RotateAbsolute`."""
+
+    TYPE: ClassVar[str]
+    Goal: ClassVar[type[Message]]
+    Result: ClassVar[type[Message]]
+    Feedback: ClassVar[type[Message]]
+    Impl: ClassVar[type[Any]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError('Action classes can not be instantiated')
+
+
+def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
+    """The class of a service; its parts are made when first read."""
+    return type(
+        _name(spec.type),
+        (Service,),
+        {
+            '__module__': module_of(spec.type),
+            'TYPE': spec.type,
+            **_lazy(class_of, {part: f'{spec.type}_{part}' for part in ('Request', 'Response', 'Event')}),
+        },
+    )
+
+
+def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
+    """The class of an action; its parts are made when first read."""
+    impl = type(
+        'Impl',
+        (),
+        {
+            '__module__': module_of(spec.type),
+            '__qualname__': f'{_name(spec.type)}.Impl',
+            **_lazy(
+                class_of,
+                {
+                    'SendGoalService': send_goal_of(spec).type,
+                    'GetResultService': get_result_of(spec).type,
+                    'FeedbackMessage': feedback_message_of(spec).type,
+                    'CancelGoalService': 'action_msgs/srv/CancelGoal',
+                    'GoalStatusMessage': 'action_msgs/msg/GoalStatusArray',
+                },
+            ),
+        },
+    )
+    return type(
+        _name(spec.type),
+        (Action,),
+        {
+            '__module__': module_of(spec.type),
+            'TYPE': spec.type,
+            'Impl': impl,
+            **_lazy(class_of, {part: f'{spec.type}_{part}' for part in ('Goal', 'Result', 'Feedback')}),
+        },
+    )
+
+
+def _name(type_name: str) -> str:
+    return type_name.split('/')[2]
+
+
+def _lazy(class_of: ClassOf, types: dict[str, str]) -> dict[str, Lazy]:
+    return {
+        name: Lazy(lambda type_name=type_name: class_of(type_name))  # type: ignore[misc]
+        for name, type_name in types.items()
+    }

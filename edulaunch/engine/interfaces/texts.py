@@ -1,0 +1,83 @@
+"""Interfaces kept as text: what a recording needs so that messages of a student's own types can be read anywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from edulaunch.engine.interfaces.registry import KINDS_OF_INTERFACE, Registry
+from edulaunch.errors import InterfaceError
+
+if TYPE_CHECKING:
+    from edulaunch.engine.interfaces.spec import InterfaceSpec
+
+
+class TextRegistry(Registry):
+    """Interfaces whose texts are given, over those of another registry.
+
+    :param texts: the text of each file, by type name such as 'my_interfaces/msg/Num'.
+    :param base: asked for packages that no text belongs to.
+    """
+
+    def __init__(self, texts: Mapping[str, str], base: Registry | None = None) -> None:
+        super().__init__((), base)
+        self._texts = dict(texts)
+        for name in sorted(self._texts):
+            package, kind, short = name.split('/')
+            self._packages.setdefault(package, {}).setdefault(kind, {})[short] = f'{name}.{kind}'
+
+    def text(self, type_name: str) -> str:
+        """The text of a type.
+
+        :raises InterfaceError: when there is no such type.
+        """
+        if type_name in self._texts:
+            return self._texts[type_name]
+        return super().text(type_name)
+
+    def refresh(self) -> None:
+        """Texts do not change."""
+
+    def _files(self, package: str) -> dict[str, dict[str, str]]:
+        return self._packages.get(package, {})
+
+    def _package_folders(self) -> dict[str, str]:
+        return dict.fromkeys(self._packages, '')
+
+
+def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
+    """The texts that define the named types and everything in them, but for types of the registry's base.
+
+    :param names: type names; parts such as 'pkg/srv/Catch_Request' stand for the whole.
+    """
+    found: dict[str, str] = {}
+    waiting = sorted({*map(_whole, names)}, reverse=True)
+    while waiting:
+        name = waiting.pop()
+        package = name.partition('/')[0]
+        if name in found or not registry.owns(package):
+            continue
+        try:
+            parts = [registry.spec(part) for part in _parts(registry, name)]
+        except InterfaceError:
+            continue  # nobody can have used a type that does not exist or cannot be read
+        found[name] = registry.text(name)
+        waiting += [_whole(nested) for part in parts for nested in _nested(part)]
+    return dict(sorted(found.items()))
+
+
+def _whole(name: str) -> str:
+    package, _, rest = name.partition('/')
+    kind, _, short = rest.partition('/')
+    return f'{package}/{kind}/{short.partition("_")[0]}' if kind in KINDS_OF_INTERFACE else name
+
+
+def _parts(registry: Registry, name: str) -> list[str]:
+    from edulaunch.engine.interfaces.services import parts_of
+
+    return list(parts_of(registry.spec(name)))
+
+
+def _nested(spec: InterfaceSpec) -> list[str]:
+    """Names of the types of the fields of a message; services and actions come as their parts."""
+    return [field.type.base for field in getattr(spec, 'fields', ()) if field.type.kind is None]

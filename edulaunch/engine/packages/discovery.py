@@ -1,0 +1,139 @@
+"""Which workspaces a command means when it names none: those that a person with a real ROS 2 would have sourced."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from edulaunch.engine.underlay_place import underlay_prefix
+
+INSTALL_SIGNS = ('.colcon_install_layout', 'local_setup.bash', 'local_setup.sh', os.path.join('share', 'ament_index'))
+"""What lies in a folder that colcon has installed into."""
+_DISTRIBUTION_SIGNS = (os.path.join('share', 'rclpy'), os.path.join('share', 'ros_environment'))
+"""What lies in the prefix of ROS 2 itself, which is never a workspace."""
+
+
+def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str], list[str]]:
+    """Tell folders that colcon built (`install/`) from folders with source packages; absolute paths, in the given order.
+
+    A workspace that has both is read from source: what is written there is what the student means, built or not.
+    """
+    paths = [os.path.abspath(os.fspath(folder)) for folder in folders]
+    built = [path for path in paths if any(os.path.exists(os.path.join(path, sign)) for sign in INSTALL_SIGNS)]
+    return built, [path for path in paths if path not in built]
+
+
+def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None = None) -> list[str]:
+    """Absolute paths of the workspaces for a command, in order of search and each once.
+
+    Searched are EDULAUNCH_WORKSPACES; upwards from the launch file; upwards from the current folder, and when nothing is above,
+    one level below it; last what AMENT_PREFIX_PATH and COLCON_PREFIX_PATH name, as a real `install/setup.bash` sets them.
+
+    :param folder: the current folder of the command.
+    :param env: its environment.
+    :param launch_file: path of the launch file that it names, if it names one.
+    """
+    here = os.path.abspath(folder)
+    found = [os.path.join(here, path) for path in _listed(env, 'EDULAUNCH_WORKSPACES') if os.path.isdir(os.path.join(here, path))]
+    if launch_file is not None:
+        found += _above(os.path.dirname(os.path.join(here, launch_file)))
+    found += _above(here) or _below(here)
+    found += map(_of_prefix, filter(_is_overlay, [*_listed(env, 'COLCON_PREFIX_PATH'), *_listed(env, 'AMENT_PREFIX_PATH')]))
+    return list({os.path.realpath(path): os.path.normpath(path) for path in reversed(found)}.values())[::-1]
+
+
+def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str | os.PathLike[str]) -> list[str]:
+    """What `--workspace` names; when it names nothing, what is found for a command here that launches `target`."""
+    if given:
+        return [os.fspath(path) for path in given]
+    return find_workspaces(os.getcwd(), os.environ, os.fspath(target) if os.path.isfile(target) else None)
+
+
+def workspace_around(path: str) -> str | None:
+    """The workspace in which a file or folder lies: what has its package in `src`; without one, the folder above the package
+    when it holds further packages, else the package. None outside any package.
+    """
+    package = package_around(path)
+    if package is None or package.startswith(underlay_prefix()):
+        return None
+    prefix, place = os.path.split(os.path.dirname(package))
+    if place == 'share' and install_folders([prefix])[0]:
+        return _of_prefix(prefix) if _is_overlay(prefix) else None
+    outer, sign, _ = f'{os.path.dirname(package)}{os.sep}'.rpartition(f'{os.sep}src{os.sep}')
+    if sign:
+        return _root_of(outer)
+    above = os.path.dirname(package)
+    return above if len(_with_manifest(above)) > 1 else package
+
+
+def package_around(path: str) -> str | None:
+    """The innermost folder with a `package.xml` that is, or is around, a path."""
+    return next((folder for folder in _upwards(os.path.abspath(path)) if _has_manifest(folder)), None)
+
+
+def _above(folder: str) -> list[str]:
+    """The innermost workspace around a folder, as a list that may be empty."""
+    around = workspace_around(folder)
+    if around is not None:
+        return [around]
+    return next(([_root_of(path)] for path in _upwards(folder) if _holds_sources(path)), [])
+
+
+def _below(folder: str) -> list[str]:
+    """The folder itself when packages lie in it; else the workspaces in it."""
+    if _with_manifest(folder):
+        return [folder]
+    return [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
+
+
+def _upwards(folder: str) -> Iterator[str]:
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder:
+            return
+        folder = above
+
+
+def _root_of(outer: str) -> str:
+    """The workspace with the sources `outer`/src. Of a home folder, or of the whole disk, only these are meant."""
+    return os.path.join(outer or os.sep, 'src') if outer in ('', os.sep, os.path.expanduser('~')) else outer
+
+
+def _holds_sources(folder: str) -> bool:
+    """Whether packages lie in `src`, or one level further down, as repositories are cloned there."""
+    sources = os.path.join(folder, 'src')
+    return bool(_with_manifest(sources)) or any(_with_manifest(os.path.join(sources, name)) for name in _names(sources))
+
+
+def _with_manifest(folder: str) -> list[str]:
+    return [name for name in _names(folder) if _has_manifest(os.path.join(folder, name))]
+
+
+def _has_manifest(folder: str) -> bool:
+    return os.path.isfile(os.path.join(folder, 'package.xml'))
+
+
+def _names(folder: str) -> list[str]:
+    """What lies in a folder, without what is hidden; nothing when it cannot be read."""
+    try:
+        return sorted(name for name in os.listdir(folder) if not name.startswith('.'))
+    except OSError:
+        return []
+
+
+def _listed(env: Mapping[str, str], name: str) -> list[str]:
+    return [path for path in env.get(name, '').split(os.pathsep) if path]
+
+
+def _is_overlay(prefix: str) -> bool:
+    is_ros = prefix == underlay_prefix() or any(os.path.isdir(os.path.join(prefix, sign)) for sign in _DISTRIBUTION_SIGNS)
+    return os.path.isdir(prefix) and not is_ros
+
+
+def _of_prefix(prefix: str) -> str:
+    """The workspace that was built into a prefix, if its sources are there; else the `install` folder, or the prefix."""
+    path = os.path.abspath(prefix)
+    install = os.path.dirname(path) if install_folders([os.path.dirname(path)])[0] else path
+    workspace = os.path.dirname(install)
+    return workspace if _holds_sources(workspace) or _with_manifest(workspace) else install

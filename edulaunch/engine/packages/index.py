@@ -1,0 +1,271 @@
+"""The index: one view over source workspaces, install prefixes and the underlay; and the interfaces that one sees over it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Protocol
+
+from edulaunch.engine.packages.absent import absent_kind
+from edulaunch.engine.packages.prefix import Prefix, Underlay, expand_prefixes
+from edulaunch.engine.packages.reading import Contents, PackageWarning, Program
+from edulaunch.engine.packages.workspace import Workspace
+from edulaunch.engine.underlay_place import underlay_prefix
+
+if TYPE_CHECKING:
+    from edulaunch.engine.interfaces.registry import Registry
+
+
+class Place(Protocol):
+    """A prefix, or something presented as one.
+
+    :attr:`path` is the prefix folder; all methods take names of packages that :meth:`packages` lists.
+    """
+
+    path: str
+
+    def packages(self) -> list[str]:
+        """Names of the packages here, sorted."""
+
+    def install(self, package: str) -> None:
+        """Make sure that the package's files stand below :attr:`path`."""
+
+    def executables(self, package: str) -> list[str]:
+        """Names in lib/<package> that can be started, sorted."""
+
+    def program(self, package: str, executable: str) -> Program | None:
+        """The Python program of that name; None when there is none, or when it is not Python."""
+
+    def modules(self) -> dict[str, str]:
+        """Top-level import names that packages here bring, with the path of each folder or .py file."""
+
+    def interface_packages(self) -> list[str]:
+        """Packages with msg/, srv/ or action/ files in their share folder, sorted."""
+
+    def source_path(self, path: str) -> str | None:
+        """The file as the student wrote it, for a path below :attr:`path`."""
+
+
+_ON_PATH = ('rviz2', 'xacro')
+"""Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
+
+
+class Index:
+    """Finds packages, their share folders, executables, modules and interfaces.
+
+    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay
+    last. Paths are strings. A package of a source workspace is presented as if installed, in a generated
+    prefix of links; use
+    :meth:`source_path` to get back to the student's own file.
+
+    :param prefixes: install prefixes, or colcon `install/` folders of either layout.
+    :param workspaces: folders with source packages.
+    :param underlay: the built-in packages' prefix; None for an index without them.
+    """
+
+    def __init__(
+        self,
+        prefixes: Iterable[str | os.PathLike[str]] = (),
+        workspaces: Iterable[str | os.PathLike[str]] = (),
+        *,
+        underlay: str | None = underlay_prefix(),
+    ) -> None:
+        self._warnings: list[PackageWarning] = []
+        expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
+        self._places: list[Place] = [
+            *(Workspace(os.fspath(folder), self._warnings) for folder in workspaces),
+            *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
+        ]
+        self._underlay = underlay
+        if underlay is not None:
+            self._places.append(Underlay(underlay))
+
+    @property
+    def warnings(self) -> tuple[PackageWarning, ...]:
+        """What is wrong in the packages that were looked at so far."""
+        return tuple(self._warnings)
+
+    def search_paths(self) -> list[str]:
+        """The prefixes in order of search, as AMENT_PREFIX_PATH would list them."""
+        return [place.path for place in self._places]
+
+    def packages(self) -> dict[str, str]:
+        """Each package's prefix, by name; the first place that has a package wins."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for name in place.packages():
+                found.setdefault(name, place.path)
+        return dict(sorted(found.items()))
+
+    def prefix(self, package: str) -> str | None:
+        """The prefix that holds the package, or None. Its files stand there when this returns."""
+        place = self._place(package)
+        if place is None:
+            return None
+        place.install(package)
+        return place.path
+
+    def share(self, package: str) -> str | None:
+        """`<prefix>/share/<package>`, or None when there is no such package. The folder itself may be
+        missing, as in ROS."""
+        prefix = self.prefix(package)
+        return None if prefix is None else os.path.join(prefix, 'share', package)
+
+    def absent(self, package: str) -> str | None:
+        """What a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
+
+        Its files would stand below :attr:`absent_prefix`.
+        """
+        return None if self._underlay is None or self._place(package) is not None else absent_kind(package)
+
+    @property
+    def absent_prefix(self) -> str:
+        """Where packages that are not here would be: that of the built-in ones."""
+        return self._underlay or ''
+
+    def executables(self, package: str) -> list[str]:
+        """Names of the package's executables, sorted; none for an unknown package.
+
+        A workspace may hold the C++ source of a built-in package: its executables are then the built-in ones.
+        """
+        place = self._place(package)
+        if place is None:
+            return []
+        native = [name for name in self.native_executables(package) if self._stand_in(place, package, name)]
+        return sorted({*place.executables(package), *native})
+
+    def find_executable(self, package: str, executable: str) -> str | None:
+        """`<prefix>/lib/<package>/<executable>` when the package has it; an entry point needs no file."""
+        place = self._place(package)
+        if place is None or executable not in self.executables(package):
+            return None
+        return os.path.join(place.path, 'lib', package, executable)
+
+    def native_executables(self, package: str) -> dict[str, str]:
+        """Executables that are built from C++ and so cannot run here: name -> 'file:line'."""
+        place = self._place(package)
+        if not isinstance(place, Workspace):
+            return {}
+        folder = place.package_folder(package)
+        return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
+
+    @property
+    def workspaces(self) -> list[Workspace]:
+        """The source workspaces, in order of search."""
+        return [place for place in self._places if isinstance(place, Workspace)]
+
+    def contents(self, package: str) -> Contents | None:
+        """What the build file of a source package installs; None when the package comes from elsewhere."""
+        place = self._place(package)
+        return place.contents(package) if isinstance(place, Workspace) else None
+
+    def source_folder(self, package: str) -> str | None:
+        """The folder with the package.xml of a source package; None when the package comes from elsewhere."""
+        place = self._place(package)
+        return place.package_folder(package) if isinstance(place, Workspace) else None
+
+    def find_program(self, path: str) -> Program | None:
+        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours.
+
+        `rviz2` and `xacro` are on the PATH, too, wherever that finds them.
+        """
+        folder, executable = os.path.split(path)
+        lib, package = os.path.split(folder)
+        prefix, name = os.path.split(lib)
+        if executable in _ON_PATH and name != 'lib' and (place := self._place(executable)) is not None:
+            return place.program(executable, executable)
+        if name != 'lib':
+            return None
+        for place in self._places:
+            if place.path == prefix and package in place.packages():
+                return (
+                    place.program(package, executable)
+                    or self._stand_in(place, package, executable)
+                    or self._native(package, executable, path)
+                )
+        kind = self.absent(package) if prefix == self._underlay else None
+        return None if kind is None else Program('absent', package, executable, path, file=kind)
+
+    def _native(self, package: str, executable: str, path: str) -> Program | None:
+        """A program of the workspace that only a C++ compiler could make."""
+        line = self.native_executables(package).get(executable)
+        return None if line is None else Program('native', package, executable, path, file=line)
+
+    def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
+        """The built-in program for one that a workspace would build from C++."""
+        if not isinstance(place, Workspace) or executable not in place.contents(package).native:
+            return None
+        for other in self._places[self._places.index(place) + 1 :]:
+            program = other.program(package, executable) if package in other.packages() else None
+            if program is not None:
+                self._note_stand_in(place, package, executable)
+                return program._replace(path=os.path.join(place.path, 'lib', package, executable))
+        return None
+
+    def _note_stand_in(self, place: Workspace, package: str, executable: str) -> None:
+        file = os.path.join(place.package_folder(package), 'CMakeLists.txt')
+        sentence = f'{executable} is built from C++, which does not run here; the built-in {package} has it and is used'
+        warning = PackageWarning(file, place.contents(package).native[executable], sentence)
+        if warning not in self._warnings:
+            self._warnings.append(warning)
+
+    def python_modules(self) -> dict[str, str]:
+        """Top-level modules of which each program gets its own, by name, with the path of each folder or .py file."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for name, path in place.modules().items():
+                found.setdefault(name, path)
+        return found
+
+    def python_roots(self) -> list[str]:
+        """The folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
+        places = [place for place in self._places if place.path != self._underlay]
+        return list(dict.fromkeys(os.path.dirname(path) for place in places for path in place.modules().values()))
+
+    def interface_roots(self) -> list[str]:
+        """Share folders with msg/, srv/ or action/ files; the folder's name is the package."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for package in place.interface_packages():
+                found.setdefault(package, os.path.join(place.path, 'share', package))
+        return list(found.values())
+
+    def source_path(self, path: str) -> str:
+        """The file as the student wrote it: links of generated prefixes are followed, other paths come back
+        as they are."""
+        for place in self._places:
+            found = place.source_path(path)
+            if found is not None:
+                return found
+        return path
+
+    def _place(self, package: str) -> Place | None:
+        return next((place for place in self._places if package in place.packages()), None)
+
+
+def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
+    """The packages whose interfaces come from a workspace, and the registry of all.
+
+    Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
+    the workspace only when that has types which the underlay lacks.
+    """
+    from edulaunch.engine.interfaces.registry import Registry, underlay_registry
+
+    shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
+    folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}
+    own = frozenset(name for name in folders if not shared.has(name) or _adds(folders[name], name, shared))
+    if not own:
+        return own, shared
+    roots = list(dict.fromkeys(os.path.dirname(folder) for folder in folders.values()))
+    return own, Registry(roots, shared, leave=frozenset(folders) - own)
+
+
+def _adds(folder: str, package: str, shared: Registry) -> bool:
+    """Whether a share folder has an interface that the underlay's package of that name lacks."""
+    return any(
+        name.removesuffix(f'.{kind}') not in shared.names(package, kind)
+        for kind in ('msg', 'srv', 'action')
+        if os.path.isdir(os.path.join(folder, kind))
+        for name in sorted(os.listdir(os.path.join(folder, kind)))
+        if name.endswith(f'.{kind}')
+    )

@@ -1,0 +1,119 @@
+"""What setup.cfg and pyproject.toml say in place of the arguments of setup()."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.packages.static_values import find_packages
+
+if TYPE_CHECKING:
+    from configparser import ConfigParser
+
+Warn = Callable[[str, str], None]
+"""Called with the file and the sentence."""
+
+SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
+
+
+def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
+    """setup.cfg with its capitals; empty when there is none, or none that can be read."""
+    from configparser import ConfigParser, Error
+
+    file = os.path.join(folder, 'setup.cfg')
+    parser = ConfigParser(interpolation=None)
+    parser.optionxform = str  # type: ignore[assignment, method-assign]  # folders and executables keep their capitals
+    try:
+        parser.read(file, encoding='utf-8-sig')
+    except (Error, UnicodeDecodeError) as error:
+        warn(file, f'cannot be read: {str(error).splitlines()[0]}')
+        parser.clear()
+    return parser
+
+
+def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
+    """The sections [options ...] of setup.cfg, under the names that setup() gives them."""
+
+    def section(name: str) -> dict[str, str]:
+        return dict(parser[name]) if parser.has_section(name) else {}
+
+    given = section('options')
+    options: dict[str, Any] = {name: _listed(given[name]) for name in ('packages', 'py_modules', 'scripts') if name in given}
+    folders = [line.partition('=') for line in _listed(given.get('package_dir', ''))]
+    options['package_dir'] = {name.strip(): place.strip() for name, _, place in folders}
+    if given.get('packages', '').strip() in ('find:', 'find_namespace:'):
+        wanted = {name: _listed(text) for name, text in section('options.packages.find').items()}
+        options['packages'] = _found(folder, wanted, namespaces='find_namespace' in given['packages'])
+    options['entry_points'] = {group: _listed(text) for group, text in section('options.entry_points').items()}
+    options['data_files'] = _pairs(folder, {name: _listed(text) for name, text in section('options.data_files').items()})
+    return {name: value for name, value in options.items() if value}
+
+
+def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
+    """The tables [project] and [tool.setuptools] of pyproject.toml, under the names that setup() gives them."""
+    file = os.path.join(folder, 'pyproject.toml')
+    if not os.path.isfile(file):
+        return {}
+    try:
+        tomllib: Any = import_module('tomllib')
+    except ModuleNotFoundError:
+        warn(file, 'is not read by Python 3.10; Python 3.11 and later read it')
+        return {}
+    try:
+        with open(file, 'rb') as stream:
+            tables = tomllib.load(stream)
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        warn(file, f'cannot be read: {error}')
+        return {}
+    project, tool = tables.get('project', {}), tables.get('tool', {}).get('setuptools', {})
+    options: dict[str, Any] = {'package_dir': tool.get('package-dir'), 'py_modules': tool.get('py-modules')}
+    options['packages'] = _toml_packages(folder, tool.get('packages'))
+    options['data_files'] = _pairs(folder, tool.get('data-files', {}))
+    options['entry_points'] = {
+        group: [f'{name} = {place}' for name, place in project.get(table, {}).items()]
+        for table, group in SCRIPTS.items()
+        if project.get(table)
+    }
+    for group, announced in project.get('entry-points', {}).items():
+        options['entry_points'][group] = [f'{name} = {place}' for name, place in announced.items()]
+    return {name: value for name, value in options.items() if value}
+
+
+def _toml_packages(folder: str, given: Any) -> Any:
+    if not isinstance(given, dict):
+        return given
+    wanted = given.get('find', {})
+    return _found(folder, wanted, namespaces=wanted.get('namespaces', True))
+
+
+def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
+    """What setuptools' `find` finds; `where` is a list of folders."""
+    where = wanted.get('where') or ['.']
+    exclude, include = wanted.get('exclude') or (), wanted.get('include') or ('*',)
+    marker = '' if namespaces else '__init__.py'
+    return [name for place in where for name in find_packages(os.path.join(folder, place), exclude, include, marker)]
+
+
+def _pairs(folder: str, sections: dict[str, list[str]]) -> list[tuple[str, list[str]]]:
+    """data_files= of {folder: patterns}; other than in setup(), patterns are expanded here."""
+    return [
+        (target, [name for pattern in patterns for name in _expanded(folder, pattern)]) for target, patterns in sections.items()
+    ]
+
+
+def _expanded(folder: str, pattern: str) -> list[str]:
+    from glob import glob
+
+    if not any(sign in pattern for sign in '*?['):
+        return [pattern]
+    return sorted(
+        os.path.relpath(path, folder) for path in glob(os.path.join(folder, pattern), recursive=True) if os.path.isfile(path)
+    )
+
+
+def _listed(text: str) -> list[str]:
+    """Lines, or words between commas when it is one line."""
+    parts = text.splitlines() if '\n' in text else text.split(',')
+    return [part.strip() for part in parts if part.strip() and not part.strip().startswith('#')]

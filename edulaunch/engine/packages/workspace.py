@@ -1,0 +1,271 @@
+"""A folder of source packages, read without building it, and presented as if it were installed: a prefix folder of symbolic
+links.
+
+The prefix lies in the user's temporary folder under a name made from the workspace's path, so that the paths which programs
+see repeat from run to run. It goes away with the last index that uses it.
+"""
+
+from __future__ import annotations
+
+import os
+import weakref
+
+from edulaunch.engine.packages.prefix import is_python
+from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning, Program, find_packages, read_manifest
+
+
+class Image:
+    """The generated prefix of one workspace. Packages are put into it when they are first asked for.
+
+    :param workspace: the folder with the sources; :attr:`path` is the prefix, which need not exist yet.
+    """
+
+    def __init__(self, workspace: str) -> None:
+        self.path = os.path.join(_base(), f'{os.path.basename(workspace) or "root"}-{_digest(workspace)}')
+        self._sources: dict[str, str] = {}
+        self._claimed = False
+
+    def add(self, package: str, contents: Contents) -> None:
+        """Install a package: links to its files, and folders for its entry points.
+
+        What an earlier reading of the package has left there goes: somebody else may have used the folder all the time.
+        """
+        self._claim()
+        self._clear(package, contents)
+        for name, source in contents.files.items():
+            target = os.path.join(self.path, name)
+            self._sources[target] = source
+            _link(source, target)
+        for name in contents.entry_points:
+            self.add_folder(os.path.dirname(name))
+
+    def _clear(self, package: str, contents: Contents) -> None:
+        """Remove the links that the package does not install any more."""
+        wanted = {os.path.join(self.path, name) for name in contents.files}
+        for place in ('share', 'lib'):
+            for folder, _, names in os.walk(os.path.join(self.path, place, package)):
+                for path in (os.path.join(folder, name) for name in names):
+                    if path not in wanted:
+                        os.unlink(path)
+
+    def add_folder(self, name: str) -> str:
+        """Make a folder in the prefix; gives its path."""
+        self._claim()
+        path = os.path.join(self.path, name)
+        os.makedirs(path, exist_ok=True)
+        return path
+
+    def source_path(self, path: str) -> str | None:
+        """The real file behind a path of the image, or None when it is not from here."""
+        if not path.startswith(self.path + os.sep):
+            return None
+        source = self._sources.get(path)
+        if source is not None:
+            return source
+        inside = sorted(target for target in self._sources if target.startswith(path + os.sep))
+        if not inside:
+            return None
+        depth = inside[0][len(path) + 1 :].count(os.sep) + 1
+        return self._sources[inside[0]].rsplit(os.sep, depth)[0]
+
+    def _claim(self) -> None:
+        """Use the folder, afresh when nobody else does; given up when this object goes, or at exit."""
+        if self._claimed:
+            return
+        self._claimed = True
+        users = os.path.join(self.path, '.users')
+        if not _living(users):
+            _remove(self.path)
+        os.makedirs(users, exist_ok=True)
+        claim = os.path.join(users, f'{os.getpid()}-{id(self):x}')
+        with open(claim, 'w', encoding='ascii'):
+            pass
+        weakref.finalize(self, _release, self.path, claim, os.getpid())
+
+
+def _release(path: str, claim: str, pid: int) -> None:
+    if os.getpid() != pid:
+        return  # a forked child must not take the folder from its parent
+    if os.path.exists(claim):
+        os.unlink(claim)
+    if not _living(os.path.dirname(claim)):
+        _remove(path)
+
+
+def _remove(path: str) -> None:
+    if os.path.isdir(path):
+        import shutil
+
+        shutil.rmtree(path, ignore_errors=True)
+
+
+def _living(users: str) -> bool:
+    """Whether any claim belongs to a process that still runs."""
+    try:
+        claims = os.listdir(users)
+    except OSError:
+        return False
+    return any(_runs(int(claim.partition('-')[0])) for claim in claims)
+
+
+def _runs(pid: int) -> bool:
+    if os.name == 'nt':
+        return True  # asking would send it a ctrl-c there; the folder of links is left to the system
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True  # somebody else's process, but there
+    return True
+
+
+def _base() -> str:
+    """A folder that belongs to this user alone, below the temporary folder."""
+    import tempfile
+
+    user = str(os.getuid()) if hasattr(os, 'getuid') else 'user'
+    path = os.path.join(tempfile.gettempdir(), f'edulaunch-{user}')
+    try:
+        os.makedirs(path, mode=0o700, exist_ok=True)
+        if not hasattr(os, 'getuid') or os.stat(path).st_uid == os.getuid():
+            return path
+    except OSError:
+        pass  # somebody else made it, or a file of that name is in the way: take a private folder instead
+    return tempfile.mkdtemp(prefix='edulaunch-')
+
+
+def _digest(workspace: str) -> str:
+    import hashlib
+
+    return hashlib.sha256(os.path.realpath(workspace).encode()).hexdigest()[:8]
+
+
+def _link(source: str, target: str) -> None:
+    """Make `target` show `source`; a copy where the file system has no symbolic links."""
+    try:
+        if os.readlink(target) == source:
+            return
+        os.unlink(target)
+    except FileNotFoundError:
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+    except OSError:
+        os.unlink(target)  # a copy from before, or a file in the way
+    try:
+        os.symlink(source, target)
+    except FileExistsError:
+        pass  # another session made it meanwhile
+    except OSError:
+        import shutil
+
+        shutil.copy2(source, target)
+
+
+class Workspace:
+    """One source workspace; packages are found at the first question, and read one by one.
+
+    :param folder: the workspace, its `src/`, or a single package.
+    :param warnings: where everything goes that a build would reject.
+    """
+
+    def __init__(self, folder: str, warnings: list[PackageWarning]) -> None:
+        self.folder = os.path.abspath(folder)
+        self._image = Image(self.folder)
+        self.path = self._image.path
+        self._warnings = warnings
+        self._found: dict[str, Manifest] | None = None
+        self._contents: dict[str, Contents] = {}
+        self._installed: set[str] = set()
+
+    def packages(self) -> list[str]:
+        """Names from the package.xml files."""
+        return sorted(self._manifests())
+
+    def install(self, package: str) -> None:
+        """Put the package into the generated prefix."""
+        if package not in self._installed:
+            self._image.add(package, self.contents(package))
+            self._installed.add(package)
+
+    def executables(self, package: str) -> list[str]:
+        """Entry points and installed programs."""
+        folder = f'lib/{package}'
+        contents = self.contents(package)
+        return sorted(
+            os.path.basename(name) for name in {*contents.entry_points, *contents.programs} if os.path.dirname(name) == folder
+        )
+
+    def program(self, package: str, executable: str) -> Program | None:
+        """A console script, or an installed Python file."""
+        name = f'lib/{package}/{executable}'
+        contents = self.contents(package)
+        path = os.path.join(self.path, name)
+        entry = contents.entry_points.get(name)
+        roots = tuple(dict.fromkeys(os.path.dirname(place) for place in contents.python_modules.values()))
+        if entry is not None:
+            return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=roots)
+        if name in contents.programs and is_python(contents.files[name]):
+            return Program('script', package, executable, path, file=contents.files[name], python_roots=roots)
+        return None
+
+    def modules(self) -> dict[str, str]:
+        """What the packages' build files install for import."""
+        found: dict[str, str] = {}
+        for package in self.packages():
+            for name, path in self.contents(package).python_modules.items():
+                found.setdefault(name, path)
+        return found
+
+    def interface_packages(self) -> list[str]:
+        """Packages whose build file generates or installs interfaces; their files are put into the prefix."""
+        found = [package for package in self.packages() if self.contents(package).interfaces]
+        for package in found:
+            self.install(package)
+        return found
+
+    def source_path(self, path: str) -> str | None:
+        """The student's own file."""
+        return self._image.source_path(path)
+
+    def contents(self, package: str) -> Contents:
+        """What the package installs; read at the first question."""
+        contents = self._contents.get(package)
+        if contents is None:
+            contents = self._contents[package] = _read(self._manifests()[package])
+            self._warnings += contents.warnings
+        return contents
+
+    def package_folder(self, package: str) -> str:
+        """The folder with the package.xml."""
+        return self._manifests()[package].folder
+
+    def _manifests(self) -> dict[str, Manifest]:
+        if self._found is None:
+            self._found = {}
+            for folder in find_packages(self.folder, self._warnings):
+                manifest = read_manifest(folder, self._warnings)
+                if manifest is not None:
+                    self._note(self._found, manifest)
+        return self._found
+
+    def _note(self, found: dict[str, Manifest], manifest: Manifest) -> None:
+        first = found.setdefault(manifest.name, manifest)
+        if first is not manifest:
+            other = os.path.relpath(first.folder, self.folder)
+            self._warnings.append(
+                PackageWarning(
+                    os.path.join(manifest.folder, 'package.xml'),
+                    0,
+                    f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
+                )
+            )
+
+
+def _read(manifest: Manifest) -> Contents:
+    if manifest.build_type == 'ament_python':
+        from edulaunch.engine.packages.setup_script import read_setup_script
+
+        return read_setup_script(manifest)
+    from edulaunch.engine.packages.cmake import read_cmake_lists
+
+    return read_cmake_lists(manifest)

@@ -1,0 +1,83 @@
+"""The process that stands for code outside any launched program; where a plain script can see the real clock, the time of what
+it uses of ROS must be the real one, too.
+"""
+
+from __future__ import annotations
+
+import datetime
+import os
+import sys
+import time
+from collections.abc import Callable
+from types import FrameType
+
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.processes.whose_code import is_own
+from edulaunch.engine.sim.real_threads import RealThreads, start_real_thread
+from edulaunch.engine.sim.task import AmbientTask, Task, current_task
+from edulaunch.engine.underlay_place import sourced_path, sourced_workspaces, underlay_prefix
+
+CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable, vars(time).values()))))
+"""Whoever has one of these among its global names looks at the real clock, or waits for it."""
+
+
+def script_sees_the_clock() -> bool:
+    """Asked from inside the script's first use of ROS. False in tests and notebooks, whose code is not run as a script: there
+    simulated time passes as fast as it can.
+    """
+    main = getattr(sys.modules.get('__main__'), '__file__', None)
+    if main is None or not is_own(main):
+        return False
+    frame: FrameType | None = sys._getframe(1)
+    while frame is not None:
+        file = frame.f_code.co_filename
+        if is_own(file) and file[0] != '<' and not CLOCKS.isdisjoint(map(id, list(frame.f_globals.values()))):
+            return True
+        frame = frame.f_back
+    return False
+
+
+class AmbientProcess(Process):
+    """A script or notebook cell that uses the ROS faces by itself: its streams are the real ones."""
+
+    def write(self, stream: str, text: str) -> None:
+        """Write to the real stream of that name."""
+        target = sys.stdout if stream == 'stdout' else sys.stderr
+        target.write(text + self.host.asides.below(text, self.pid, self.env) if self.host.asides.due else text)
+        target.flush()
+
+    def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
+        """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
+        if current_task().is_real_thread:
+            return start_real_thread(body, name)
+        return super().start_thread(body, name, daemon, at_once=at_once)
+
+
+def make_ambient_process(task: AmbientTask) -> Process:
+    """A process around `task`, with a graph, an index of what was sourced and a host of its own. In a script that sees the real
+    clock simulated time is real time.
+    """
+    task.real_threads = RealThreads(task)
+    if script_sees_the_clock():
+        task.real_threads.keep_time()
+    prefixes = [path for path in sourced_path().split(os.pathsep) if path]
+    host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], sourced_workspaces()), env=dict(os.environ))
+    return ambient_process_on(host, task)
+
+
+def ambient_process_on(host: Host, task: AmbientTask) -> Process:
+    """A process around `task` on a machine that there is already."""
+    spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
+    process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
+    process.task = task
+    task.real_threads = task.real_threads or RealThreads(task)
+    process.sourced_path = sourced_path()
+    process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
+    process.stdin = sys.stdin
+    process.is_writing = True  # to the real streams, always
+    process.signal_handlers.clear()
+    return process

@@ -1,0 +1,223 @@
+"""Programs that a simulated program starts itself: what `subprocess.Popen` is inside the simulation."""
+
+from __future__ import annotations
+
+import io
+import subprocess
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.inputs import Input, PipedInput
+from edulaunch.engine.processes.spec import ProcessSpec, Signals
+from edulaunch.engine.sim.sync import wait_until
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+    from edulaunch.engine.sim.task import Task
+
+
+def spec_of(
+    process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None, **_: Any
+) -> ProcessSpec:
+    """What to start for the arguments of `subprocess.Popen`."""
+    words = [args] if isinstance(args, (str, bytes)) or not isinstance(args, Sequence) else list(args)
+    return ProcessSpec(
+        argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
+        name=process.name,
+        cwd=process.cwd if cwd is None else process.path(str(cwd)),
+        env=dict(process.env if env is None else env),
+        shell=shell,
+        origin=process.spec.origin,
+        has_pipe=process.spec.has_pipe,
+    )
+
+
+class Child:
+    """As `subprocess.Popen`; waiting for it lets simulated time pass.
+
+    :param process: the program that starts it.
+    :param input: what it reads, when it is a simulated program; `stdin=PIPE` lets it read what is written to `stdin`.
+    :raises FileNotFoundError: when there is no such command.
+    """
+
+    def __init__(
+        self,
+        process: Process,
+        args: Any,
+        *,
+        stdout: Any = None,
+        stderr: Any = None,
+        text: bool | None = None,
+        universal_newlines: bool | None = None,
+        encoding: str | None = None,
+        input: Any = None,
+        stdin: Any = None,
+        **options: Any,
+    ) -> None:
+        self.args = args
+        self.text = bool(text or universal_newlines or encoding)
+        self.returncode: int | None = None
+        self.waiters: deque[Task] = deque()
+        self.stdout = Pipe(self) if stdout == subprocess.PIPE else None
+        self.stderr = Pipe(self) if stderr == subprocess.PIPE else None
+        self._sinks = {'stdout': _sink(process, 'stdout', stdout, self.stdout)}
+        self._sinks['stderr'] = (
+            self._sinks['stdout'] if stderr == subprocess.STDOUT else _sink(process, 'stderr', stderr, self.stderr)
+        )
+        program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
+        program.is_heard = False  # what nobody captures, this program writes in its place
+        self._program = program
+        self.stdin: InputEnd | None = None
+        if input is not None:
+            program.stdin = Input(input.decode() if isinstance(input, bytes) else input)
+        elif stdin is None:
+            inherit_terminal(process, program)
+        elif stdin == subprocess.PIPE:
+            program.stdin = PipedInput()
+            self.stdin = InputEnd(program.stdin)
+        self.pid: int = program.pid
+
+    def __enter__(self) -> Child:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.wait()
+
+    def __repr__(self) -> str:
+        return f'<Popen: returncode: {self.returncode} args: {self.args!r}>'
+
+    def _on_output(self, stream: str, text: str) -> None:
+        self._sinks[stream](text)
+        self._tell()
+
+    def _on_exit(self, returncode: int) -> None:
+        self.returncode = returncode
+        self._tell()
+
+    def _tell(self) -> None:
+        for task in self.waiters:
+            task.wake()
+
+    def poll(self) -> int | None:
+        """The return code, None while it runs."""
+        return self.returncode
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for its end. Raises `subprocess.TimeoutExpired` after `timeout` simulated seconds."""
+        if not wait_until(lambda: self.returncode is not None, self.waiters, timeout):
+            assert timeout is not None
+            raise subprocess.TimeoutExpired(self.args, timeout)
+        assert self.returncode is not None
+        return self.returncode
+
+    def communicate(self, input: Any = None, timeout: float | None = None) -> tuple[Any, Any]:
+        """Wait for its end; what it wrote to stdout and stderr, as far as these are pipes."""
+        if self.stdin is not None:
+            if input is not None:
+                self.stdin.write(input)
+            self.stdin.close()
+        self.wait(timeout)
+        return tuple(None if pipe is None else pipe.read() for pipe in (self.stdout, self.stderr))  # type: ignore[return-value]
+
+    @property
+    def is_passed_on(self) -> bool:
+        """Whether the program that started it hands it the Ctrl-C that it gets itself."""
+        return bool(self._program.is_passed_on)
+
+    @is_passed_on.setter
+    def is_passed_on(self, passed_on: bool) -> None:
+        self._program.is_passed_on = passed_on
+
+    def send_signal(self, signum: int) -> None:
+        """Send a signal; nothing happens after the end."""
+        if self.returncode is None:
+            self._program.send_signal(signum)
+
+    def terminate(self) -> None:
+        """Send SIGTERM."""
+        self.send_signal(Signals.SIGTERM)
+
+    def kill(self) -> None:
+        """Send SIGKILL."""
+        self.send_signal(Signals.SIGKILL)
+
+
+class InputEnd:
+    """The writing end of what a child reads."""
+
+    closed = False
+
+    def __init__(self, pipe: PipedInput) -> None:
+        self._pipe = pipe
+
+    def write(self, data: Any) -> int:
+        """Text or bytes; the child can read it at once."""
+        self._pipe.feed(data if isinstance(data, str) else bytes(data).decode('utf-8', 'replace'))
+        return len(data)
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+
+    def close(self) -> None:
+        """The child reads to the end."""
+        self.closed = True
+        self._pipe.feed('', last=True)
+
+
+class Pipe:
+    """The reading end of a child's output: reading waits in simulated time until there is something, or the child has ended."""
+
+    def __init__(self, child: Child) -> None:
+        self._child = child
+        self._text = ''
+
+    def feed(self, text: str) -> None:
+        """Take what the child wrote."""
+        self._text += text
+
+    def _cut(self, length: int) -> Any:
+        text, self._text = self._text[:length], self._text[length:]
+        return text if self._child.text else text.encode()
+
+    def _wait(self, ready: Callable[[], bool]) -> None:
+        child = self._child
+        wait_until(lambda: child.returncode is not None or ready(), child.waiters, None)
+
+    def read(self, size: int = -1) -> Any:
+        """Everything until the end, or `size` characters."""
+        self._wait(lambda: 0 <= size <= len(self._text))
+        return self._cut(len(self._text) if size < 0 else size)
+
+    def readline(self) -> Any:
+        """The next line; empty at the end."""
+        self._wait(lambda: '\n' in self._text)
+        end = self._text.find('\n')
+        return self._cut(len(self._text) if end < 0 else end + 1)
+
+    def readlines(self) -> list[Any]:
+        """All lines until the end."""
+        return list(self)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.readline, '' if self._child.text else b'')
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+
+def inherit_terminal(process: Process, child: Any) -> None:
+    """Let a program read the keyboard of the one that started it, if that has one."""
+    if getattr(process.stdin, 'is_inherited', False) and hasattr(child, 'stdin'):
+        child.stdin = process.stdin
+
+
+def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
+    """What takes the child's output: a pipe, a file, nothing, or the stream of the program itself."""
+    if pipe is not None:
+        return pipe.feed
+    if where == subprocess.DEVNULL:
+        return lambda text: None
+    if where is None or isinstance(where, int):
+        return lambda text: process.write(stream, text)
+    return lambda text: where.write(text if isinstance(where, io.TextIOBase) or not hasattr(where, 'raw') else text.encode())

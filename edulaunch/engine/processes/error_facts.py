@@ -1,0 +1,226 @@
+"""What is known about an error that ended a program and its text does not say: plain data, for `edulaunch.advice`. Of modules
+of the workspace that are compiled code, or would be after a build; of a `with` around something of ROS that is no context
+manager.
+"""
+
+from __future__ import annotations
+
+import linecache
+import os
+import re
+import sys
+from importlib.machinery import PathFinder
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import facts_of
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.packages.absent import absent_module_kind
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+ENDED_BY = {
+    'Node': 'destroy_node()',
+    'LifecycleNode': 'destroy_node()',
+    'Publisher': 'destroy()',
+    'LifecyclePublisher': 'destroy()',
+    'Subscription': 'destroy()',
+    'Client': 'destroy()',
+    'Service': 'destroy()',
+    'Timer': 'destroy()',
+    'GuardCondition': 'destroy()',
+    'Rate': 'destroy()',
+}
+"""What ends something that rclpy makes, by its class."""
+
+
+def with_facts_at(error: BaseException) -> dict[str, Any]:
+    """For `with rclpy.init():`, and for `with node:` where Python tells the class of what it was given (since 3.11)."""
+    if '__enter__' not in str(error) and 'context manager' not in str(error):
+        return {}
+    trace = _innermost(error.__traceback__)
+    if trace is None:
+        return {}
+    if 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno):
+        return {'about': 'programs.with-init'}
+    said = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
+    ending = None if said is None else ENDED_BY.get(_kind(said[1], trace))
+    return {} if said is None or ending is None else {'about': 'programs.with-entity', 'thing': said[1], 'ending': ending}
+
+
+def _innermost(trace: TracebackType | None) -> TracebackType | None:
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace
+
+
+def _kind(name: str, trace: TracebackType) -> str:
+    """The class of rclpy behind the name of a class: its nearest base there, or the name when the program does not have it."""
+    known = trace.tb_frame.f_locals.get(name) or trace.tb_frame.f_globals.get(name)
+    if not isinstance(known, type):
+        return name
+    return next((base.__name__ for base in known.__mro__ if base.__module__.startswith('rclpy.')), '')
+
+
+ENDINGS = ('.so', '.dylib', '.pyd', '.pyx')
+"""Compiled for Unix, macOS and Windows, and what Cython would compile."""
+_TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|cython_add_module)\s*\(\s*{name}\b'
+_LIBRARY = re.compile(r'(\S+): cannot open shared object file')
+
+
+def compiled_module(process: Process, name: str) -> str | None:
+    """Where the compiled code of a module is that Python did not find, 'robo/fast.so', or what would make it; None: nowhere."""
+    parent, _, leaf = name.rpartition('.')
+    if parent:
+        folders = list(getattr(process.loader.modules.get(parent), '__path__', ()))
+    else:
+        folders = process.loader.finder.folders()
+    for folder in folders:
+        for file in sorted(os.listdir(folder)) if os.path.isdir(folder) else ():
+            if file.endswith(ENDINGS) and file.partition('.')[0] == leaf:
+                return f'{os.path.basename(folder)}/{file}'
+    return _built_by_cmake(process, name.partition('.')[0], leaf)
+
+
+def missing_library(error: BaseException) -> str | None:
+    """The native library that the operating system did not find when something was loaded."""
+    found = _LIBRARY.match(str(error))
+    return found[1] if found is not None else None
+
+
+def _built_by_cmake(process: Process, package: str, leaf: str) -> str | None:
+    source = process.index.source_folder(package) if package in process.index.packages() else None
+    try:
+        with open(os.path.join(source or '', 'CMakeLists.txt'), encoding='utf-8', errors='replace') as file:
+            text = file.read()
+    except OSError:
+        return None
+    found = re.search(_TARGET.format(name=re.escape(leaf)), text) if source is not None else None
+    return None if found is None else f'{package}/CMakeLists.txt:{text.count(chr(10), 0, found.start()) + 1}'
+
+
+Found = dict[str, Any]
+INTERFACE_ENDINGS = ('_msgs', '_srvs', '_interfaces', '_interface', '_msg', '_srv', '_actions')
+SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
+
+
+def error_facts(process: Process, error: BaseException) -> Found:
+    """`about`, the rule that has words for it, and what they name. What the error itself carries goes first."""
+    carried = facts_of(error)
+    if carried:
+        return carried
+    if type(error) is ModuleNotFoundError and error.name:  # importlib.metadata's kind of it is not about modules
+        return _module(process, error.name)
+    if isinstance(error, ImportError | OSError) and (library := missing_library(error)):
+        return {'about': 'programs.library', 'library': library}
+    if isinstance(error, ImportError):
+        return _hiding(process, error.name) or _imported_name(process, error)
+    if found := with_facts_at(error):
+        return found
+    if isinstance(error, AttributeError):
+        from edulaunch.engine.interfaces import current_registry
+        from edulaunch.engine.interfaces.mistakes import field_facts
+
+        return _hiding(process, getattr(error.obj, '__name__', None)) or field_facts(error, current_registry())
+    return {}
+
+
+def _hiding(process: Process, name: Any) -> Found:
+    """Of something that a standard module has, when a file of the student has its name."""
+    own = process.loader.modules.get(name) if name in sys.stdlib_module_names else None
+    file = getattr(own, '__file__', None)
+    if file is None or file == getattr(PathFinder.find_spec(name), 'origin', None):
+        return {}
+    return {'about': 'programs.hides-module', 'own_file': file, 'module': name}
+
+
+def _module(process: Process, name: str) -> Found:
+    """Of a module that nobody has: what it is, and the nearest name."""
+    top = name.partition('.')[0]
+    if compiled := compiled_module(process, name):
+        return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
+    if name != top and _parent_is_there(process, name):
+        return (top in process.overlay.interface_packages and _package(process, top)) or _part(process, name)
+    if kind := absent_module_kind(top):
+        return {'about': 'packages.absent-module', 'module': top, 'belongs_to': kind}
+    return _package(process, top) or _unknown_module(process, top)
+
+
+def _package(process: Process, top: str) -> Found:
+    """Of a package of the workspace whose interfaces or modules are not installed."""
+    if top not in process.index.packages():
+        return {}
+    if top not in process.overlay.interface_packages:
+        return {'about': 'packages.no-module', 'package': top}
+    has = [f'{top}.{kind}' for kind in ('msg', 'srv', 'action') if process.overlay.registry.has(top, kind)]
+    return {'about': 'messages.other-interfaces', 'package': top, 'interfaces': has}
+
+
+def _imported_name(process: Process, error: ImportError) -> Found:
+    """Of a name that a module of the program does not have: the nearest one, or that two modules import each other."""
+    said = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
+    if said is None:
+        return {}
+    if said[2]:
+        return {'about': 'programs.import-circle', 'module': error.name}
+    name = f'{error.name}.{said[1]}'
+    if compiled := compiled_module(process, name):
+        return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
+    from edulaunch.engine.interfaces import current_registry
+
+    homes = [home for home in current_registry().homes(said[1]) if home.startswith(f'{error.name}.')]
+    if homes:  # `from geometry_msgs import Twist`
+        return {'about': 'messages.no-interface', 'interface': said[1], 'module': error.name, 'homes': homes}
+    module = process.loader.modules.get(error.name or '')
+    names = [] if module is None else [name for name in vars(module) if not name.startswith('__')]
+    return {
+        'about': 'programs.import-name',
+        'missing': said[1],
+        'module': error.name,
+        'near': nearest(said[1], names),
+        'known': names if len(names) < 12 else [],
+    }
+
+
+def _parent_is_there(process: Process, name: str) -> bool:
+    parent = name.rpartition('.')[0]
+    return parent in process.loader.modules or parent in sys.modules
+
+
+def _is_module(path: str) -> bool:
+    return path.endswith('.py') or os.path.isfile(os.path.join(path, '__init__.py'))
+
+
+def _part(process: Process, name: str) -> Found:
+    """Of a missing part of a package that is there: the modules beside it."""
+    parent, _, leaf = name.rpartition('.')
+    module: Any = process.loader.modules.get(parent) or sys.modules[parent]
+    beside = sorted(
+        {
+            os.path.splitext(entry)[0]
+            for folder in getattr(module, '__path__', ())
+            if os.path.isdir(folder)
+            for entry in os.listdir(folder)
+            if not entry.startswith('_') and _is_module(os.path.join(folder, entry))
+        }
+    )
+    return {'about': 'programs.module-part', 'module': name, 'parent': parent, 'near': nearest(leaf, beside), 'known': beside}
+
+
+def _unknown_module(process: Process, top: str) -> Found:
+    from edulaunch.engine.interfaces import current_registry
+
+    known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
+    ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
+    near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
+    sure = near is not None and (ending or _alike(top, near))
+    about = 'messages.unknown-package' if ending else 'programs.unknown-module'
+    return {'about': about, 'module': top, 'near': f'{near}{ending}' if sure else None}
+
+
+def _alike(name: str, near: str) -> bool:
+    """Whether only a letter or two differ: modules of other projects are called much like ROS's."""
+    from difflib import SequenceMatcher
+
+    return SequenceMatcher(None, name, near).ratio() >= 0.8

@@ -1,0 +1,213 @@
+"""Where one program's own modules are: its script's folder, its package, the workspaces (what these add to the underlay is
+read once per index, when first asked for), and what it put on `sys.path`; and their compiled code.
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+from functools import cached_property, lru_cache
+from importlib.machinery import SourceFileLoader
+from types import CodeType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.interfaces.registry import answer_with
+from edulaunch.engine.packages.index import interfaces_of
+from edulaunch.engine.sim.task import running_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.interfaces.importer import InterfaceFinder
+    from edulaunch.engine.interfaces.registry import Registry
+    from edulaunch.engine.packages import Index
+    from edulaunch.engine.processes.process import Process
+
+
+class Found(NamedTuple):
+    """The file of a module, or the folder of a package without `__init__.py`."""
+
+    path: str
+    is_package: bool
+
+
+class Finder:
+    """Looks for private modules, in Python's order.
+
+    :ivar roots: folders that come first, such as the folder of a script.
+    :ivar last: folders that are searched after everything shared: the program's package folder, of which strictly only what
+        its build file names is installed.
+    :ivar own: the top-level module of the program's entry point, which its own folders decide.
+    """
+
+    def __init__(self, process: Process) -> None:
+        self._process = process
+        self.roots: list[str] = []
+        self.last: list[str] = []
+        self.own = ''
+        self._listed: dict[str, frozenset[str]] = {}
+        self._absent: dict[str, tuple[str, ...]] = {}
+
+    def first_match(self, top: str) -> Found | None:
+        """A top-level module that comes before the shared ones."""
+        before, _ = self._program_path()
+        folders = (*before, *self.roots)
+        if self._absent.get(top) == folders:
+            return None
+        found = self._first_match(top, folders)
+        if found is None:
+            self._absent[top] = folders  # most imports are of something shared, again and again
+        return found
+
+    def _first_match(self, top: str, folders: tuple[str, ...]) -> Found | None:
+        found = regular(top, [folder for folder in folders if self._may_have(folder, top)])
+        if found is None and top == self.own:
+            found = regular(top, self.last) or namespace(top, self.last)
+        if found is None:
+            place = self._process.overlay.modules.get(top)
+            found = None if place is None else _at(place)
+        return found
+
+    def last_match(self, top: str) -> Found | None:
+        """A top-level module for a name that nothing shared has."""
+        _, after = self._program_path()
+        path = [*after, *self.roots, *self.last]
+        return regular(top, path) or namespace(top, path)
+
+    def folders(self) -> list[str]:
+        """Every folder that may hold a top-level module of the program, each once."""
+        before, after = self._program_path()
+        places = [os.path.dirname(place) for place in self._process.overlay.modules.values()]
+        return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
+
+    def _may_have(self, folder: str, top: str) -> bool:
+        """Whether a module can be in a folder. Each is listed once: most imports are of something else. What is written there
+        later is found last.
+        """
+        names = self._listed.get(folder)
+        if names is None:
+            try:
+                names = frozenset(os.listdir(folder))
+            except OSError:
+                names = frozenset()
+            self._listed[folder] = names
+        return top in names or f'{top}.py' in names
+
+    def _program_path(self) -> tuple[list[str], list[str]]:
+        """Folders that the program put on its `sys.path`, before and after the shared ones."""
+        view = self._process.loader.modules.get('sys')
+        return ([], []) if view is None else view.private_path()
+
+
+def regular(leaf: str, path: list[str]) -> Found | None:
+    """A package with `__init__.py`, or a module, in the first folder that has one."""
+    for folder in path:
+        base = os.path.join(folder, leaf)
+        package = os.path.join(base, '__init__.py')
+        if os.path.isfile(package):
+            return Found(package, True)
+        if os.path.isfile(base + '.py'):
+            return Found(base + '.py', False)
+    return None
+
+
+def namespace(leaf: str, path: list[str]) -> Found | None:
+    """A folder without `__init__.py` that has Python code in it, or in the folders below."""
+    for folder in path:
+        base = os.path.join(folder, leaf)
+        if _has_code(base) or any(_has_code(os.path.join(base, name)) for name in _names(base)):
+            return Found(base, True)
+    return None
+
+
+def _has_code(folder: str) -> bool:
+    return any(name.endswith('.py') for name in _names(folder))
+
+
+def _names(folder: str) -> list[str]:
+    return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+
+
+def _at(place: str) -> Found | None:
+    if os.path.isfile(place):
+        return Found(place, False)
+    package = os.path.join(place, '__init__.py')
+    return Found(package, True) if os.path.isfile(package) else Found(place, True) if os.path.isdir(place) else None
+
+
+class Overlay:
+    """The importable part of one index."""
+
+    def __init__(self, index: Index) -> None:
+        self._index = index
+
+    @cached_property
+    def modules(self) -> dict[str, str]:
+        """Top-level modules of the workspaces, as their build files install them: name -> folder or .py file."""
+        return self._index.python_modules()
+
+    @cached_property
+    def _interfaces(self) -> tuple[frozenset[str], Registry]:
+        return interfaces_of(self._index)
+
+    @property
+    def interface_packages(self) -> frozenset[str]:
+        """Packages whose interfaces come from a workspace."""
+        return self._interfaces[0]
+
+    @property
+    def registry(self) -> Registry:
+        """The interfaces that programs over this index see."""
+        return self._interfaces[1]
+
+    @cached_property
+    def finder(self) -> InterfaceFinder:
+        """Makes the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so nobody else sees them."""
+        from edulaunch.engine.interfaces.importer import InterfaceFinder
+
+        return InterfaceFinder(self.registry)
+
+
+def _registry_of_the_running_program() -> Registry | None:
+    task = running_task()
+    owner = None if task is None else task.owner
+    overlay: Overlay | None = None if owner is None else owner.overlay
+    return overlay.registry if overlay is not None and overlay.interface_packages else None
+
+
+answer_with(_registry_of_the_running_program)
+
+
+def read_script(path: str) -> CodeType:
+    """The code of a script or launch file, of which Python keeps no compiled copy.
+
+    :raises: whatever compiling raises.
+    """
+    with open(path, 'rb') as file:
+        source = file.read()
+    return _flawless(source, path, tuple(warnings.filters)) or compile(source, path, 'exec', dont_inherit=True)
+
+
+@lru_cache(maxsize=64)
+def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
+    """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
+
+    None for one with errors or warnings: these are to come each time. (`catch_warnings` is not used to find out: it makes
+    Python forget which warnings it has shown, so that a first run would show more of them than a second one.)
+
+    :param filters: those in force, which decide what is said.
+    """
+    said: list[Any] = []
+    before, warnings.showwarning = warnings.showwarning, lambda *told, **more: said.append(told)
+    try:
+        code = compile(source, path, 'exec', dont_inherit=True)
+    except Exception:
+        return None
+    finally:
+        warnings.showwarning = before
+    return None if said else code
+
+
+def code_of(source: SourceFileLoader) -> CodeType:
+    """The compiled code of a source file, through Python's own cache of compiled files."""
+    code = source.get_code(source.name)
+    assert code is not None
+    return code

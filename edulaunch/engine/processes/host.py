@@ -1,0 +1,332 @@
+"""Starts programs: those it knows as simulated processes, any other as a real program of this machine."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Protocol
+
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.graph.parameter_files import Entry
+from edulaunch.engine.graph.ros_arguments import entries_of_file
+from edulaunch.engine.graph.tracer import Tracer
+from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.processes import real_machine
+from edulaunch.engine.processes.asides import Asides
+from edulaunch.engine.processes.finding import Overlay
+from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.programs import python_command, run_program
+from edulaunch.engine.processes.spec import SHELLS, ProcessSpec
+from edulaunch.engine.sim.real_pace import RealPace
+from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.engine.sim.task import running_task
+
+if TYPE_CHECKING:
+    from types import CodeType
+
+    from edulaunch.engine.processes.real import RealLook, RealProcess
+    from edulaunch.engine.processes.watchdog import Watchdog
+
+FIRST_PID = 1001
+WRAPPERS = (
+    'alacritty',
+    'chrt',
+    'env',
+    'gdb',
+    'gdbserver',
+    'gnome-terminal',
+    'gnome-terminal.wrapper',
+    'ionice',
+    'kitty',
+    'konsole',
+    'lxterminal',
+    'mate-terminal',
+    'nice',
+    'nohup',
+    'perf',
+    'python',
+    'python3',
+    'screen',
+    'setsid',
+    'stdbuf',
+    'strace',
+    'sudo',
+    'taskset',
+    'terminator',
+    'time',
+    'tmux',
+    'valgrind',
+    'x-terminal-emulator',
+    'xfce4-terminal',
+    'xterm',
+)
+SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
+
+
+class CommandRunner(Protocol):
+    """Runs a `ros2 ...` command inside a simulated process and returns its exit code."""
+
+    def __call__(self, process: Process) -> object: ...
+
+
+class GeneratedFile(Protocol):
+    """A parameter file that launch made."""
+
+    def entries(self) -> Sequence[Entry]: ...
+
+    def write(self) -> None: ...
+
+    def remove(self) -> None: ...
+
+
+class Host:
+    """Owns the processes of one simulation. `watchdog` stops those that never give their turn back, if one is set.
+
+    :param env: the environment that programs inherit.
+    :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
+    :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
+        of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
+    :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
+    :ivar is_paced: whether something else lets simulated time keep pace with real time.
+    :ivar join_network: joins a real ROS 2 network, with an environment, the name of a link, whether time goes there on /clock,
+        the topics that cross, and who is told that it has joined and left; returns what leaves it. None where that cannot be.
+    :ivar where_on_network: says which real network it is on and by what; None for none.
+    :ivar unread_stdin: those names of `stdin` for which no program was started yet.
+    """
+
+    is_real = False
+
+    def __init__(
+        self,
+        sim: Simulation,
+        graph: Graph,
+        index: Index,
+        *,
+        env: Mapping[str, str],
+        ros2: CommandRunner | None = None,
+        stdin: Mapping[str, Any] | None = None,
+    ) -> None:
+        self.sim = sim
+        self.graph = graph
+        self.index = index
+        self.tracer: Tracer = graph.tracer
+        self.env = dict(env)
+        self.processes: list[Process] = []
+        self.real_programs: list[RealProcess] = []
+        self.pace = RealPace(sim)
+        self.ros2 = ros2
+        self._stdin = dict(stdin or {})
+        self.unread_stdin = list(self._stdin)
+        self.asides = Asides()
+        self.watchdog: Watchdog | None = None
+        self.is_paced = False
+        self.join_network: (
+            Callable[[Mapping[str, str], str, bool, Sequence[str], Callable[[str], object]], Callable[[], object]] | None
+        ) = None
+        self.where_on_network: Callable[[], str | None] = lambda: None
+        self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
+        self.generated_files: dict[str, GeneratedFile] = {}
+        """By path: what launch made for programs to read, which is on the disk only for real programs."""
+        self.goal_ids: set[bytes] = set()
+        """Of all goals that were sent: programs of the same name draw the same numbers, which may not meet at a server."""
+        self._pid = FIRST_PID
+        self._overlays: list[tuple[Index, Overlay]] = []
+
+    @cached_property
+    def real_look(self) -> RealLook:
+        """What hears of the real programs."""
+        from edulaunch.engine.processes.real import RealLook
+
+        return RealLook(self)
+
+    def overlay(self, index: Index) -> Overlay:
+        """What the workspaces of an index add to the underlay."""
+        for known, overlay in self._overlays:
+            if known is index:
+                return overlay
+        overlay = Overlay(index)
+        self._overlays.append((index, overlay))
+        return overlay
+
+    def parameter_entries(self, path: str) -> Sequence[Entry]:
+        """What the parameter file at `path` says: one that launch generated, or any other.
+
+        :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
+        """
+        generated = self.generated_files.get(path)
+        if generated is not None:
+            return generated.entries()
+        program = self.program_here()
+        return entries_of_file(path if program is None else program.path(path))
+
+    def forget_overlays(self) -> None:
+        """Let go of the workspaces of programs that have ended."""
+        used = [self.index, *(process.index for process in self.processes)]
+        self._overlays = [pair for pair in self._overlays if any(pair[0] is index for index in used)]
+
+    def next_pid(self) -> int:
+        """Process numbers count up from 1001, so that they repeat from run to run."""
+        pid = self._pid
+        self._pid += 1
+        return pid
+
+    def stdin_for(self, spec: ProcessSpec) -> Any:
+        """What the program reads: what is given for its launch name or executable, else nothing."""
+        from edulaunch.engine.processes.inputs import Input, SilentPipe, TypedInput
+        from edulaunch.engine.processes.real import RealInput
+
+        names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
+        name = next((name for name in names if name in self._stdin), None)
+        if name is None:
+            return SilentPipe() if spec.has_pipe else Input()
+        if name in self.unread_stdin:
+            self.unread_stdin.remove(name)
+        given = self._stdin[name]
+        if isinstance(given, str):
+            return Input(given)
+        return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
+
+    def program_here(self) -> Process | None:
+        """The program of this machine whose code runs now; what it starts finds the packages that it finds."""
+        task = running_task()
+        owner = None if task is None else task.owner
+        return owner if isinstance(owner, Process) and owner.host is self else None
+
+    def _index_here(self) -> Index:
+        program = self.program_here()
+        return self.index if program is None else program.index
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Process | RealProcess:
+        """Start a program. Its first turn comes after what is due now.
+
+        :param on_output: called as on_output('stdout' | 'stderr', text) for everything it writes.
+        :param on_exit: called with the return code, once.
+        :param index: the packages that it finds, if not those of the program that starts it.
+        :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
+        """
+        index, starter = index or self._index_here(), self.program_here()
+        if starter is not None and starter.cwd is not None:
+            spec = spec._replace(cwd=starter.path(spec.cwd or ''))
+        known = self._known_command(spec, index)
+        if known is None:
+            from edulaunch.engine.processes.real import RealProcess
+
+            for word in spec.argv:
+                if word in self.generated_files:
+                    self.generated_files[word].write()
+            real = RealProcess(self, spec, on_output, on_exit)
+            self.real_programs.append(real)
+            return real
+        argv, program = known
+        process = Process(self, spec, self.next_pid(), argv, self.ros2 if program is None else _runner(program))  # type: ignore[arg-type]
+        process.index = index
+        if index is not self.index:
+            process.sourced_path = os.pathsep.join(index.search_paths())
+        process.on_output = on_output
+        process.on_exit = on_exit
+        if starter is not None:
+            starter.speaks_for += 2
+        return self.adopt(process)
+
+    def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
+        """:meth:`start` for what a launch action asks for, which a dry run only notes."""
+        return self.start(spec, on_output, on_exit)
+
+    def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
+        """:meth:`start` for a command whose output a launch file needs: it runs in a dry run, too."""
+        return self.start(spec, on_output, on_exit)
+
+    def adopt(self, process: Process) -> Process:
+        """Take charge of a process made elsewhere, and start it."""
+        if self.watchdog is not None:
+            self.watchdog.start()
+        real_machine.listen()
+        self.processes.append(process)
+        self.tracer.process_started(process)
+        self.begin(process)
+        return process
+
+    def begin(self, process: Process) -> None:
+        """Give a program its first turn: after what is due now."""
+        process.task.start()
+
+    def knows(self, spec: ProcessSpec) -> bool:
+        """Whether the command runs in the simulation."""
+        return self._known_command(spec, self._index_here()) is not None
+
+    def _known_command(self, spec: ProcessSpec, index: Index) -> tuple[list[str], Program | None] | None:
+        """The words that a simulated program sees, and the program (None for `ros2`); None for any other command."""
+        words = list(spec.argv)
+        if spec.shell:
+            line = ' '.join(words)
+            if SHELL_SIGNS & set(_outside_quotes(line)):
+                return self._known_line(line)
+            words = shlex.split(line)
+        for position, word in enumerate(words):
+            program = index.find_program(word)
+            if program is not None:
+                return words[position:], program
+            if os.path.basename(word) == 'ros2' and self.ros2 is not None:
+                return words[position:], None
+            if words[position + 1 : position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
+                return self._known_line(*words[position + 2 :]) if words[position + 2 :] else None
+            if position == 0 and os.path.basename(word) not in WRAPPERS:
+                break
+        return python_command(words, spec.cwd, frozenset(self.overlay(index).modules)) if _names_python(words) else None
+
+    def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
+        """A shell line of which the simulation knows a command."""
+        from edulaunch.engine.processes.shell_grammar import parsed
+        from edulaunch.engine.processes.shell_lines import is_simulated
+
+        if not is_simulated(parsed(line), arguments, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):
+            return None
+        return ['sh', '-c', line, *arguments], Program('shell', '', 'sh', 'sh', file=line)
+
+    def ended(self, process: Process) -> None:
+        """Called by a process when it has ended."""
+        self.processes.remove(process)
+        self.tracer.process_exited(process)
+
+    def close(self) -> None:
+        """End everything at once, without more simulated time: tasks are unwound, real programs are killed."""
+        if self.watchdog is not None:
+            self.watchdog.stop()
+        for real in list(self.real_programs):
+            real.kill()
+        for process in list(self.processes):
+            process.on_output = process.on_exit = None
+            process.task.kill()
+            for thread in process.threads:
+                thread.kill()
+        until = self.sim.now_ns
+        self.sim.run(until)
+        for file in self.generated_files.values():
+            file.remove()
+
+
+def _names_python(words: list[str]) -> bool:
+    """Whether this may be a Python program of nobody's package; anything else is not looked at closer."""
+    first = os.path.basename(words[0]) if words else ''
+    return first.endswith('.py') or first.startswith('python')
+
+
+def _runner(program: Program) -> CommandRunner:
+    return lambda process: run_program(process, program)
+
+
+def _outside_quotes(line: str) -> str:
+    """The characters of a shell line that stand outside quotation marks."""
+    kept, quote = [], ''
+    for character in line:
+        if quote:
+            quote = '' if character == quote else quote
+        elif character in '"\'':
+            quote = character
+        else:
+            kept.append(character)
+    return ''.join(kept)

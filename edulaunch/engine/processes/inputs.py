@@ -1,0 +1,258 @@
+"""What a simulated program reads: a text, lines that come at given times, a pipe. (`real_input` is the keyboard of a person.)
+
+Reading waits in simulated time: the other programs go on meanwhile.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from edulaunch.engine.sim.sync import wait_until
+from edulaunch.engine.sim.task import Task, current_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+
+class Input:
+    """`sys.stdin` of a simulated program: an empty file. Subclasses say where more text comes from.
+
+    A program that reads key by key (see the `termios` view) has a keyboard instead: nobody presses a key after the last one.
+
+    :ivar by_key: whether the program took the terminal out of its line mode.
+    :ivar blocking: whether reading waits (see the `fcntl` view).
+    :ivar is_inherited: whether what the program starts reads from it, too.
+    """
+
+    name = '<stdin>'
+    encoding = 'utf-8'
+    errors = 'strict'
+    mode = 'r'
+    newlines = None
+    closed = False
+    by_key = False
+    blocking = True
+    is_inherited = False
+
+    def __init__(self, text: str = '') -> None:
+        self._text = text
+
+    def has_ended(self) -> bool:
+        """Whether no more text will come."""
+        return True
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for more text and add it. False when the deadline came first."""
+        return False
+
+    def take_due(self) -> None:
+        """Add what has come already, without waiting."""
+
+    def is_ready(self) -> bool:
+        """Whether reading would not have to wait."""
+        self.take_due()
+        return bool(self._text) or (self.has_ended() and not self.by_key)
+
+    def change_mode(self, process: Process, flags: int) -> None:
+        """The program sets the local flags of its terminal; see `termios`."""
+        import termios
+
+        self.by_key = not flags & termios.ICANON
+
+    def terminal_size(self) -> tuple[int, int]:
+        """Columns and lines of the terminal.
+
+        :raises OSError: when it is none, as the system says it.
+        """
+        raise OSError(25, 'Inappropriate ioctl for device')
+
+    def wait(self, timeout_s: float | None) -> bool:
+        """Wait until there is something to read, or `timeout_s` simulated seconds."""
+        task = current_task()
+        deadline = None if timeout_s is None else task.sim.now_ns + round(timeout_s * 1e9)
+        while not self.is_ready():
+            if self.has_ended():
+                self._wait_for_ever(deadline)
+                return False
+            if not self.take_more(deadline) and deadline is not None and task.sim.now_ns >= deadline:
+                return False
+        task.poll()
+        return True
+
+    def _wait_for_ever(self, deadline_ns: int | None = None) -> None:
+        """Wait for a key that nobody presses: until a signal ends the program, or the deadline."""
+        task = current_task()
+        while deadline_ns is None or task.sim.now_ns < deadline_ns:
+            task.park(deadline_ns)
+
+    def _fill(self, size: int, end: str = '') -> None:
+        """Wait until there are `size` characters (-1: all of them), or `end` is there, or no more will come."""
+        self.take_due()
+        while (size < 0 or len(self._text) < size) and not (end and end in self._text) and not self.has_ended():
+            if not self.blocking:
+                break
+            self.take_more(None)
+        if not self._text:
+            if self.by_key and self.blocking:
+                self._wait_for_ever()
+            current_task().poll()  # a loop that reads on and on must not stop the time
+
+    def _cut(self, length: int) -> str:
+        text, self._text = self._text[:length], self._text[length:]
+        return text
+
+    def read(self, size: int | None = -1, /) -> str:
+        """As any text file; at the end of a keyboard's keys it waits."""
+        size = -1 if size is None else size
+        self._fill(size)
+        return self._cut(len(self._text) if size < 0 else size)
+
+    def read1(self, size: int) -> str:
+        """What is there, at most `size` characters; waits when nothing is."""
+        self._fill(1)
+        return self._cut(size)
+
+    def readline(self, size: int = -1, /) -> str:
+        """As any text file; at the end of a keyboard's keys it waits."""
+        self._fill(size, '\n')
+        end = self._text.find('\n') + 1 or len(self._text)
+        return self._cut(end if size < 0 else min(size, end))
+
+    def readlines(self, hint: int = -1, /) -> list[str]:
+        """All lines until the end."""
+        return list(self)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.readline, '')
+
+    def __next__(self) -> str:
+        line = self.readline()
+        if not line:
+            raise StopIteration
+        return line
+
+    @property
+    def buffer(self) -> BytesInput:
+        """The stream for bytes."""
+        return BytesInput(self)
+
+    def isatty(self) -> bool:
+        """A launched program reads no terminal."""
+        return False
+
+    def fileno(self) -> int:
+        """The number that it has in every program."""
+        return 0
+
+    def readable(self) -> bool:
+        """Yes."""
+        return True
+
+    def writable(self) -> bool:
+        """No."""
+        return False
+
+    def seekable(self) -> bool:
+        """No."""
+        return False
+
+    def flush(self) -> None:
+        """Nothing to do."""
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+
+class SilentPipe(Input):
+    """What a program of a launch reads: a pipe into which nobody ever writes and which nobody closes, as ROS 2 makes it."""
+
+    is_inherited = True
+    _is_told = False
+
+    def has_ended(self) -> bool:
+        """Never."""
+        return False
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait until the deadline, or until a signal ends the program; the recording tells of the latter."""
+        process: Process = current_task().owner
+        if deadline_ns is None and not self._is_told:
+            self._is_told = True
+            process.fact('waits for input', None, {})
+        self._wait_for_ever(deadline_ns)
+        return False
+
+
+class BytesInput:
+    """`sys.stdin.buffer`: text is UTF-8 bytes."""
+
+    def __init__(self, text: Input) -> None:
+        self._input = text
+
+    def read(self, size: int = -1) -> bytes:
+        """As any binary file."""
+        return self._input.read(size).encode()
+
+    def readline(self) -> bytes:
+        """As any binary file."""
+        return self._input.readline().encode()
+
+    def __iter__(self) -> Iterator[bytes]:
+        return iter(self.readline, b'')
+
+
+class TypedInput(Input):
+    """Text that comes at given times, as somebody would type it.
+
+    :param pieces: (simulated seconds since the start, text), in any order.
+    """
+
+    def __init__(self, pieces: Sequence[tuple[float, str]]) -> None:
+        super().__init__()
+        self._pieces = deque(sorted(((round(seconds * 1e9), text) for seconds, text in pieces), key=lambda piece: piece[0]))
+
+    def has_ended(self) -> bool:
+        """After the last piece."""
+        return not self._pieces
+
+    def take_due(self) -> None:
+        """Add the pieces whose time has come."""
+        sim = current_task().sim
+        while self._pieces and self._pieces[0][0] <= sim.now_ns - sim.start_ns:
+            self._text += self._pieces.popleft()[1]
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for the next piece."""
+        task = current_task()
+        due = task.sim.start_ns + self._pieces[0][0]
+        task.sleep_until(due if deadline_ns is None else min(due, deadline_ns))
+        self.take_due()
+        return deadline_ns is None or due <= deadline_ns
+
+
+class PipedInput(Input):
+    """What another program writes: the other end of `Popen(..., stdin=PIPE).stdin`."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._open = True
+        self._waiters: deque[Task] = deque()
+
+    def feed(self, text: str, *, last: bool = False) -> None:
+        """Add text; after the `last` the file ends."""
+        self._text += text
+        self._open = self._open and not last
+        for task in self._waiters:
+            task.wake()
+
+    def has_ended(self) -> bool:
+        """When the other end was closed."""
+        return not self._open
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for the other program."""
+        length = len(self._text)
+        timeout = None if deadline_ns is None else max(0, deadline_ns - current_task().sim.now_ns) / 1e9
+        return wait_until(lambda: len(self._text) > length or not self._open, self._waiters, timeout)

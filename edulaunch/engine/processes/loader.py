@@ -1,0 +1,321 @@
+"""The private modules of one program.
+
+Two copies of one node must not share globals, and each must see its own clock, arguments and streams. Modules of a student's
+workspace, the main script and launch files are therefore executed once per process, with `__builtins__` whose `__import__`
+comes here first. Everything else (the standard library, numpy, the ROS faces) is shared; the few standard modules that
+know time, chance, threads or the process itself are replaced by views (`processes/views/`), and a few more are executed
+privately too, so that they use those views.
+"""
+
+from __future__ import annotations
+
+import builtins
+import os
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from types import CodeType, ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.packages.absent import REFUSED
+from edulaunch.engine.processes import real_machine
+from edulaunch.engine.processes.finding import Finder, Found, code_of, namespace, read_script, regular
+from edulaunch.engine.processes.views import PRIVATE_COPIES, VIEWS, make_view
+from edulaunch.engine.processes.whose_code import is_own
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+_shared_import = builtins.__import__
+LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))
+"""What Python itself has loaded before it looks at any file of a program."""
+
+
+class Loader:
+    """Finds and executes modules for one process.
+
+    :ivar finder: where private modules are looked for; `roots` are the folders that come first.
+    :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
+    """
+
+    def __init__(self, process: Process) -> None:
+        self.process = process
+        self.finder = Finder(process)
+        self.roots = self.finder.roots
+        self.modules: dict[str, ModuleType] = {}
+        self._builtins: dict[str, Any] | None = None
+
+    @property
+    def builtins(self) -> dict[str, Any]:
+        """`__builtins__` of this program's modules: Python's own, but for what names the process."""
+        if self._builtins is None:
+            self._builtins = self.import_module('builtins').__dict__
+        return self._builtins
+
+    def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:
+        """Execute a Python file as a module of that name.
+
+        A script's folder goes first on its search path, as Python does it; a launch file's does not, as in ROS 2.
+
+        :raises: whatever reading, compiling or executing the file raises (`FileNotFoundError`, `SyntaxError` ...).
+        """
+        path = os.path.abspath(self.process.path(path))
+        if script:
+            self.roots.insert(0, os.path.dirname(path))
+        module = ModuleType(module_name)
+        module.__file__ = path
+        module.__package__ = '' if not script else None
+        if not script:
+            module.__loader__ = SourceFileLoader(module_name, path)
+            module.__spec__ = ModuleSpec(module_name, module.__loader__, origin=path)
+        self._execute(module, self._code(path, read_script))
+        return module
+
+    def run_module(self, name: str) -> ModuleType:
+        """Execute a module of the program as `python -m` does: as `__main__`, in its package.
+
+        :raises ModuleNotFoundError: when there is none of that name.
+        """
+        parent, _, leaf = name.rpartition('.')
+        path = list(getattr(self.import_module(parent), '__path__', ())) if parent else []
+        found = (regular(leaf, path) or namespace(leaf, path)) if parent else self.finder.first_match(leaf)
+        if found is None:
+            raise ModuleNotFoundError(f'No module named {name}', name=name)
+        if found.is_package:
+            return self.run_module(f'{name}.__main__')
+        module = ModuleType('__main__')
+        module.__file__, module.__package__ = found.path, parent
+        module.__loader__ = SourceFileLoader(name, found.path)
+        module.__spec__ = ModuleSpec(name, module.__loader__, origin=found.path)
+        self.process.argv[0] = found.path
+        self._execute(module, self._code(found.path, read_script))
+        return module
+
+    def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
+        """The compiled code of a file; copies of a program share it until the file changes."""
+        compiled, now = self.process.host.compiled, os.stat(path)
+        stamp = (now.st_mtime_ns, now.st_size)
+        known = compiled.get(path)
+        if known is None or known[0] != stamp:
+            known = compiled[path] = (stamp, read(path))
+        return known[1]
+
+    def load_entry_module(self, name: str) -> ModuleType:
+        """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
+        self.finder.own = name.partition('.')[0]
+        if self.finder.last:
+            return self.import_module(name)
+        package = _shared_import(name.rpartition('.')[0], None, None, ['__name__'], 0)
+        found = regular(name.rpartition('.')[2], list(package.__path__))
+        if found is None:
+            raise ModuleNotFoundError(f'No module named {name!r}', name=name)
+        return self.load_file(name, found)
+
+    def import_(
+        self,
+        name: str,
+        globals: Mapping[str, Any] | None = None,
+        locals: Mapping[str, Any] | None = None,
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
+        """What `import` statements of this program call."""
+        if level:
+            name = absolute_name(name, globals or {}, level)
+        top = name.partition('.')[0]
+        if top in real_machine.MODULES and is_own((globals or {}).get('__file__') or '<string>'):
+            real_machine.note_use(self.process, f'the module {top}')
+        view = self._view(name)
+        if view is not None:
+            return view if fromlist or name == top else self._view(top) or _shared_import(top)
+        if not self.is_private(top) and (name == top or self._view(top) is None):
+            if top in REFUSED:
+                raise ModuleNotFoundError(f'No module named {top!r}', name=top)
+            try:
+                return _shared_import(name, None, None, fromlist or (), 0)
+            except ModuleNotFoundError as error:
+                if error.name != top or self.finder.last_match(top) is None:
+                    raise
+        module = self.import_module(name)
+        if not fromlist:
+            return self.modules.get(top, module)
+        if '*' in fromlist:
+            fromlist = (*fromlist, *getattr(module, '__all__', ()))
+        for item in fromlist:
+            if item != '*' and not hasattr(module, item) and hasattr(module, '__path__'):
+                self._import_submodule(name, item)
+        return module
+
+    def import_module(self, name: str) -> ModuleType:
+        """Load a module by its full name, its packages first: privately where the program has it, else the shared one.
+
+        :raises ModuleNotFoundError: with Python's own text.
+        """
+        module = self.modules.get(name) or self._view(name)
+        if module is not None:
+            return module
+        parent_name, _, leaf = name.rpartition('.')
+        if not parent_name:
+            return self._import_top(name)
+        parent = self.import_module(parent_name)
+        if self.modules.get(parent_name) is not parent:
+            return self._shared(name)
+        module = self.modules.get(name)
+        if module is not None:  # the package has imported it itself meanwhile
+            return module
+        made = self._interfaces(name)
+        if made is None:
+            path = [] if getattr(parent, '__edulaunch_view__', False) else list(getattr(parent, '__path__', ()))
+            found = regular(leaf, path) or namespace(leaf, path)
+            if found is None:
+                return self._not_private(name, parent)
+            made = self.load_file(name, found)
+        setattr(parent, leaf, made)
+        return made
+
+    def is_private(self, top: str) -> bool:
+        """Whether a top-level name is this program's own module (or a view)."""
+        return (
+            top in self.modules
+            or top in PRIVATE_COPIES
+            or self.finder.first_match(top) is not None
+            or top in self.process.overlay.interface_packages
+        )
+
+    def _import_top(self, name: str) -> ModuleType:
+        found = self.finder.first_match(name)
+        if found is None and name in PRIVATE_COPIES:
+            found = Found(*PRIVATE_COPIES[name]())
+        if found is None and name in self.process.overlay.interface_packages:
+            package = self.modules[name] = ModuleType(name)
+            package.__path__ = []
+            return package
+        if found is None:
+            try:
+                return self._shared(name)
+            except ModuleNotFoundError as error:
+                found = self.finder.last_match(name)
+                if error.name != name or found is None:
+                    raise
+        return self.load_file(name, found)
+
+    def _shared(self, name: str) -> ModuleType:
+        top = name.partition('.')[0]
+        if top in REFUSED:
+            raise ModuleNotFoundError(f'No module named {top!r}', name=top)
+        _shared_import(name, None, None, (), 0)
+        return sys.modules[name]
+
+    def _interfaces(self, name: str) -> ModuleType | None:
+        """`pkg.msg` and what is in it, of a package of the workspace, before any generated files that lie about."""
+        overlay = self.process.overlay
+        if name.partition('.')[0] not in overlay.interface_packages:
+            return None
+        spec = overlay.finder.find_spec(name)
+        module = None if spec is None else overlay.finder.create_module(spec)
+        if module is not None:
+            module.__spec__ = spec
+            module.__dict__.update({'__package__': name, '__path__': []} if name.count('.') == 1 else {})
+            self.modules[name] = module
+        return module
+
+    def _not_private(self, name: str, parent: ModuleType) -> ModuleType:
+        if getattr(parent, '__edulaunch_view__', False):
+            return self._shared(name)
+        if not hasattr(parent, '__path__'):
+            raise ModuleNotFoundError(f'No module named {name!r}; {parent.__name__!r} is not a package', name=name)
+        interfaces = self._interfaces_of_the_underlay(name)
+        if interfaces is None:
+            raise ModuleNotFoundError(f'No module named {name!r}', name=name)
+        setattr(parent, name.rpartition('.')[2], interfaces)
+        return interfaces
+
+    def _interfaces_of_the_underlay(self, name: str) -> ModuleType | None:
+        """A student's copy of a package such as turtlesim may have modules; its interfaces are the underlay's."""
+        if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
+            return None
+        try:
+            return self._shared(name)
+        except ImportError:
+            return None
+
+    def _import_submodule(self, package: str, item: str) -> None:
+        try:
+            self.import_module(f'{package}.{item}')
+        except ModuleNotFoundError as error:
+            if error.name != f'{package}.{item}':
+                raise
+
+    def _view(self, name: str) -> ModuleType | None:
+        module = self.modules.get(name)
+        if module is not None:
+            return module if getattr(module, '__edulaunch_view__', False) else None
+        if self._is_hidden(name.partition('.')[0]):
+            return None
+        view = make_view(name, self.process)
+        if view is not None:
+            self.modules[name] = view
+        return view
+
+    def _is_hidden(self, top: str) -> bool:
+        """Whether a file of the program, such as a `queue.py` beside the script, comes before the standard module."""
+        return top in VIEWS and top not in LOADED_FIRST and self.finder.first_match(top) is not None
+
+    def load_file(self, name: str, found: Found) -> ModuleType:
+        """Execute a file, or take a folder, as the private module of that name."""
+        path, is_package = found
+        module = ModuleType(name)
+        source = None if os.path.isdir(path) else SourceFileLoader(name, path)
+        module.__spec__ = spec = ModuleSpec(name, source, origin=path, is_package=is_package)
+        module.__loader__ = source
+        module.__package__ = name if is_package else name.rpartition('.')[0]
+        if is_package:
+            module.__path__ = [path if source is None else os.path.dirname(path)]
+            spec.submodule_search_locations = module.__path__
+        self.modules[name] = module
+        if source is not None:
+            module.__file__ = path
+            spec._initializing = True  # type: ignore[attr-defined]  # Python tells of circular imports then
+            try:
+                self._execute(module, self._code(path, lambda _: code_of(source)))
+            except BaseException:
+                del self.modules[name]
+                raise
+            finally:
+                spec._initializing = False  # type: ignore[attr-defined]
+        return module
+
+    def reload(self, module: ModuleType) -> ModuleType:
+        """Execute a private module again, in its own namespace, as `importlib.reload`."""
+        file = module.__file__
+        assert file is not None
+        self._execute(module, code_of(SourceFileLoader(module.__name__, file)))
+        return module
+
+    def _execute(self, module: ModuleType, code: CodeType) -> None:
+        """Run the code with the private builtins. While it runs, `sys.modules` shows the module where that name is free:
+        class decorators such as `dataclass` look their module up there.
+        """
+        module.__dict__['__builtins__'] = self.builtins
+        self.modules[module.__name__] = module
+        visible = sys.modules.setdefault(module.__name__, module) is module
+        try:
+            exec(code, module.__dict__)
+        finally:
+            if visible and sys.modules.get(module.__name__) is module:
+                del sys.modules[module.__name__]
+
+
+def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
+    """The full name of a relative import.
+
+    :raises ImportError: with Python's texts, outside any package or above the topmost one.
+    """
+    package = globals.get('__package__')
+    if not package:
+        raise ImportError('attempted relative import with no known parent package')
+    parts = package.split('.')
+    if level > len(parts):
+        raise ImportError('attempted relative import beyond top-level package')
+    base = '.'.join(parts[: len(parts) - level + 1])
+    return f'{base}.{name}' if name else base

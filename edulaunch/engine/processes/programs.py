@@ -1,0 +1,132 @@
+"""What runs inside a simulated process: an entry point's function, or a script or module as `__main__`; also of command lines
+that name Python themselves (`python3 script.py`, `python3 -m package.module`, `./script.py`), since they probably hold ROS
+nodes.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.packages import Program
+from edulaunch.engine.processes.process import Process
+
+
+def run_program(process: Process, program: Program) -> object:
+    """Run `program` with the process's private modules; returns what its main function returned."""
+    loader = process.loader
+    if program.kind != 'module':
+        loader.finder.last.extend(program.python_roots)
+    if program.kind == 'script':
+        loader.roots.append(os.path.dirname(program.path))
+        loader.run_file(program.file, '__main__', script=True)
+        return None
+    if program.kind == 'module':
+        loader.roots.insert(0, program.python_roots[0])
+        loader.run_module(program.module)
+        return None
+    if program.kind == 'shell':
+        from edulaunch.engine.processes.shell_lines import run_line
+
+        return run_line(process, program.file)
+    if program.kind in ('native', 'absent'):
+        raise _cannot_run(program)
+    return entry_function(process, program)()
+
+
+def _cannot_run(program: Program) -> OSError:
+    """What the system says of a file that is not there or is for another machine, and why."""
+    absent = program.kind == 'absent'
+    number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
+    error = OSError(number, os.strerror(number), name)
+    if absent:
+        return with_facts(error, 'packages.absent-package', package=program.package, belongs_to=program.file)
+    return with_facts(error, 'programs.native', built_from=program.file)
+
+
+def entry_function(process: Process, program: Program) -> Callable[[], object]:
+    """The function of an entry point.
+
+    :raises ModuleNotFoundError, AttributeError: with Python's text; when the entry point itself names something that is not
+        there, the facts tell where it is written and what was meant.
+    """
+    try:
+        found: Any = process.loader.load_entry_module(program.module)
+    except ModuleNotFoundError as error:
+        if type(error) is ModuleNotFoundError and f'{program.module}.'.startswith(f'{error.name}.'):
+            _add_facts(program, error, 'module', _modules_beside(process, program.module), program.module)
+        raise
+    for name in program.function.split('.'):
+        try:
+            found = getattr(found, name)
+        except AttributeError as error:
+            names = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == program.module]
+            _add_facts(program, error, 'function', names, name)
+            raise
+    return found  # type: ignore[no-any-return]
+
+
+def _modules_beside(process: Process, module: str) -> list[str]:
+    """Full names of the modules in the package of `module`."""
+    parent = module.rpartition('.')[0]
+    package = process.loader.modules.get(parent)
+    return [
+        f'{parent}.{entry[:-3]}'
+        for folder in getattr(package, '__path__', ())
+        for entry in sorted(os.listdir(folder))
+        if entry.endswith('.py') and not entry.startswith('_')
+    ]
+
+
+def _add_facts(program: Program, error: BaseException, kind: str, known: list[str], name: str) -> None:
+    entry = f'{program.executable} = {program.module}:{program.function}'
+    near = nearest(name, known)
+    with_facts(error, f'packages.entry-{kind}', entry=entry, package=program.package, missing=name, near=near, known=known)
+
+
+_PYTHON = re.compile(r'python[\d.]*(\.exe)?')
+_FLAGS = frozenset(('-u', '-B', '-E', '-I', '-O', '-OO', '-s', '-S', '-q', '-v'))
+_FLAGS_WITH_VALUE = frozenset(('-W', '-X'))
+
+
+def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -> tuple[list[str], Program] | None:
+    """What the program sees of the words, and the program; None for any other command.
+
+    :param cwd: the folder in which the command is started.
+    :param modules: top-level modules of the workspaces; with `-m` any other module is left to a real Python.
+    """
+    if not words:
+        return None
+    folder = cwd or os.getcwd()
+    if not _PYTHON.fullmatch(os.path.basename(words[0])):
+        return _script(words, folder, needs_mark=True)
+    position = 1
+    while position < len(words) and words[position] in _FLAGS | _FLAGS_WITH_VALUE:
+        position += 2 if words[position] in _FLAGS_WITH_VALUE else 1
+    rest = words[position:]
+    if len(rest) > 1 and rest[0] == '-m':
+        name = rest[1]
+        top = name.partition('.')[0]
+        if top not in modules and not any(os.path.exists(os.path.join(folder, path)) for path in (top, f'{top}.py')):
+            return None
+        return rest[1:], Program('module', '', name, name, name, python_roots=(folder,))
+    return _script(rest, folder, needs_mark=False)
+
+
+def _script(words: list[str], folder: str, needs_mark: bool) -> tuple[list[str], Program] | None:
+    """A Python file; one that is started by itself must say so in its first line."""
+    path = os.path.normpath(os.path.join(folder, os.path.expanduser(words[0]))) if words else ''
+    if not path.endswith('.py') or not os.path.isfile(path) or (needs_mark and not _is_marked(path)):
+        return None
+    return words, Program('script', '', os.path.basename(path), path, file=path)
+
+
+def _is_marked(path: str) -> bool:
+    with open(path, 'rb') as file:
+        first = file.readline(200)
+    return first.startswith(b'#!') and b'python' in first and os.access(path, os.X_OK)

@@ -1,0 +1,268 @@
+"""Real programs of this machine, started by ExecuteProcess; and its files, such as the terminal, that a simulated program reads.
+
+While one of them runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
+cannot repeat exactly; a recording says so.
+"""
+
+from __future__ import annotations
+
+import codecs
+import errno
+import os
+import queue
+import subprocess
+import threading
+from codecs import getincrementaldecoder
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.inputs import Input
+from edulaunch.engine.processes.process import OnExit, OnOutput
+from edulaunch.engine.processes.spec import ProcessSpec, Signals
+from edulaunch.engine.sim.real_pace import LOOK_EVERY_NS
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.host import Host
+    from edulaunch.engine.processes.process import Process
+
+READER_NAME = 'edulaunch reads '
+"""How the names of the threads begin that read what real programs print."""
+
+
+class RealLook:
+    """One look at all real programs of a simulation: it hands on what they said and, while there are any, lets simulated
+    time wait for real time.
+
+    :ivar news: where their threads put (program, stream, text).
+    """
+
+    def __init__(self, host: Host) -> None:
+        self.news: queue.SimpleQueue[tuple[RealProcess, str, str | None]] = queue.SimpleQueue()
+        self._host = host
+
+    def begin(self) -> None:
+        """The first program is about to run."""
+        self._host.pace.begin()
+        self._look_later()
+
+    def _look_later(self) -> None:
+        sim = self._host.sim
+        sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
+
+    def _look(self) -> None:
+        while self._host.real_programs:
+            try:
+                program, stream, text = self.news.get(timeout=self._host.pace.ahead_s())
+            except queue.Empty:
+                self._look_later()
+                break
+            program.take(stream, text)
+
+
+class RealProcess:
+    """A program of the operating system with the same face as a simulated one: `pid`, `returncode`, `send_signal`."""
+
+    def __init__(self, host: Host, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+        self.host = host
+        self.spec = spec
+        self.returncode: int | None = None
+        parent = host.program_here()
+        self.group = None if parent is None else parent.group
+        self.on_output = on_output
+        self.on_exit = on_exit
+        command = ' '.join(spec.argv) if spec.shell else list(spec.argv)
+        environment = dict(spec.env) if spec.env is not None else host.env
+        outputs = [_terminal() if spec.emulate_tty and hasattr(os, 'openpty') else os.pipe() for _ in range(2)]
+        try:
+            self._child = subprocess.Popen(
+                command,
+                shell=spec.shell,
+                cwd=spec.cwd,
+                env=environment,
+                stdin=subprocess.PIPE if spec.has_pipe else subprocess.DEVNULL,
+                stdout=outputs[0][1],
+                stderr=outputs[1][1],
+                start_new_session=True,
+            )
+        except BaseException:
+            for reader, _ in outputs:
+                os.close(reader)
+            raise
+        finally:
+            for _, writer in outputs:
+                os.close(writer)
+        self.pid = self._child.pid
+        self._news = host.real_look.news
+        self._open = 3
+        self._code: int | None = None
+        for stream, (reader, _) in zip(('stdout', 'stderr'), outputs, strict=True):
+            threading.Thread(target=self._read, args=(stream, reader), name=f'{READER_NAME}{stream}', daemon=True).start()
+        self._waiter = threading.Thread(target=self._wait, name=f'{READER_NAME}the end', daemon=True)
+        self._waiter.start()
+        host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
+        if not host.real_programs:
+            host.real_look.begin()
+
+    def _read(self, stream: str, reader: int) -> None:
+        decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a letter of two bytes may come in two pieces
+        try:
+            while chunk := _chunk(reader):
+                self._news.put((self, stream, decoder.decode(chunk)))
+            self._news.put((self, stream, decoder.decode(b'', final=True)))
+        finally:
+            os.close(reader)
+            self._news.put((self, stream, None))
+
+    def _wait(self) -> None:
+        """Alone in asking the system for the program's end: in the main thread a signal handler could lose the answer."""
+        self._code = self._child.wait()
+        if self._child.stdin is not None:
+            self._child.stdin.close()
+        self._news.put((self, '', None))
+
+    def take(self, stream: str, text: str | None) -> None:
+        """What one of its threads has to say: a piece of output, or (None) that it has ended."""
+        if text is not None:
+            if text and self.on_output is not None:
+                self.on_output(stream, text)
+            return
+        self._open -= 1
+        if not self._open:
+            assert self._code is not None
+            self.returncode = self._code
+            self.host.real_programs.remove(self)
+            if self.on_exit is not None:
+                self.on_exit(self.returncode)
+
+    def send_signal(self, signum: int) -> None:
+        """Send a signal to the program and everything it started."""
+        if self._code is not None:
+            return
+        if hasattr(os, 'killpg'):
+            with suppress(ProcessLookupError):
+                os.killpg(self.pid, signum)
+        else:
+            self._child.terminate()  # all that Windows has
+
+    def kill(self) -> None:
+        """End it for good; nobody is told."""
+        self.on_output = self.on_exit = None
+        self.send_signal(Signals.SIGKILL)
+        self._waiter.join()
+
+
+def _terminal() -> tuple[int, int]:
+    """Both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
+    import pty
+    import termios
+
+    ours, theirs = pty.openpty()
+    settings = termios.tcgetattr(theirs)
+    settings[1] &= ~termios.OPOST
+    termios.tcsetattr(theirs, termios.TCSANOW, settings)
+    return ours, theirs
+
+
+def _chunk(reader: int) -> bytes:
+    """What comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
+    try:
+        return os.read(reader, 65536)
+    except OSError as error:
+        if error.errno != errno.EIO:
+            raise
+        return b''
+
+
+class RealInput(Input):
+    """An open text file of this machine, such as the terminal. While somebody types, simulated time keeps pace with real time and
+    the other programs go on; what is there already is read at once.
+
+    :param file: a terminal, a pipe or a file. One that is no file of the operating system is read line by line.
+    :param host: its watchdog is told to be patient while such a file is read.
+    """
+
+    def __init__(self, file: Any, host: Host) -> None:
+        super().__init__()
+        self._file = file
+        self._host = host
+        self._ended = False
+        self._number = _waitable(file)
+        self._decoder = getincrementaldecoder('utf-8')('replace')
+
+    def isatty(self) -> bool:
+        """Whether it is a terminal."""
+        return bool(self._file.isatty())
+
+    def change_mode(self, process: Process, flags: int) -> None:
+        """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends.
+        Ctrl-C stays what it is.
+        """
+        import termios
+
+        super().change_mode(process, flags)
+        number = self._number
+        if number is None or not self.isatty():
+            return
+        mode = termios.tcgetattr(number)
+        if 'terminal' not in process.state:
+            process.state['terminal'] = list(mode)
+            process.at_exit.append(lambda: termios.tcsetattr(number, termios.TCSADRAIN, process.state['terminal']))
+        letters = termios.ICANON | termios.ECHO
+        mode[3] = mode[3] & ~letters if self.by_key else mode[3] | letters
+        termios.tcsetattr(number, termios.TCSADRAIN, mode)
+
+    def has_ended(self) -> bool:
+        """At the end of the file."""
+        return self._ended
+
+    def take_due(self) -> None:
+        """Add what has been typed."""
+        if self._number is not None:
+            self._look(0.0)
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait a moment of real and as much simulated time."""
+        if self._number is None:
+            return self._read_patiently()
+        if self._look(self._host.pace.ahead_s()):
+            return True
+        task = current_task()
+        task.sleep_until(task.sim.now_ns + LOOK_EVERY_NS)
+        return False
+
+    def _look(self, seconds: float) -> bool:
+        import select
+
+        assert self._number is not None
+        if self._ended or not select.select([self._number], [], [], seconds)[0]:
+            return self._ended
+        chunk = os.read(self._number, 65536)
+        self._ended = not chunk
+        self._text += self._decoder.decode(chunk, final=self._ended)
+        return True
+
+    def _read_patiently(self) -> bool:
+        watchdog = self._host.watchdog
+        if watchdog is not None:
+            watchdog.asleep = True
+        try:
+            line = self._file.readline()
+        finally:
+            if watchdog is not None:
+                watchdog.asleep = False
+        self._text += line
+        self._ended = not line
+        return True
+
+
+def _waitable(file: Any) -> int | None:
+    """The file's number, when the operating system can tell whether reading it would wait."""
+    import select
+
+    try:
+        number: int = file.fileno()
+        select.select([number], [], [], 0)
+    except (AttributeError, OSError, ValueError):
+        return None
+    return number

@@ -1,0 +1,131 @@
+"""Notes which simulated programs read the real machine: then a run cannot repeat, and its recording says so.
+
+What Python's own audit events tell is heard where it happens, also inside of libraries (`psutil` reads `/proc`, `requests`
+connects); a few modules and functions that tell of the machine without such an event are noted when the student's code asks for
+them. Importing a library that looks about is no reason: what it finds there seldom matters.
+Also the folders of this machine whose places a digest must not depend on.
+"""
+
+from __future__ import annotations
+
+import os
+import site
+import sys
+import sysconfig
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.whose_code import is_library, is_own
+from edulaunch.engine.sim.task import AmbientTask, running_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+KIND = 'real machine'
+"""Of the note."""
+MODULES = frozenset({'cpuinfo', 'getmac', 'netifaces', 'platform', 'psutil', 'pwd', 'resource', 'GPUtil', 'pynvml'})
+"""Whoever imports one of these wants to know the machine."""
+FUNCTIONS = ('getloadavg', 'getlogin', 'getresuid', 'getuid', 'sched_getaffinity', 'statvfs', 'times', 'uname')
+"""Of `os`."""
+FOLDERS = ('/proc/', '/sys/', '/dev/')
+REPEATS = frozenset({'/dev/null', '/dev/full', '/dev/zero', '/dev/stdin', '/dev/stdout', '/dev/stderr', '/dev/tty'})
+SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 'gethostbyname', 'gethostname', 'sendto'))
+FILES = frozenset({'open', 'os.listdir', 'os.scandir'})
+PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.fork', 'os.exec'})
+VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'views', '')
+EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS})
+_listening = False
+
+
+def listen() -> None:
+    """From now on. Python lets nobody stop again; while no simulated program runs nothing is noted."""
+    global _listening
+    if not _listening:
+        _listening = True
+        sys.addaudithook(_hear)
+
+
+def note_use(process: Process, what: str) -> None:
+    """A program used something of the real machine: noted once."""
+    text = f'{process.name} used {what}: this run cannot repeat exactly'
+    if text not in process.used:
+        process.used.add(text)
+        process.note(KIND, text)
+
+
+def noting(process: Process, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function, whose use by the student's own code is noted."""
+
+    def call(*arguments: Any, **options: Any) -> Any:
+        if _library_between(VIEWS) is not None:
+            note_use(process, what)
+        return function(*arguments, **options)
+
+    return call
+
+
+def _hear(event: str, arguments: tuple[Any, ...]) -> None:
+    if event not in EVENTS:
+        return
+    what = event
+    if event in FILES:
+        what = arguments[0]
+        if not isinstance(what, str) or not what.startswith(FOLDERS) or what in REPEATS:
+            return
+    task = running_task()
+    if task is None or isinstance(task, AmbientTask) or getattr(task.owner, 'tracer', None) is None:
+        return
+    library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` notes real programs itself
+    if library is not None:
+        note_use(task.owner, f'{what} ({library})' if library else what)
+
+
+def _library_between(views: str) -> str | None:
+    """The library through which the student's code came here ('' for none); None when it was not the student's code.
+
+    :param views: a folder of modules that only hand on what is asked of them.
+    """
+    frame: FrameType | None = sys._getframe(2)
+    library = ''
+    while frame is not None:
+        file = frame.f_code.co_filename
+        if is_own(file):
+            return library
+        if is_library(file):
+            library = frame.f_globals.get('__name__', '').partition('.')[0]
+        elif not views or not file.startswith(views):
+            return None
+        frame = frame.f_back
+    return None
+
+
+SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
+"""Folders that are no place of their own: other things lie in them on every machine."""
+
+
+def machine_roots() -> list[list[str]]:
+    """(folder, short name), those that say more first: where two are the same folder the first one counts."""
+    import tempfile  # late: only a recording needs it
+
+    packages = [sysconfig.get_path('purelib'), sysconfig.get_path('platlib'), site.getusersitepackages()]
+    found = [
+        (sys.executable, '@sys.executable'),
+        (tempfile.gettempdir(), '@tmp'),
+        (os.path.dirname(os.__file__), '@stdlib'),
+        *((folder, '@site-packages') for folder in packages if folder),  # a browser has no folder of the user
+        (sys.prefix, '@sys.prefix'),
+        (sys.base_prefix, '@sys.base_prefix'),
+    ]
+    with suppress(FileNotFoundError):  # the folder was removed meanwhile
+        found.append((os.getcwd(), '@cwd'))
+    return [*with_real_paths(found), *with_real_paths([(os.path.expanduser('~'), '@home')])]
+
+
+def with_real_paths(roots: Iterable[tuple[str, str]]) -> Iterator[list[str]]:
+    """The roots, each followed by what it is when links are followed; without the folders of the system."""
+    for path, name in roots:
+        for place in dict.fromkeys((path, os.path.realpath(path))):
+            if place not in SYSTEM:
+                yield [place, name]

@@ -1,0 +1,236 @@
+"""A traceback cut to what the student wrote, with `Did you mean: 'x'?` at its end as Python 3.12, that of ROS 2 Jazzy, says
+it; the same on every Python.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import textwrap
+import traceback
+from collections.abc import Callable, Iterator
+from types import FrameType, TracebackType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import facts_of
+from edulaunch.engine.processes.spec import Origin
+from edulaunch.engine.processes.whose_code import is_engine, is_library
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+MOST_NAMES, LONGEST_NAME = 750, 40
+STEP, CASE = 2, 1
+"""What it costs to add, drop or exchange a letter, and to change only its case."""
+_SAID = re.compile(r"\. Did you (mean: '[^']*'\?( Or did you forget to import '[^']*'\??)?|forget to import '[^']*'\??)$")
+_NOT_IN_MODULE = re.compile(r"cannot import name '(\w+)' from '([\w.]+)' ")
+
+
+def with_suggestion(text: str, error: BaseException) -> str:
+    """The last line of a traceback, with the suggestion that belongs to it. Texts of several lines have help of their own."""
+    line = text.rstrip('\n')
+    if '\n' in line or not isinstance(error, (AttributeError, ImportError, NameError)):
+        return text
+    return f'{_SAID.sub("", line)}{_suggestion(error)}\n'
+
+
+def _suggestion(error: BaseException) -> str:
+    name: str | None = getattr(error, 'name', None)
+    if isinstance(error, ImportError):
+        found = _NOT_IN_MODULE.match(str(error))
+        module = sys.modules.get(found[2]) if found else None
+        near = _nearest(found[1], dir(module)) if found and module is not None else None
+    elif isinstance(error, NameError):
+        near = _name_in_reach(error)
+    else:
+        near = _nearest(name, _names_of(error)) if name else None
+    said = f". Did you mean: '{near}'?" if near else ''
+    if isinstance(error, NameError) and name in sys.stdlib_module_names:
+        return f"{said} Or did you forget to import '{name}'?" if said else f". Did you forget to import '{name}'?"
+    return said
+
+
+def _names_of(error: Any) -> list[str]:
+    try:
+        return dir(error.obj)
+    except Exception:  # a student's __dir__ may do anything
+        return []
+
+
+def _name_in_reach(error: NameError) -> str | None:
+    """The nearest variable where the error arose, or the attribute of `self` that has the very name."""
+    trace = error.__traceback__
+    if trace is None or not error.name:
+        return None
+    while trace.tb_next is not None:
+        trace = trace.tb_next
+    frame: FrameType = trace.tb_frame
+    if error.name in _attributes(frame.f_locals.get('self')):
+        return f'self.{error.name}'
+    return _nearest(error.name, [*frame.f_locals, *frame.f_globals, *frame.f_builtins])
+
+
+def _attributes(student: Any) -> set[str]:
+    return {*getattr(student, '__dict__', ()), *dir(type(student))} if student is not None else set()
+
+
+def _nearest(wrong: str, names: list[str]) -> str | None:
+    """The name with the least changes, if these are few: at most a third of the letters of both."""
+    if len(names) > MOST_NAMES or len(wrong) > LONGEST_NAME:
+        return None
+    best, least = None, len(wrong)
+    for name in names:
+        limit = min((len(name) + len(wrong) + 3) * STEP // 6, least - 1)
+        if name != wrong and abs(len(name) - len(wrong)) * STEP <= limit:
+            cost = _changes(wrong, name)
+            if cost <= limit:
+                best, least = name, cost
+    return best
+
+
+def _changes(one: str, other: str) -> int:
+    """What it costs to make one word of the other."""
+    row = list(range(0, STEP * len(other) + 1, STEP))
+    for letter in one:
+        diagonal, row[0] = row[0], row[0] + STEP
+        for position, wanted in enumerate(other, 1):
+            exchange = 0 if letter == wanted else CASE if letter.lower() == wanted.lower() else STEP
+            cost = min(diagonal + exchange, row[position] + STEP, row[position - 1] + STEP)
+            diagonal, row[position] = row[position], cost
+    return row[-1]
+
+
+MOST = 15
+"""So many members are shown, as Python shows by default."""
+
+
+def members_of(error: BaseException) -> tuple[BaseException, ...]:
+    """The members of an exception group, which Python has from 3.11 on; none of any other error."""
+    members = getattr(error, 'exceptions', ())
+    is_group = isinstance(members, tuple) and hasattr(error, 'derive') and hasattr(error, 'split')
+    return members if is_group else ()
+
+
+def within(text: str, depth: int, corner: str = '|') -> str:
+    """The text inside `depth` frames; its first line begins with the `corner` of a new one."""
+    if not depth:
+        return text
+    indent = '  ' * depth
+    first, _, rest = text.partition('\n')
+    return f'{indent}{corner} {first}\n' + textwrap.indent(rest, f'{indent}| ', lambda line: True)
+
+
+def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseException, int], Iterator[str]]) -> Iterator[str]:
+    """The members one below the other in a frame of their own.
+
+    :param depth: how many frames are around the group, its own among them.
+    :param tell: gives the text of one member, inside so many frames.
+    """
+    indent = '  ' * depth
+    shown = members[:MOST]
+    closed = False
+    for number, member in enumerate(shown, start=1):
+        yield f'{indent}{"+-" if number == 1 else "  "}+---------------- {number} ----------------\n'
+        yield from tell(member, depth + 1)
+        closed = bool(members_of(member))
+    if len(members) > MOST:
+        more = len(members) - MOST
+        yield f'{indent}  +---------------- ... ----------------\n'
+        yield within(f'and {more} more exception{"s" if more > 1 else ""}\n', depth + 1)
+        closed = False
+    if not closed:  # the frame of a group that comes last closes the outer one too
+        yield f'{indent}  +------------------------------------\n'
+
+
+CAUSE = '\nThe above exception was the direct cause of the following exception:\n\n'
+CONTEXT = '\nDuring handling of the above exception, another exception occurred:\n\n'
+
+
+def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
+    """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
+
+    When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
+    error carries facts, is one of rclpy's own, or a built-in program's end by Ctrl-C: then we have raised it knowingly. Or
+    Python could not read the student's file at all: then nothing of it ran.
+    The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
+    """
+    return ''.join(_chain(error, [])), _place(error)
+
+
+def _place(error: BaseException) -> Origin | None:
+    members = members_of(error)
+    if members:
+        return _place(members[0]) or innermost_place(error.__traceback__)
+    unread = _unread_file(error)
+    return Origin(unread, getattr(error, 'lineno', 0) or 0) if unread is not None else innermost_place(error.__traceback__)
+
+
+def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> Iterator[str]:
+    """The error after the one that it was raised from or that was being handled, if that came about in the student's code.
+
+    :param depth: how many frames of exception groups are around it.
+    """
+    told.append(error)
+    cause, context = error.__cause__, error.__context__
+    if cause is not None and cause not in told:
+        yield from _chain(cause, told, depth)
+        yield within(CAUSE, depth)
+    elif context is not None and cause is None and not error.__suppress_context__ and context not in told and _own(context):
+        yield from _chain(context, told, depth)
+        yield within(CONTEXT, depth)
+    members, text = members_of(error), ''.join(_one(error))
+    if not members:
+        yield within(text, depth)
+        return
+    if text.startswith('Traceback'):
+        yield within(f'Exception Group {text}', depth or 1, '|' if depth else '+')
+    else:
+        yield within(text, depth or 1)
+    yield from framed(members, depth or 1, lambda member, deeper: _chain(member, told, deeper))
+
+
+def _one(error: BaseException) -> Iterator[str]:
+    """One error without those before it."""
+    own = _own(error)
+    knowingly = bool(facts_of(error)) or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
+    explained = knowingly or _unread_file(error) is not None
+    shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
+    if shown:
+        yield 'Traceback (most recent call last):\n'
+    plain = [traceback.FrameSummary(frame.filename, frame.lineno, frame.name, line=frame.line) for frame in shown]
+    yield from traceback.StackSummary.from_list(plain).format()
+    *before, last = _told_by_python(error)
+    yield from (*before, with_suggestion(last, error))
+
+
+def _told_by_python(error: BaseException) -> list[str]:
+    """Type and text. Of a group too: without the members, which newer Pythons tell here."""
+    members = members_of(error)
+    told = traceback.format_exception_only(type(error), error)
+    return told if not members else [next(line for line in told if line.strip())]
+
+
+def _own(error: BaseException) -> list[traceback.FrameSummary]:
+    """Frames that are not the engine's."""
+    return [frame for frame in traceback.extract_tb(error.__traceback__) if not is_engine(frame.filename)]
+
+
+def _unread_file(error: BaseException) -> str | None:
+    """The student's file that is no Python."""
+    unread = error.filename if isinstance(error, SyntaxError) else None
+    return None if unread is None or is_engine(unread) else unread
+
+
+def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | None]:
+    """What to say of a program that was stopped because it kept its turn, and where it was."""
+    text, place = student_traceback(error)
+    frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
+    where = f' at {place}' if place is not None else ''
+    return f'{frames}RunawayProgramError: {process.name} {error} without waiting for anything; it was stopped{where}.\n', place
+
+
+def innermost_place(trace: TracebackType | None) -> Origin | None:
+    """The last frame of a traceback in a student's file; when there is none, the last that is not in the engine."""
+    own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
+    last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)
+    return None if last is None else Origin(last.filename, last.lineno or 0)

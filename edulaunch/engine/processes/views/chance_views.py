@@ -1,0 +1,113 @@
+"""`random`, `uuid` and `numpy.random`, seeded per process: a student's unseeded randomness repeats from run to run."""
+
+from __future__ import annotations
+
+import random
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+DRAWING = [name for name in dir(random.Random) if not name.startswith('_') and hasattr(random, name)]
+
+
+class Random(random.Random):
+    """As `random.Random`; without a seed it is seeded from the process's generator, not from the machine."""
+
+    def __init__(self, x: Any = None) -> None:
+        super().__init__(_generator_here().random() if x is None else x)
+
+    def seed(self, a: Any = None, version: int = 2) -> None:
+        """As `random.Random.seed`, never from the machine."""
+        super().seed(_generator_here().random() if a is None else a, version)
+
+
+def _generator_here() -> random.Random:
+    generator: random.Random = current_task().owner.state['random']
+    return generator
+
+
+def make_random(view: ModuleType, process: Process) -> ModuleType:
+    """Module functions use one generator seeded by (simulation seed, process name); `Random()` draws its seed from it."""
+    generator = process.state['random'] = process.sim.random(process.name)
+    for name in DRAWING:
+        view.__dict__[name] = getattr(generator, name)
+    view.__dict__['seed'] = lambda a=None, version=2: generator.seed(
+        f'{process.sim.seed}/{process.name}' if a is None else a, version
+    )
+    view.__dict__['Random'] = view.__dict__['SystemRandom'] = Random
+    copy_names(view, random)
+    return view
+
+
+def make_uuid(view: ModuleType, process: Process) -> ModuleType:
+    """`uuid1` and `uuid4` draw from a generator seeded by (simulation seed, process name)."""
+    import uuid
+
+    generator = process.sim.random(f'{process.name}/uuid')
+
+    def uuid4() -> uuid.UUID:
+        return uuid.UUID(int=generator.getrandbits(128), version=4)
+
+    def uuid1(node: int | None = None, clock_seq: int | None = None) -> uuid.UUID:
+        return uuid.UUID(int=generator.getrandbits(128), version=1)
+
+    view.__dict__.update(uuid1=uuid1, uuid4=uuid4, getnode=lambda: 0x0242AC110002)
+    copy_names(view, uuid)
+    return view
+
+
+class NumpyView(ModuleType):
+    """Everything but `random` is the real numpy's; parts that numpy loads late come when they are asked for."""
+
+    def __init__(self) -> None:
+        super().__init__('numpy')
+        self.__edulaunch_view__ = True
+
+    def __getattr__(self, name: str) -> Any:
+        import numpy
+
+        return getattr(numpy, name)
+
+
+def make_numpy(view: ModuleType, process: Process) -> ModuleType:
+    """See `NumpyView`."""
+    import numpy
+
+    made = NumpyView()
+    made.__dict__['random'] = process.loader.import_module('numpy.random')
+    copy_names(made, numpy)
+    return made
+
+
+def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
+    """The module's functions draw from one generator, seeded by (simulation seed, process name), as do generators that are made
+    without a seed.
+    """
+    import numpy
+
+    source = process.sim.random(f'{process.name}/numpy')
+    state = numpy.random.RandomState(source.getrandbits(32))
+
+    def default_rng(seed: Any = None) -> Any:
+        return numpy.random.default_rng(source.getrandbits(128) if seed is None else seed)
+
+    def seed(seed: Any = None) -> None:
+        state.seed(source.getrandbits(32) if seed is None else seed)
+
+    class RandomState(numpy.random.RandomState):
+        """As `numpy.random.RandomState`; without a seed it is seeded from the process's generator."""
+
+        def __init__(self, seed: Any = None) -> None:
+            super().__init__(source.getrandbits(32) if seed is None else seed)
+
+    for name in dir(state):
+        if not name.startswith('_') and hasattr(numpy.random, name):
+            view.__dict__[name] = getattr(state, name)
+    view.__dict__.update(default_rng=default_rng, seed=seed, RandomState=RandomState)
+    copy_names(view, numpy.random)
+    return view

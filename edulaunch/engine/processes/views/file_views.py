@@ -1,0 +1,193 @@
+"""Relative paths in a program that has a working folder of its own: for `os`, `os.path` and `io`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+
+class Entry:
+    """An `os.DirEntry` of a folder that was given relative to the program's own one."""
+
+    __slots__ = ('_entry', 'path')
+
+    def __init__(self, entry: Any, path: Any) -> None:
+        self._entry = entry
+        self.path = path
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._entry, name)
+
+    def __fspath__(self) -> Any:
+        return self.path
+
+    def __repr__(self) -> str:
+        return repr(self._entry)
+
+
+class Listing:
+    """What `os.scandir` gives: an iterator that can be closed.
+
+    :param shown: the folder as the program wrote it.
+    :param folder: where it is.
+    """
+
+    def __init__(self, shown: Any, folder: Any) -> None:
+        self._shown = os.fspath(shown)
+        self._entries = os.scandir(folder)
+
+    def __iter__(self) -> Iterator[Entry]:
+        return self
+
+    def __next__(self) -> Entry:
+        entry = next(self._entries)
+        return Entry(entry, os.path.join(self._shown, entry.name))
+
+    def __enter__(self) -> Listing:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop before the end."""
+        self._entries.close()
+
+
+ONE_PATH = (
+    'access',
+    'chmod',
+    'listdir',
+    'lstat',
+    'makedirs',
+    'mkdir',
+    'open',
+    'readlink',
+    'remove',
+    'removedirs',
+    'rmdir',
+    'stat',
+    'truncate',
+    'unlink',
+    'utime',
+)
+TWO_PATHS = ('link', 'rename', 'renames', 'replace')
+QUESTIONS = (
+    'abspath',
+    'exists',
+    'getatime',
+    'getctime',
+    'getmtime',
+    'getsize',
+    'isdir',
+    'isfile',
+    'islink',
+    'ismount',
+    'lexists',
+    'realpath',
+)
+
+
+def inside(path: Any) -> Any:
+    """A path as the running program means it: below its own folder, when it has changed there."""
+    folder = current_task().owner.cwd
+    if folder is None or isinstance(path, int):
+        return path
+    return os.path.join(os.fsencode(folder) if isinstance(path, bytes) else folder, path)
+
+
+class PlainFunction:
+    """A function that stays one when it becomes an attribute of a class, as functions written in C do: `pathlib` counts on it."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._function = function
+        self.__name__, self.__doc__ = function.__name__, function.__doc__
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        return self._function(*arguments, **options)
+
+
+class Relative(PlainFunction):
+    """A function of the real module, called with the paths that the program means.
+
+    :param paths: how many of its arguments are paths.
+    """
+
+    def __init__(self, function: Callable[..., Any], paths: int = 1) -> None:
+        super().__init__(function)
+        self._paths = paths
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        if current_task().owner.cwd is None:
+            return self._function(*arguments, **options)
+        paths = self._paths
+        return self._function(*map(inside, arguments[:paths] or ('.',)), *arguments[paths:], **options)
+
+
+def _scandir(path: Any = '.') -> Any:
+    where = inside(path)
+    return os.scandir(path) if where is path else Listing(path, where)
+
+
+def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
+    start = inside(top)
+    for folder, folders, files in os.walk(start, *arguments, **options):
+        yield folder if start == top else os.path.join(top, os.path.relpath(folder, start)).removesuffix('/.'), folders, files
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    **{name: Relative(getattr(os, name)) for name in ONE_PATH if hasattr(os, name)},
+    **{name: Relative(getattr(os, name), 2) for name in TWO_PATHS if hasattr(os, name)},
+    'walk': _walk,
+    'scandir': PlainFunction(_scandir),
+}
+"""For the view of `os`; the same for all programs."""
+
+
+def _relpath(path: Any, start: Any = os.curdir) -> Any:
+    return os.path.relpath(inside(path), inside(start))
+
+
+def _expanduser(path: Any) -> Any:
+    text, home = os.fspath(path), current_task().owner.env.get('HOME')
+    if home and isinstance(text, str) and (text == '~' or text.startswith('~/')):
+        return home + text[1:]
+    return os.path.expanduser(text)
+
+
+def _make_path() -> ModuleType:
+    view = ModuleType(os.path.__name__)
+    view.__dict__.update(
+        {name: Relative(getattr(os.path, name)) for name in QUESTIONS},
+        relpath=_relpath,
+        expanduser=_expanduser,
+        __edulaunch_view__=True,
+    )
+    copy_names(view, os.path)
+    return view
+
+
+PATH = _make_path()
+"""`os.path`: what looks at files looks from the folder of the program that asks, so that one serves all."""
+
+
+def make_path(view: ModuleType, process: Process) -> ModuleType:
+    """See `PATH`."""
+    return PATH
+
+
+def make_io(view: ModuleType, process: Process) -> ModuleType:
+    """`io.open` is the program's own `open`, on which `pathlib` stands too."""
+    import io
+
+    view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
+    copy_names(view, io)
+    return view

@@ -1,0 +1,203 @@
+"""`os`, `sys` and `atexit` of a simulated program: its own environment, folder, pid, children, arguments, streams, modules and
+end.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from collections import ChainMap
+from collections.abc import Callable
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from edulaunch.engine.processes.real_machine import FUNCTIONS as REAL_MACHINE
+from edulaunch.engine.processes.real_machine import noting
+from edulaunch.engine.processes.spec import Signals
+from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.views.file_views import FUNCTIONS, PATH, PlainFunction
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+LEFT_OUT = ('fork', 'forkpty', 'register_at_fork')
+"""A simulated program cannot be copied by the operating system."""
+
+CPUS = 4
+"""Of the simulated machine: pools are as large on every real one."""
+
+
+class Reader(io.StringIO):
+    """What `os.popen` gives: the output of a command; closing it gives the exit status."""
+
+    def __init__(self, text: str, status: int) -> None:
+        super().__init__(text)
+        self._status = status
+
+    def close(self) -> Any:
+        """None for success, else the wait status."""
+        super().close()
+        return self._status or None
+
+
+def make_os(view: ModuleType, process: Process) -> ModuleType:
+    """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
+    `system` and `popen` are those of `subprocess`; `urandom` repeats.
+    """
+    chance: list[Any] = []
+
+    def putenv(name: str, value: str) -> None:
+        process.env[name] = value
+
+    def urandom(size: int, /) -> bytes:
+        if not chance:
+            chance.append(process.sim.random(f'{process.name}/urandom'))
+        drawn: bytes = chance[0].randbytes(size)
+        return drawn
+
+    def getcwd() -> str:
+        return process.cwd or os.getcwd()
+
+    def chdir(path: Any) -> None:
+        target = os.path.abspath(os.path.join(getcwd(), path))
+        os.listdir(target)  # raises what the real one does
+        process.cwd = target
+
+    view.__dict__.update(FUNCTIONS, path=PATH, **_noted(process), **_files(process), **_commands(process))
+    view.__dict__.update(
+        environ=process.env,
+        getenv=lambda name, default=None: process.env.get(name, default),
+        putenv=putenv,
+        unsetenv=lambda name: process.env.pop(name, None),
+        getpid=lambda: process.pid,
+        getppid=lambda: 1000,
+        kill=lambda pid, signum, /: _kill(process, pid, signum),
+        _exit=lambda status: process.exit_now(status & 0xFF),
+        abort=lambda: process.end_by(Signals.SIGABRT),
+        getcwd=PlainFunction(getcwd),
+        chdir=chdir,
+        cpu_count=lambda: CPUS,
+        process_cpu_count=lambda: CPUS,
+        urandom=urandom,
+    )
+    copy_names(view, os)
+    for name in LEFT_OUT:
+        view.__dict__.pop(name, None)
+    return view
+
+
+def _noted(process: Process) -> dict[str, Any]:
+    """What tells of the real machine: the recording says that it was asked."""
+    return {name: PlainFunction(noting(process, f'os.{name}', getattr(os, name))) for name in REAL_MACHINE if hasattr(os, name)}
+
+
+def _files(process: Process) -> dict[str, Any]:
+    """The numbers 0, 1 and 2 are the process's own streams."""
+
+    def read(fd: int, length: int, /) -> bytes:
+        return process.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
+
+    def write(fd: int, data: Any, /) -> int:
+        if fd not in (1, 2):
+            return os.write(fd, data)
+        return (process.stdout if fd == 1 else process.stderr).buffer.write(data)
+
+    def get_terminal_size(fd: int = 1, /) -> Any:
+        return os.terminal_size(process.stdin.terminal_size())
+
+    def isatty(fd: int, /) -> bool:
+        if fd not in (0, 1, 2):
+            return os.isatty(fd)
+        return bool(process.stdin.isatty() if fd == 0 else process.stdout.isatty())
+
+    return {'read': read, 'write': write, 'get_terminal_size': get_terminal_size, 'isatty': isatty}
+
+
+def _commands(process: Process) -> dict[str, Any]:
+    """Shell lines, as the process's `subprocess` runs them."""
+
+    def run(command: str, **options: Any) -> Any:
+        subprocess: Any = process.loader.import_module('subprocess')
+        return subprocess.run(command, shell=True, **options)
+
+    def status(code: int) -> int:
+        return code << 8 if code >= 0 else -code
+
+    def popen(cmd: str, mode: str = 'r', buffering: int = -1) -> Reader:
+        done = run(cmd, text=True, stdout=-1)
+        return Reader(done.stdout, status(done.returncode))
+
+    return {'system': lambda command: status(run(command).returncode), 'popen': popen}
+
+
+def _kill(process: Process, pid: int, signum: int) -> None:
+    if pid == process.pid:
+        process.send_signal(signum)
+        return
+    for other in process.host.processes:
+        if other.pid == pid:
+            other.send_signal(signum)
+            return
+    raise ProcessLookupError(3, 'No such process')
+
+
+class SysView(ModuleType):
+    """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
+
+    def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
+        """A program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
+        return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
+
+    def __init__(self, process: Process) -> None:
+        super().__init__('sys')
+        self.__edulaunch_view__ = True
+        self.argv = process.argv
+        self.stdin = self.__stdin__ = process.stdin
+        self.stdout = self.__stdout__ = process.stdout
+        self.stderr = self.__stderr__ = process.stderr
+        self._shared_path = list(sys.path)
+        self.path = [*process.loader.roots, *self._shared_path]
+        self.modules = ChainMap(process.loader.modules, sys.modules)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(sys, name)
+
+    def private_path(self) -> tuple[list[str], list[str]]:
+        """The folders that this program put on its path: before the shared ones, and after the first of them."""
+        first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
+        return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
+
+    @staticmethod
+    def exit(status: object = None) -> None:
+        """End this program only."""
+        raise SystemExit(status)
+
+
+def make_sys(view: ModuleType, process: Process) -> ModuleType:
+    """See `SysView`."""
+    return SysView(process)
+
+
+Function = TypeVar('Function', bound=Callable[..., object])
+
+
+def make_atexit(view: ModuleType, process: Process) -> ModuleType:
+    """`register` and `unregister` for this process."""
+    calls = process.exit_calls
+
+    def register(function: Function, /, *arguments: Any, **options: Any) -> Function:
+        calls.append((function, arguments, options))
+        return function
+
+    def unregister(function: Callable[..., object], /) -> None:
+        calls[:] = [call for call in calls if call[0] != function]
+
+    view.__dict__.update(
+        register=register,
+        unregister=unregister,
+        _clear=calls.clear,
+        _ncallbacks=lambda: len(calls),
+        _run_exitfuncs=process.run_exit_calls,
+    )
+    return view

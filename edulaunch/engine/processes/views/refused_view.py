@@ -1,0 +1,93 @@
+"""What the simulated machine has not: modules that can be imported, because many are by accident, and that tell when they are
+used what to use in their place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.views.os_views import CPUS
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+NO_COPY = 'multiprocessing.{} cannot be used: the simulation cannot copy a running program'
+NO_DISPLAY = 'no display name and no $DISPLAY environment variable'
+THREADS, SCREEN, UNBUILT = 'programs.multiprocessing', 'programs.window', 'packages.not-built'
+LOCKS = 'Lock RLock Event Condition Semaphore BoundedSemaphore Barrier'
+PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Array RawValue RawArray {LOCKS} get_context'.split()
+
+
+def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
+    """A class, since programs derive from some of them, that raises when it is called."""
+
+    class Refused:
+        """Only its name is there."""
+
+        def __init__(self, *_: Any, **__: Any) -> None:
+            raise with_facts(kind(text.format(name)), about, wanted=name)
+
+    Refused.__name__ = Refused.__qualname__ = name
+    return Refused
+
+
+def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
+    """Everything that would begin another process, or be shared with it, is refused; `cpu_count` is the simulated machine's."""
+    import multiprocessing as real
+
+    view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})
+    view.__dict__.update(cpu_count=lambda: CPUS, set_start_method=lambda method, force=False: None, freeze_support=lambda: None)
+    copy_names(view, real)
+    return view
+
+
+def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
+    """`_tkinter`, on which the whole of `tkinter` stands: opening a window raises `TclError`."""
+    import _tkinter as real
+
+    view.__dict__['create'] = _refused('create', real.TclError, NO_DISPLAY, SCREEN)
+    copy_names(view, real)
+    return view
+
+
+class TurtleView(ModuleType):
+    """`turtle`, of which an editor has imported something by accident: every public name is there."""
+
+    def __init__(self) -> None:
+        super().__init__('turtle')
+        self.__edulaunch_view__ = True
+        self.__all__: list[str] = []
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith('_'):
+            raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
+        self.__dict__[name] = made = _refused(name, RuntimeError, NO_DISPLAY, SCREEN)
+        return made
+
+
+def make_turtle(view: ModuleType, process: Process) -> ModuleType:
+    """See `TurtleView`."""
+    return TurtleView()
+
+
+def make_metadata(view: ModuleType, process: Process) -> ModuleType:
+    """`importlib.metadata` knows what is installed for Python; a package of the workspace is not."""
+    import importlib.metadata as real
+
+    def of(ask: Callable[[str], Any]) -> Callable[[str], Any]:
+        def asked(distribution_name: str) -> Any:
+            package = distribution_name.replace('-', '_')
+            if process.index.share(package) is not None and process.index.contents(package) is not None:
+                _refused(distribution_name, real.PackageNotFoundError, '{}', UNBUILT)()
+            return ask(distribution_name)
+
+        return asked
+
+    names = ('distribution', 'files', 'metadata', 'requires', 'version')
+    view.__dict__.update({name: of(getattr(real, name)) for name in names})
+    copy_names(view, real)
+    return view

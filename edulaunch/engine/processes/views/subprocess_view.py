@@ -1,0 +1,113 @@
+"""`subprocess` of a simulated program: `ros2 ...` and programs of packages run in the simulation, others for real."""
+
+from __future__ import annotations
+
+import subprocess as real
+from collections.abc import Callable
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.children import Child, spec_of
+from edulaunch.engine.processes.views import copy_names
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+
+def make_subprocess(view: ModuleType, process: Process) -> ModuleType:
+    """`Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`.
+
+    A real program that is waited for takes no simulated time; one that runs beside (`Popen`) keeps simulated time at the pace
+    of real time.
+    """
+
+    class Popen(Child):
+        """As `subprocess.Popen`."""
+
+        def __init__(
+            self,
+            args: Any,
+            bufsize: int = -1,
+            executable: Any = None,
+            stdin: Any = None,
+            stdout: Any = None,
+            stderr: Any = None,
+            **options: Any,
+        ) -> None:
+            super().__init__(process, args, stdin=stdin, stdout=stdout, stderr=stderr, **options)
+
+    run = _runner(process, Popen)
+
+    def call(args: Any, **options: Any) -> int:
+        code: int = run(args, **options).returncode
+        return code
+
+    def check_call(args: Any, **options: Any) -> int:
+        run(args, check=True, **options)
+        return 0
+
+    def check_output(args: Any, **options: Any) -> Any:
+        return run(args, stdout=real.PIPE, check=True, **options).stdout
+
+    def getstatusoutput(cmd: str, **options: Any) -> tuple[int, str]:
+        done = run(cmd, shell=True, text=True, stdout=real.PIPE, stderr=real.STDOUT, **options)
+        return done.returncode, done.stdout.removesuffix('\n')
+
+    view.__dict__.update(
+        Popen=Popen,
+        run=run,
+        call=call,
+        check_call=check_call,
+        check_output=check_output,
+        getstatusoutput=getstatusoutput,
+        getoutput=lambda cmd, **options: getstatusoutput(cmd, **options)[1],
+    )
+    copy_names(view, real)
+    return view
+
+
+def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
+    def run(
+        args: Any,
+        *,
+        input: Any = None,
+        capture_output: bool = False,
+        timeout: float | None = None,
+        check: bool = False,
+        **options: Any,
+    ) -> Any:
+        if capture_output:
+            options.update(stdout=real.PIPE, stderr=real.PIPE)
+        if process.host.knows(spec_of(process, args, **options)):
+            child: Any = popen(args, input=input, **options)
+            try:
+                output = child.communicate(timeout=timeout)
+            except real.TimeoutExpired:
+                child.kill()
+                raise
+            done = real.CompletedProcess(args, child.wait(), *output)
+        else:
+            done = _really(process, args, input, timeout, options)
+        if check:
+            done.check_returncode()
+        return done
+
+    return run
+
+
+def _really(process: Process, args: Any, input: Any, timeout: float | None, options: dict[str, Any]) -> Any:
+    """Run a program of this machine to its end; what it writes goes where the simulated program writes."""
+    told = dict(options, cwd=options.get('cwd') or process.cwd, env=options.get('env') or dict(process.env))
+    inherited = [stream for stream in ('stdout', 'stderr') if told.get(stream) is None]
+    told.update(dict.fromkeys(inherited, real.PIPE))
+    done = real.run(args, timeout=timeout, **told, **({'stdin': real.DEVNULL} if input is None else {'input': input}))
+    process.note(
+        'real program',
+        f'{process.name} ran {args if isinstance(args, str) else " ".join(map(str, args))!r}, which is a real program',
+    )
+    for stream in inherited:
+        text = getattr(done, stream)
+        setattr(done, stream, None)
+        if text:
+            process.write(stream, text if isinstance(text, str) else text.decode('utf-8', 'replace'))
+    return done

@@ -1,0 +1,154 @@
+"""`time` and `datetime` in simulated time: all clocks are the simulation's."""
+
+from __future__ import annotations
+
+import datetime as real_datetime
+import time
+from calendar import timegm
+from collections.abc import Callable
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.sim import sync
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+
+def make_time(view: ModuleType, process: Process) -> ModuleType:
+    """Clocks read the simulated time (counted as a poll, so that a loop that only looks is moved on); `sleep` lets it pass."""
+    sim = process.sim
+
+    def time_ns() -> int:
+        current_task().poll()
+        return sim.now_ns
+
+    def monotonic_ns() -> int:
+        current_task().poll()
+        return sim.now_ns - sim.start_ns
+
+    def seconds(convert: Any) -> Any:
+        """The real function with the simulated time as its default argument."""
+
+        def converted(when: float | None = None) -> Any:
+            return convert(sim.now_ns / 1e9 if when is None else when)
+
+        return converted
+
+    def strftime(form: str, when: Any = None) -> str:
+        return time.strftime(form, time.gmtime(sim.now_ns // 10**9) if when is None else when)
+
+    functions: dict[str, Any] = {
+        'time': lambda: time_ns() / 1e9,
+        'time_ns': time_ns,
+        'monotonic': lambda: monotonic_ns() / 1e9,
+        'monotonic_ns': monotonic_ns,
+        'perf_counter': lambda: monotonic_ns() / 1e9,
+        'perf_counter_ns': monotonic_ns,
+        'process_time': lambda: monotonic_ns() / 1e9,
+        'process_time_ns': monotonic_ns,
+        'thread_time': lambda: monotonic_ns() / 1e9,
+        'thread_time_ns': monotonic_ns,
+        'clock_gettime_ns': lambda clock, /: time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns(),
+        'clock_gettime': lambda clock, /: (time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns()) / 1e9,
+        'sleep': _sleep_of(process),
+        'mktime': lambda when, /: float(timegm(when)),
+        'strftime': strftime,
+        'gmtime': seconds(time.gmtime),
+        'localtime': seconds(time.gmtime),
+        'ctime': seconds(lambda when: time.asctime(time.gmtime(when))),
+        'asctime': lambda when=None: time.asctime(time.gmtime(sim.now_ns // 10**9) if when is None else when),
+    }
+    # as with the real ones, a class that keeps such a function does not turn it into a method
+    view.__dict__.update({name: staticmethod(function) for name, function in functions.items()})
+    view.__dict__.update(timezone=0, altzone=0, daylight=0, tzname=('UTC', 'UTC'))
+    copy_names(view, time)
+    return view
+
+
+def _sleep_of(process: Process) -> Any:
+    def sleep(seconds: float, /) -> None:
+        if process.on_sleep is not None:
+            process.on_sleep(seconds)
+        sync.sleep(seconds)
+
+    return sleep
+
+
+class _RealInstances(type):
+    """isinstance() with one of our classes accepts what the real class made."""
+
+    def __instancecheck__(cls, instance: object) -> bool:
+        return isinstance(instance, cls.__mro__[1])
+
+
+def make_datetime(view: ModuleType, process: Process) -> ModuleType:
+    """Local time is UTC, so that a run does not depend on the machine's time zone."""
+    sim = process.sim
+
+    def now() -> real_datetime.datetime:
+        current_task().poll()
+        return real_datetime.datetime(1970, 1, 1) + real_datetime.timedelta(microseconds=sim.now_ns // 1000)
+
+    view.__dict__.update(datetime=_datetime(now), date=_date(now))
+    copy_names(view, real_datetime)
+    return view
+
+
+def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
+    class datetime(real_datetime.datetime, metaclass=_RealInstances):
+        """As `datetime.datetime`."""
+
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            return real_datetime.datetime, real_datetime.datetime.__reduce_ex__(self, protocol)[1]
+
+        def __repr__(self) -> str:
+            return f'datetime.{super().__repr__()}'
+
+        @classmethod
+        def now(cls, tz: real_datetime.tzinfo | None = None) -> Any:
+            """The simulated time."""
+            return now() if tz is None else now().replace(tzinfo=real_datetime.timezone.utc).astimezone(tz)
+
+        @classmethod
+        def fromtimestamp(cls, timestamp: float, tz: real_datetime.tzinfo | None = None) -> Any:
+            """Local time is UTC."""
+            made = super().fromtimestamp(timestamp, tz or real_datetime.timezone.utc)
+            return made if tz is not None else made.replace(tzinfo=None)
+
+        @classmethod
+        def utcnow(cls) -> Any:
+            """The simulated time."""
+            return now()
+
+        @classmethod
+        def today(cls) -> Any:
+            """The simulated time."""
+            return now()
+
+    return datetime
+
+
+def _date(now: Callable[[], real_datetime.datetime]) -> type:
+    class date(real_datetime.date, metaclass=_RealInstances):
+        """As `datetime.date`."""
+
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            return real_datetime.date, real_datetime.date.__reduce_ex__(self, protocol)[1]
+
+        def __repr__(self) -> str:
+            return f'datetime.{super().__repr__()}'
+
+        @classmethod
+        def today(cls) -> Any:
+            """The simulated day."""
+            return now().date()
+
+        @classmethod
+        def fromtimestamp(cls, timestamp: float, /) -> Any:
+            """The day in UTC."""
+            return (real_datetime.datetime(1970, 1, 1) + real_datetime.timedelta(seconds=timestamp)).date()
+
+    return date

@@ -1,0 +1,150 @@
+"""Stops programs that never give their turn back, such as `while True: pass`.
+
+A thread looks every now and then at what the simulation's thread is doing. Nothing is counted or checked while programs run, so
+this costs them nothing. It is the processor's time of a turn that counts, so that a busy machine stops nobody.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+import time
+import weakref
+from types import FrameType
+from typing import Any, NamedTuple
+
+from edulaunch.engine.processes.whose_code import is_library, is_own
+from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.engine.sim.task import Task, task_around
+
+LOOKS = 8
+"""How many times in a row a turn is seen, at least, before its program is stopped."""
+WORKING = 3
+IN_LIBRARY = 5
+ASLEEP = 10
+"""How many times as long a turn may last in which variables change, or a library works (is imported); and by the wall's clock."""
+VALUES = frozenset({int, float, bool, str, bytes, complex})
+CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
+
+
+class RunawayProgram(BaseException):
+    """Raised inside a program that kept its turn for too long, wherever it is; no `except Exception` of the program stops it.
+
+    :param did: what it did, in words that go on after its name.
+    :param counted: whether it was found by counting, which repeats, and not by the time that it took.
+    """
+
+    def __init__(self, did: str = 'kept its turn for too long', *, counted: bool = False) -> None:
+        super().__init__(did)
+        self.counted = counted
+
+
+class Turn(NamedTuple):
+    """What one look sees: whose turn it is since when, and what the innermost function of the student's code holds.
+
+    `state` is None while a library works for that function.
+    """
+
+    task: Task
+    since_ns: int
+    state: Any
+
+
+class Watchdog:
+    """Watches one simulation.
+
+    :param seconds: the processor's time that a turn may take without a change in the variables of the student's function; where
+        something goes on it may last some times as long.
+    :ivar thread: number of the thread in which the simulation runs; None before it does.
+    :ivar asleep: somebody waits for a person at a real keyboard, which may take any time.
+    """
+
+    def __init__(self, sim: Simulation, seconds: float) -> None:
+        self.seconds = seconds
+        self.thread: int | None = None
+        self.asleep = False
+        self._sim = weakref.ref(sim)
+        self._over = threading.Event()
+        self._started = False
+
+    def start(self) -> None:
+        """Begin to watch; doing it twice is doing it once. Nobody watches in a browser, where there are no threads."""
+        if not self._started and sys.platform != 'emscripten':
+            self._started = True
+            threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True).start()
+
+    def stop(self) -> None:
+        """Watch no longer."""
+        self._over.set()
+
+    def _watch(self) -> None:
+        if hasattr(signal, 'pthread_sigmask'):
+            # The signal that ends a long call tells where the thread is that gets it: on a busy machine that would be this one.
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGXCPU})
+        seen: Turn | None = None
+        began_s = changed_s = 0.0
+        looks = same = 0
+        while not self._over.wait(self.seconds / LOOKS):
+            before, seen, now_s = seen, self._look(), self._processor_s()
+            if seen is None or before is None or before[:2] != seen[:2]:
+                began_s = changed_s = now_s
+                looks = same = 0
+                continue
+            looks, same = looks + 1, same + 1
+            if seen.state is None or seen.state != before.state:
+                changed_s, same = now_s, 0
+            most = self.seconds * (IN_LIBRARY if seen.state is None else WORKING)
+            is_still = same >= LOOKS and now_s - changed_s >= self.seconds
+            if is_still or (looks >= LOOKS and now_s - began_s >= most) or looks >= ASLEEP * LOOKS:
+                self._end(seen.task)
+                seen = None
+
+    def _end(self, task: Task) -> None:
+        import ctypes
+
+        if self._running()[0] is task:
+            # This thread has just got the interpreter, and keeps it for longer than these two lines take.
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(RunawayProgram))
+
+    def _look(self) -> Turn | None:
+        """The turn that somebody has now; None when the hub runs, or a person is waited for."""
+        sim = self._sim()
+        if sim is None:
+            self.stop()
+            return None
+        task, frame = self._running()
+        if task is None or self.asleep:
+            return None
+        while frame is not None and not is_own(frame.f_code.co_filename):
+            if is_library(frame.f_code.co_filename):
+                return Turn(task, sim.now_ns, None)
+            frame = frame.f_back
+        return Turn(task, sim.now_ns, frame and (id(frame), *map(_held, list(frame.f_locals.values()))))
+
+    def _running(self) -> tuple[Task | None, FrameType | None]:
+        """The task that has its turn, found at the bottom of what the simulation's thread executes, and the top of that."""
+        top = sys._current_frames().get(self.thread or 0)
+        task = task_around(top)
+        return (None, None) if task is None else (task, top)
+
+    def _processor_s(self) -> float:
+        """The processor's time that the simulation's thread has used; where a system does not tell it, that of all threads."""
+        try:
+            return time.clock_gettime(time.pthread_getcpuclockid(self.thread or 0))
+        except (AttributeError, OSError):
+            return time.process_time()
+
+
+def _held(value: Any, deep: bool = True) -> Any:
+    """What stays the same while a variable does: a number itself, an object with its attributes. Runs no code of the object."""
+    kind = type(value)
+    if kind in VALUES:
+        return value
+    if kind in CONTAINERS:
+        return id(value), len(value)
+    try:
+        attributes = object.__getattribute__(value, '__dict__') if deep else {}
+    except AttributeError:
+        attributes = {}
+    return id(value), *(_held(item, False) for item in list(dict.values(attributes) if type(attributes) is dict else ()))

@@ -1,0 +1,76 @@
+"""Whose code a file is: the engine's, that of Python and its installed packages, or the student's; and where a program stands
+in its student's own.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import site
+import sys
+import sysconfig
+from types import FrameType
+from typing import Any
+
+from edulaunch.engine.sim.task import Task
+from edulaunch.engine.underlay_place import engine_folder
+
+ENGINE = engine_folder() + os.sep
+_KEPT = ('stdlib', 'platstdlib', 'purelib', 'platlib')
+LIBRARIES = tuple(
+    dict.fromkeys(
+        os.path.join(folder, '')
+        for folder in (os.path.dirname(os.__file__), *map(sysconfig.get_path, _KEPT), site.getusersitepackages())
+        if folder  # a browser has no folder of the user
+    )
+)
+"""Python's own folders. A workspace that was built has a `site-packages`, too, which is not among them."""
+
+
+def is_engine(filename: str) -> bool:
+    """Whether it is a file of edulaunch, or no file at all."""
+    return filename.startswith((ENGINE, '<frozen', '<interface '))
+
+
+def is_library(filename: str) -> bool:
+    """Whether it belongs to Python or to a package that was installed for it; a student writes neither."""
+    return filename.startswith(LIBRARIES) and not is_engine(filename)
+
+
+def is_own(filename: str) -> bool:
+    """Whether the student wrote it."""
+    return not filename.startswith(('<frozen', '<interface ', ENGINE, *LIBRARIES))
+
+
+def student_line(frame: FrameType | None = None) -> dict[str, Any]:
+    """The innermost line of the student on the way to a frame (default: the caller's), for a fact: `file`, `line`, the
+    `function` it is in, and what it `calls` ('timer.sleep': file and function; of a view, the module that it stands for); empty
+    when no code of a student is on the way.
+    """
+    inner: FrameType | None = None
+    here = frame if frame is not None else sys._getframe(1)
+    at: FrameType | None = here
+    while at is not None and not is_own(at.f_code.co_filename):
+        inner, at = at, at.f_back
+    if at is None:
+        return {}
+    line: dict[str, Any] = {'file': at.f_code.co_filename, 'line': at.f_lineno, 'function': at.f_code.co_name}
+    if inner is not None:
+        stem = os.path.splitext(os.path.basename(inner.f_code.co_filename))[0]
+        line['calls'] = f'{re.sub("_views?$", "", stem)}.{inner.f_code.co_name}'
+    return line
+
+
+def waiting_line(task: Task) -> dict[str, Any]:
+    """:func:`student_line` of a task that is parked."""
+    return {} if task.frame is None else student_line(task.frame)
+
+
+def coroutine_line(coroutine: Any) -> dict[str, Any]:
+    """Where a coroutine waits, in the same form."""
+    line: dict[str, Any] = {}
+    while (frame := getattr(coroutine, 'cr_frame', None)) is not None:
+        if is_own(frame.f_code.co_filename):
+            line = {'file': frame.f_code.co_filename, 'line': frame.f_lineno, 'function': frame.f_code.co_name}
+        coroutine = coroutine.cr_await
+    return line

@@ -1,0 +1,25 @@
+"""The narrow waist: everything below produces a Recording, everything above reads one.
+
+`records.py` says what is in it, `recorder.py` collects it from a running simulation, `recording.py` answers questions about
+it, `file_format.py` writes and reads it as text that is the same byte for byte for the same run.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.recording.recording import Recording
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.recorder import Recorder
+
+__all__ = ['Recorder', 'Recording']
+
+
+def __getattr__(name: str) -> Any:
+    """The recorder comes late: who only reads recordings loads no engine."""
+    if name == 'Recorder':
+        from edulaunch.engine.recording.recorder import Recorder
+
+        return Recorder
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

@@ -1,0 +1,68 @@
+"""What a recording answers when it is asked for something that did not happen: one message, and no frames of ours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from edulaunch.engine.recording.records import Frame
+from edulaunch.errors import EdulaunchError
+
+
+class NotRecorded(EdulaunchError, KeyError):
+    """There is nothing of that name in a recording."""
+
+
+class NothingToDraw(EdulaunchError, ValueError):
+    """A recording holds nothing that a picture could show."""
+
+
+def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
+    """The error for a name that is not there: what there is, and which one was probably meant.
+
+    :param text: what is not there, in words that end with the name.
+    """
+    from difflib import get_close_matches
+
+    names = list(dict.fromkeys(among))
+    near = get_close_matches(name, names, n=1)
+    return NotRecorded(
+        f'{text} in this recording; there are: {", ".join(names) or "none"}', help=f'did you mean {near[0]!r}?' if near else None
+    )
+
+
+class NodeParameters(dict[str, Any]):
+    """The parameters of a node. Asking for one that it does not have says which there are, and when the node has ended."""
+
+    def __init__(self, node: str, ended_s: float | None) -> None:
+        super().__init__()
+        self._node, self._ended_s = node, ended_s
+
+    def __missing__(self, name: str) -> Any:
+        error = not_recorded(f'no parameter {name!r} of {self._node}', name, self)
+        if self._ended_s is not None:
+            error.help = f'{self._node} ended at {self._ended_s:.2f} s: look at what it printed last'
+        raise error
+
+
+class NoMessages(list[Any]):
+    """The messages of a topic that nobody had: none. Asking for one of them says which topics there are.
+
+    It stays an empty list for all who count or go through the messages: that nobody spoke is a fact of the run, too.
+    """
+
+    def __init__(self, topic: str, among: Iterable[str]) -> None:
+        super().__init__()
+        self._topic, self._among = topic, among
+
+    def __getitem__(self, which: Any) -> Any:
+        if isinstance(which, slice):
+            return []
+        raise not_recorded(f'no topic {self._topic!r}', self._topic, self._among)
+
+
+class Frames(dict[str, Frame]):
+    """The tf frames at a time, by name; asking for another one says which there are."""
+
+    def __missing__(self, name: str) -> Frame:
+        raise not_recorded(f'no tf frame {name!r}', name, self)

@@ -1,0 +1,49 @@
+"""Fields of messages by path, as `ros2 topic echo --field` takes them: 'pose.position.x', 'ranges[0]'."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from edulaunch.engine.recording.absent import not_recorded
+
+_STEP = re.compile(r'([A-Za-z_]\w*)((?:\[-?\d+\])*)')
+
+
+def getter(cls: Any, path: str) -> Callable[[Any], Any]:
+    """A function that takes a field out of messages of a class.
+
+    :raises NotRecorded: when the type has no such field; the message names the nearest one.
+    :raises ValueError: when the path cannot be read.
+    """
+    steps = path.split('.')
+    found = [_STEP.fullmatch(step) for step in steps]
+    if not all(found):
+        raise ValueError(f"{path!r} is no path of a field: write it as 'pose.position.x' or 'ranges[0]'")
+    plain = '.'.join(match[1] for match in found if match)
+    names = leaf_paths(cls)
+    if plain not in names and not any(name.startswith(f'{plain}.') or plain.startswith(f'{name}.') for name in names):
+        raise not_recorded(f'{cls.TYPE} has no field {plain!r}', plain, names)
+    takes = [(match[1], [int(number) for number in re.findall(r'-?\d+', match[2])]) for match in found if match]
+
+    def get(message: Any) -> Any:
+        for name, numbers in takes:
+            message = getattr(message, name)
+            for number in numbers:
+                message = _element(message, number, path)
+        return message
+
+    return get
+
+
+def _element(values: Sequence[Any], number: int, path: str) -> Any:
+    try:
+        return values[number]
+    except IndexError:
+        raise not_recorded(f'{path!r} has no element {number}, only {len(values)} of them', path, ()) from None
+
+
+def leaf_paths(cls: Any) -> list[str]:
+    """The paths of all fields that hold no message."""
+    return [path for path, _ in cls.wire_type()]

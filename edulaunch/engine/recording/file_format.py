@@ -1,0 +1,107 @@
+"""A recording as text: JSON lines, the same bytes for the same run.
+
+The first line is the header, then one line per part, then one line each with odd facts, with what parameters were declared to be,
+and with the texts of the student's own message types if there are any, then one line per topic. Messages are wire tuples written
+as JSON lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any
+
+from edulaunch.engine.recording import schema
+from edulaunch.errors import RecordingError
+
+FORMAT = 'edulaunch recording'
+VERSION = 1
+PARTS = tuple(schema.PARTS)
+OPTIONAL_PARTS = ('facts', 'descriptors', 'interfaces')
+HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
+TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
+TOPIC_KEYS = tuple(schema.TOPIC)
+MOST_BYTES = 1 << 30
+"""A file that is larger is not read: no run of a course comes near."""
+
+
+def encode(content: dict[str, Any]) -> bytes:
+    """The bytes of a recording's content."""
+    header = {'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}}
+    lines = [_line(header), *(_line({part: content[part]}) for part in PARTS)]
+    lines += [_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part)]
+    lines += [_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics']]
+    return ('\n'.join(lines) + '\n').encode('utf-8')
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, default=_plain, separators=(',', ':'))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (bytes, bytearray)):
+        return {'hex': bytes(value).hex()}
+    if hasattr(value, 'tolist'):
+        return value.tolist()
+    raise TypeError(f'a recording holds plain data only, not {type(value).__name__}')
+
+
+def _restore(mapping: dict[str, Any]) -> Any:
+    return bytes.fromhex(mapping['hex']) if len(mapping) == 1 and isinstance(mapping.get('hex'), str) else mapping
+
+
+def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
+    """The content of a recording file.
+
+    :raises RecordingError: when it is no recording, is of another version, or is damaged.
+    """
+    lines = data.split(b'\n')
+    header = _parse(lines[0], name, 1)
+    if header.get('format') != FORMAT:
+        raise RecordingError(
+            f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`'
+        )
+    if header.get('version') != VERSION:
+        raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
+    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': []}
+    content |= {'interfaces': {}, 'topics': []}
+    for number, line in enumerate(lines[1:], 2):
+        if line:
+            part = _parse(line, name, number)
+            if 'topic' in part:
+                content['topics'].append(part)
+            elif part.keys() <= {*PARTS, *OPTIONAL_PARTS}:
+                content.update(part)
+            else:
+                raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
+    _check(content, name)
+    return content
+
+
+def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
+    try:
+        value = json.loads(line, object_hook=_restore)
+    except (ValueError, RecursionError) as error:
+        raise RecordingError(f'{name} is damaged: line {number} is not JSON ({error}).') from None
+    if not isinstance(value, dict):
+        raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
+    return value
+
+
+def _check(content: dict[str, Any], name: str) -> None:
+    """Every part is there and of the right kind, so that nothing above has to doubt it."""
+    numbers = [content[key] for key in HEADER_NUMBERS]
+    if not all(map(schema.number, numbers)) or not 0 <= content['duration_ns'] < schema.FAR - abs(content['start_ns']):
+        raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')
+    for part, fits in schema.PARTS.items():
+        if not fits(content.get(part)):
+            raise RecordingError(f'{name} is damaged: the part {part!r} is missing, cut off or no such part.')
+    for part, fits in schema.OPTIONAL.items():
+        if not fits(content[part]):
+            raise RecordingError(f'{name} is damaged: the part {part!r} is cut off or no such part.')
+    texts = content['interfaces']
+    if not schema.table(schema.text)(texts) or not all(map(TYPE_NAME.fullmatch, texts)):
+        raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
+    for topic in content['topics']:
+        if not schema.record(schema.TOPIC)(topic) or len({len(topic[key]) for key in ('times', 'publishers', 'messages')}) != 1:
+            raise RecordingError(f'{name} is damaged: the columns of a topic do not fit together.')

@@ -1,0 +1,79 @@
+"""The tf frames of a recording at a time: what a listener that heard everything would know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.recording.absent import Frames
+from edulaunch.engine.recording.records import Frame
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.recording import Recording
+
+
+TF_TYPE = 'tf2_msgs/msg/TFMessage'
+TOPICS = (('/tf_static', True), ('/tf', False))
+"""Where transforms are published, and whether they are static; in the order in which tf2 would let them count."""
+
+
+def transform_wires(recording: Recording, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
+    """All transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
+
+    Messages are not built: a run has thousands.
+    """
+    for time_ns, wire in recording.wires(topic, TF_TYPE):
+        for transform in wire[0]:
+            yield time_ns / 1e9, transform
+
+
+def frames_at(recording: Recording, time_s: float) -> dict[str, Frame]:
+    """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
+    found = Frames()
+    for topic, is_static in TOPICS:
+        for published_s, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
+            if published_s > time_s:
+                break
+            stamp_s = (sec * 10**9 + nanosec - recording.start_ns) / 1e9
+            known = found.get(child)
+            if known is None or known.is_static or stamp_s >= known.stamp_s:
+                found[child] = Frame(parent, (x, y, z), (qx, qy, qz, qw), is_static, stamp_s)
+    return found
+
+
+class FrameLink(NamedTuple):
+    """All that was broadcast of a child frame: its parents (more than one is a mistake), the nodes that broadcast it, how many
+    times, and when first and last (seconds).
+    """
+
+    child: str
+    parents: list[str]
+    is_static: bool
+    broadcasters: list[str]
+    messages: int
+    first_s: float
+    last_s: float
+
+    @property
+    def rate_hz(self) -> float | None:
+        """How often it was broadcast, on average; None for a static frame, or one broadcast once."""
+        return None if self.is_static or self.last_s <= self.first_s else (self.messages - 1) / (self.last_s - self.first_s)
+
+
+def frame_links(recording: Recording) -> dict[str, FrameLink]:
+    """The links of the tf tree over the whole run, by child frame in order of first appearance."""
+    found: dict[str, FrameLink] = {}
+    for topic, is_static in TOPICS:
+        for time_ns, node, wire in recording.published(topic, TF_TYPE):
+            published_s = time_ns / 1e9
+            for _, _, parent, child, *_ in wire[0]:
+                link = found.get(child)
+                if link is None:
+                    link = FrameLink(child, [], is_static, [], 0, published_s, published_s)
+                for known, name in ((link.parents, parent), (link.broadcasters, node)):
+                    if name not in known:
+                        known.append(name)
+                found[child] = link._replace(
+                    messages=link.messages + 1, last_s=published_s, is_static=link.is_static and is_static
+                )
+    return found

@@ -1,0 +1,192 @@
+"""The messages of a recording: who exchanged them, and what was in them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.recording.absent import NoMessages
+from edulaunch.engine.recording.records import ServiceCall, TopicRecord
+from edulaunch.errors import InterfaceError, RecordingError, UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.qos import QoS
+    from edulaunch.engine.recording.recorded_types import RecordedTypes
+
+
+class Messages:
+    """The part of a recording that holds messages, and the types they have. A file is read as plain data first: what
+    somebody asks for is checked against its type then, once.
+    """
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        self._content = content
+        self._unread: str | None = None
+        self._read: set[int] = set()
+
+    @cached_property
+    def topics(self) -> dict[str, TopicRecord]:
+        """All topics by name, in alphabetical order."""
+        names = {row[4]: row[0] for row in self._content['nodes']}
+        counts: dict[str, int] = {}
+        for topic in self._content['topics']:
+            counts[topic['topic']] = counts.get(topic['topic'], 0) + len(topic['times'])
+        found: dict[str, TopicRecord] = {}
+        for kind, name, type_name, node, *_ in self._content['endpoints']:
+            if kind in ('publisher', 'subscription'):
+                record = found.setdefault(name, TopicRecord(name, type_name, [], [], counts.get(name, 0)))
+                who = record.publishers if kind == 'publisher' else record.subscriptions
+                if names.get(node, '') not in who:
+                    who.append(names.get(node, ''))
+        return dict(sorted(found.items()))
+
+    def rows(self, part: str) -> list[Any]:
+        """The rows of a part ('topics', 'calls', 'logs', 'output', 'parameters') as the file has them: plain data, times in
+        nanoseconds. For who reads all of a long run; not to be changed.
+        """
+        found: list[Any] = self._content[part]
+        return found
+
+    def offered(self, topic: str) -> list[QoS]:
+        """The quality of service of each publisher that a topic ever had."""
+        from edulaunch.engine.graph.qos import QoS
+
+        return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
+
+    def messages(self, topic: str) -> list[tuple[float, Any]]:
+        """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there.
+
+        :raises KeyError: later, when one of the messages of a topic that is not there is asked for; it names the nearest topic.
+        """
+        if topic not in self.topics:
+            return NoMessages(topic, self.topics)
+        rows = []
+        for column in self._columns(topic):
+            from_wire = self._class(column['type']).from_wire
+            rows += [(time, from_wire(wire)) for time, wire in zip(column['times'], column['messages'], strict=True)]
+        rows.sort(key=_time_of)
+        return [(time / 1e9, message) for time, message in rows]
+
+    def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
+        """All messages of one type on a topic as (time in ns, wire), in order of publication; much cheaper than messages."""
+        columns = [column for column in self._columns(topic) if column['type'] == type_name]
+        rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
+        rows.sort(key=_time_of)
+        return rows
+
+    def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
+        """As :meth:`wires`, each with the name of the node that published it: (time in ns, node, wire)."""
+        nodes = {row[4]: row[0] for row in self._content['nodes']}
+        owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
+        rows = [
+            (time, owner.get(publisher, ''), wire)
+            for column in self._columns(topic)
+            if column['type'] == type_name
+            for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
+        ]
+        rows.sort(key=_time_of)
+        return rows
+
+    def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
+        """Numbers over time: rows of (time in seconds, field, field ...); a field is a path: 'pose.pose.position.x', 'ranges[0]'.
+
+        :raises NotRecorded: when the messages have no such field; the message names the nearest one.
+        """
+        from edulaunch.engine.recording.fields import getter
+
+        if not fields:
+            raise ValueError('series() needs at least one field, such as "linear.x"')
+        messages = self.messages(topic)
+        if isinstance(messages, NoMessages):
+            return messages
+        gets = [getter(self._class(self.topics[topic].type), field) for field in fields]
+        return [(time, *(get(message) for get in gets)) for time, message in messages]
+
+    def message_class(self, type_name: str) -> Any:
+        """The class of a message type, as it was in the run: 'turtlesim/msg/Pose'."""
+        return self._class(type_name)
+
+    @property
+    def registry(self) -> RecordedTypes:
+        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        return self._registry
+
+    @cached_property
+    def _registry(self) -> RecordedTypes:
+        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        from edulaunch.engine.interfaces import current_registry
+        from edulaunch.engine.recording.recorded_types import RecordedTypes
+
+        return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
+
+    def _class(self, type_name: str) -> Any:
+        """The class of a type. Raises RecordingError when it is unknown here, or its text in the file is wrong."""
+        try:
+            return self._registry.get(type_name)
+        except InterfaceError as error:
+            raise RecordingError(error.message, help=error.help) from None
+        except RecursionError:
+            raise RecordingError(f'{type_name} contains too many messages in each other') from None
+
+    def _columns(self, topic: str) -> list[dict[str, Any]]:
+        columns = [column for column in self._content['topics'] if column['topic'] == topic]
+        for column in columns:
+            if self._unread is not None and id(column) not in self._read:
+                self._check(column['type'], column['messages'])
+                self._read.add(id(column))
+        return columns
+
+    def _check(self, type_name: str, wires: list[Any]) -> None:
+        """What came from a file is looked at before it is used. Raises RecordingError when it fits no message of the type."""
+        self._class(type_name)
+        try:
+            fits = self._registry.checks.check(type_name)
+        except InterfaceError as error:
+            raise RecordingError(error.message, help=error.help) from None
+        if not all(map(fits, wires)):
+            raise RecordingError(f'{self._unread} is damaged: it has messages that are no {type_name}.')
+
+    @cached_property
+    def service_calls(self) -> list[ServiceCall]:
+        """Requests and their replies, as messages, in order of the requests."""
+        calls = []
+        for time, service, kind, client, request, served, replied, response in self._content['calls']:
+            cls = self._class(kind)
+            if self._unread is not None:
+                self._check(f'{kind}_Request', [request])
+                self._check(f'{kind}_Response', [] if replied is None else [response])
+            answer = cls.Response.from_wire(response) if replied is not None else None
+            calls.append(
+                ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served, seconds(replied), answer)
+            )
+        return calls
+
+    def to_pandas(self, topic: str, *fields: str) -> Any:
+        """The messages of a topic as a pandas DataFrame with the time in seconds as its index (pandas has to be installed).
+
+        :param fields: default: every field that is no list.
+        :raises UnusableInput: when pandas is not installed.
+        """
+        from edulaunch.engine.recording.fields import getter, leaf_paths
+
+        try:
+            import pandas  # type: ignore[import-untyped, unused-ignore]
+        except ImportError:
+            raise UnusableInput('to_pandas() needs pandas', help='pip install pandas') from None
+        messages = self.messages(topic)
+        if isinstance(messages, NoMessages):
+            messages[0]  # says which topics there are
+        cls = self._class(self.topics[topic].type)
+        paths = fields or tuple(path for path, kind in cls.wire_type() if ']' not in kind and path in leaf_paths(cls))
+        gets = [getter(cls, path) for path in paths]
+        rows = [[get(message) for get in gets] for _, message in messages]
+        return pandas.DataFrame(rows, columns=list(paths), index=pandas.Index([time for time, _ in messages], name='time_s'))
+
+
+def seconds(time_ns: int | None) -> float | None:
+    """Nanoseconds as seconds."""
+    return None if time_ns is None else time_ns / 1e9
+
+
+def _time_of(row: Any) -> int:
+    return row[0]  # type: ignore[no-any-return]

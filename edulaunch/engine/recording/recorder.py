@@ -1,0 +1,293 @@
+"""Collects what happens in a simulation. The only cost on the hot path is one `list.extend` per publication."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Hashable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.tracer import Look, Record, Tracer
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.finding import Overlay
+    from edulaunch.engine.processes.process import Process
+    from edulaunch.engine.recording.recording import Recording
+    from edulaunch.engine.sim.simulation import Simulation
+
+
+class Recorder(Tracer):
+    """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
+
+    :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
+    :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        self.sim = sim
+        self.on = True
+        self.launch: dict[str, Any] = {}
+        self.roots: list[list[str]] = []
+        self.overlay: Overlay | None = None
+        self.columns: dict[tuple[str, str], list[Any]] = {}
+        self.endpoints: list[list[Any]] = []
+        self.nodes: list[list[Any]] = []
+        self.processes: list[dict[str, Any]] = []
+        self.parameters: list[list[Any]] = []
+        self.descriptors: list[list[Any]] = []
+        self.calls: list[list[Any]] = []
+        self.logs: list[list[Any]] = []
+        self.output_lines: list[list[Any]] = []
+        self.notes: list[list[Any]] = []
+        self.facts: dict[tuple[Any, str, Hashable], list[Any]] = {}
+        self.looks: dict[NodeEntry, Look] = {}
+        self.forgotten: dict[Any, int] = {}
+        self._numbers: dict[str, list[int]] = {}
+        self._node_row: dict[NodeEntry, list[Any]] = {}
+        self._process_row: dict[Any, dict[str, Any]] = {}
+        self._call_row: dict[tuple[int, int], list[Any]] = {}
+        self._duration_ns = 0
+
+    def _now(self) -> int:
+        return self.sim.now_ns - self.sim.start_ns
+
+    def stop(self) -> None:
+        """Keep nothing that comes later: what is unwound at the end of a run is not part of it."""
+        if self.on:
+            self.on = False
+            self._duration_ns = self._now()
+
+    def recording(self) -> Recording:
+        """What has been collected, as a Recording. Stops first."""
+        from edulaunch.engine.recording.recording import Recording
+
+        self.stop()
+        return Recording(self.content())
+
+    def content(self) -> dict[str, Any]:
+        """The recording as plain data, in a fixed order."""
+        start = self.sim.start_ns
+        end = start + self._duration_ns
+        topics = [_column(topic, kind, flat, start, end) for (topic, kind), flat in sorted(self.columns.items())]
+        return {
+            'seed': self.sim.seed,
+            'start_ns': start,
+            'duration_ns': self._duration_ns,
+            'roots': self.roots,
+            'launch': self.launch,
+            'processes': self.processes,
+            'nodes': self.nodes,
+            'endpoints': self.endpoints,
+            'parameters': self.parameters,
+            'calls': self.calls,
+            'logs': self.logs,
+            'output': self.output_lines,
+            'notes': self.notes,
+            'facts': self.facts_now(),
+            'descriptors': self.descriptors,
+            'interfaces': self.interfaces({row[2] for row in (*self.endpoints, *self.calls)}),
+            'topics': topics,
+        }
+
+    def facts_now(self) -> list[list[Any]]:
+        """The facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
+        seen = [
+            [self._now(), node.process.name, kind, data, 1, self._now()]
+            for node, look in self.looks.items()
+            for kind, data in look()
+        ]
+        return sorted([*self.facts.values(), *seen], key=lambda row: row[0])
+
+    def interfaces(self, used: set[str]) -> dict[str, str]:
+        """The texts of those types that are the student's own, so that messages can be read without the workspace."""
+        if self.overlay is None or not self.overlay.interface_packages:
+            return {}
+        from edulaunch.engine.interfaces.texts import texts_of
+
+        return texts_of(self.overlay.registry, used)
+
+    def channel(self, publisher: Any) -> Callable[[Record], object]:
+        """One list per topic and type; publishing extends it by the three entries of a record.
+
+        Flat, because a list of a million records would keep the garbage collector busy, and take three times the memory.
+        """
+        return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
+
+    def forget_before(self, at_ns: int, kept: int) -> None:
+        """Forget what is older than a simulated time, but the last `kept` messages of each topic, and what they come from.
+
+        What is alive stays, and the last value of each parameter.
+        """
+        for key, flat in self.columns.items():
+            count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
+            del flat[: 3 * count]
+            self.forgotten[key] = self.forgotten.get(key, 0) + count
+        since = at_ns - self.sim.start_ns
+        for name in ('output_lines', 'logs', 'notes', 'calls'):
+            rows = getattr(self, name)
+            count = bisect_right([row[0] for row in rows], since)
+            del rows[:count]
+            self.forgotten[name] = self.forgotten.get(name, 0) + count
+        self._call_row = {key: row for key, row in self._call_row.items() if row[0] > since}
+        self._forget_ended(since)
+
+    def _forget_ended(self, since: int) -> None:
+        heard = {publisher for flat in self.columns.values() for publisher in flat[1::3]}
+        heard |= {end.index for node in self._node_row for end in node.endpoints}
+        self._keep('endpoints', lambda row: row[5] > since or row[4] in heard)
+        used = {row[3] for row in self.endpoints}
+        self._keep('nodes', lambda row: row[3] is None or row[3] > since or row[4] in used)
+        self._keep('processes', lambda row: row['ended'] is None or row['ended'] > since)
+        names = {row[0] for row in self.nodes}
+        for name in ('parameters', 'descriptors'):
+            last = {(row[1], row[2]): id(row) for row in getattr(self, name)}
+            latest = {number for (node, _), number in last.items() if node in names}
+            self._keep(name, lambda row: row[0] > since or id(row) in latest)  # noqa: B023  # called at once
+        self.facts = {key: row for key, row in self.facts.items() if row[5] > since or key[0] in self._process_row}
+
+    def _keep(self, name: str, is_kept: Callable[[Any], bool]) -> None:
+        rows, numbers = getattr(self, name), self.numbers(name)
+        kept = [number for number, row in zip(numbers, rows, strict=True) if is_kept(row)]
+        self.forgotten[name] = self.forgotten.get(name, 0) + len(rows) - len(kept)
+        rows[:] = filter(is_kept, rows)
+        self._numbers[name] = kept
+
+    def numbers(self, name: str) -> Sequence[int]:
+        """The place of each row of a part among all that there ever were."""
+        kept, gone = self._numbers.get(name, ()), self.forgotten.get(name, 0)
+        later = range(gone + len(kept), gone + len(getattr(self, name)))
+        return [*kept, *later] if kept else later
+
+    def publication_count(self) -> int:
+        """How many messages have been published so far."""
+        return sum(map(len, self.columns.values())) // 3
+
+    def node_added(self, node: NodeEntry) -> None:
+        if self.on:
+            row = [node.fully_qualified_name, node.process.name, self._now(), None, node.index]
+            self._node_row[node] = row
+            self.nodes.append(row)
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        self.looks[node] = look
+
+    def node_leaving(self, node: NodeEntry) -> None:
+        look = self.looks.pop(node, None)
+        if self.on and look is not None:
+            for number, (kind, data) in enumerate(look()):
+                self.fact(node.process, kind, (node.index, number), data)
+
+    def node_removed(self, node: NodeEntry) -> None:
+        if self.on and node in self._node_row:
+            self._node_row.pop(node)[3] = self._now()
+
+    def endpoint_added(self, kind: str, endpoint: Any) -> None:
+        if self.on:
+            name = endpoint.topic_name if kind in ('publisher', 'subscription') else endpoint.service_name
+            self.endpoints.append(
+                [kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(), list(endpoint.qos)]
+            )
+
+    def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
+        if self.on:
+            row = [self._now(), client.service_name, client.type_name, client.node.fully_qualified_name, wire, served, None, None]
+            self._call_row[client.index, sequence] = row
+            self.calls.append(row)
+
+    def response(self, client: Any, sequence: int, wire: Any) -> None:
+        if self.on:
+            self._call_row[client.index, sequence][6:] = [self._now(), wire]
+
+    def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
+        if self.on:
+            text = (
+                f'{publisher.topic_name}: {publisher.node.fully_qualified_name} ({publisher.type_name}) and '
+                f'{subscription.node.fully_qualified_name} ({subscription.type_name}) cannot talk because of {policy}'
+            )
+            self.notes.append([self._now(), publisher.node.process.name, 'incompatible', text])
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        if self.on:
+            self.parameters.append([self._now(), node.fully_qualified_name, name, value, origin])
+
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        if self.on:
+            row = [self._now(), node.fully_qualified_name, name, description, read_only, None if limits is None else list(limits)]
+            self.descriptors.append(row)
+
+    def process_started(self, process: Process) -> None:
+        if self.on:
+            spec = process.spec
+            row = {
+                'name': spec.name,
+                'pid': process.pid,
+                'argv': list(spec.argv),
+                'package': spec.package,
+                'executable': spec.executable,
+                'file': spec.origin.file if spec.origin else None,
+                'line': spec.origin.line if spec.origin else None,
+                'parameter_origins': dict(spec.parameter_origins),
+                'started': self._now(),
+                'ended': None,
+                'returncode': None,
+                'exception': None,
+            }
+            self._process_row[process] = row
+            self.processes.append(row)
+
+    def process_exited(self, process: Process) -> None:
+        row = self._process_row.pop(process, None)
+        if self.on and row is not None:
+            row.update(ended=self._now(), returncode=process.returncode)
+            error = process.exception
+            if error is not None:
+                file, line = error['place'] or (None, None)
+                row['exception'] = {'type': error['type'], 'message': error['message'], 'file': file, 'line': line}
+                if error['facts']:
+                    row['exception']['facts'] = error['facts']
+
+    def use_sources(self, source_path: Callable[[str], str]) -> None:
+        """Name the files that the student wrote, instead of their links in the folders where packages are installed."""
+        for row in self.processes:
+            for place in (row, row['exception']):
+                if place and place['file']:
+                    place['file'] = source_path(place['file'])
+
+    def output(self, process: Process, stream: str, text: str) -> None:
+        if self.on:
+            self.output_lines.append([self._now(), process.name, stream, text])
+
+    def log(self, process: Process, level: int, logger: str, message: str) -> None:
+        if self.on:
+            self.logs.append([self._now(), process.name, logger, level, message])
+
+    def note(self, process: Process | None, kind: str, text: str) -> None:
+        if self.on:
+            self.notes.append([self._now(), process.name if process is not None else None, kind, text])
+
+    def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        if self.on:
+            row = self.facts.get((process, kind, key))
+            if row is None:
+                self.facts[process, kind, key] = [self._now(), process.name, kind, data, 1, self._now()]
+            else:
+                row[3:] = [data, row[4] + 1, self._now()]
+
+    def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
+        if self.on:
+            self.facts.pop((process, kind, key), None)
+
+
+def _column(topic: str, kind: str, flat: list[Any], start_ns: int, end_ns: int) -> dict[str, Any]:
+    """The record of one topic up to `end_ns`, from (time, publisher, message, time, publisher, message ...)."""
+    times = flat[::3]
+    count = bisect_right(times, end_ns)
+    return {
+        'topic': topic,
+        'type': kind,
+        'times': [time - start_ns for time in times[:count]],
+        'publishers': flat[1::3][:count],
+        'messages': flat[2::3][:count],
+    }

@@ -1,0 +1,265 @@
+"""What a run leaves behind, and the questions one asks it."""
+
+from __future__ import annotations
+
+import os
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.attached import attached
+from edulaunch.engine.recording import file_format
+from edulaunch.engine.recording.absent import NodeParameters, not_recorded
+from edulaunch.engine.recording.messages import Messages, seconds
+from edulaunch.engine.recording.records import (
+    DeclaredArgument,
+    EndRecord,
+    Fact,
+    Frame,
+    LaunchRecord,
+    LogRecord,
+    NodeRecord,
+    Note,
+    Output,
+    Parameter,
+    ProcessRecord,
+    UnreadArgument,
+)
+from edulaunch.engine.recording.shown import Shown
+from edulaunch.errors import RecordingError
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.misfits import Misfit
+    from edulaunch.engine.recording.trajectory import Trajectory
+
+
+UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
+"""Kinds of notes about what differs from run to run."""
+
+
+class Recording(Messages, Shown):
+    """A run as data: processes, nodes, parameters with their origin, every message, tf, logs.
+
+    All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
+    """
+
+    hosted_nodes: frozenset[int] | None = None
+    """Positions in `nodes` of those that a trusted half hosted (`edulaunch.runtime.link`); None when all ran in one process."""
+    hosted_parameters: frozenset[int] = frozenset()
+    """Positions among the parameters of what these nodes set: another node of the same name does not speak for them."""
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        super().__init__(content)
+        self.seed: int = content['seed']
+        self.start_ns: int = content['start_ns']
+        self.duration_s: float = content['duration_ns'] / 1e9
+
+    def __repr__(self) -> str:
+        return (
+            f'<Recording {self.duration_s:.3f} s: {len(self.processes)} processes, {len(self.nodes)} nodes, '
+            f'{sum(topic.count for topic in self.topics.values())} messages>'
+        )
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Recording:
+        """Read a recording file.
+
+        :raises RecordingError: when the file is missing, damaged, or something else.
+        """
+        name = os.fspath(path)
+        try:
+            if os.path.exists(name) and not os.path.isfile(name):
+                raise RecordingError(f'cannot read the recording {name!r}: it is not a file')
+            with open(name, 'rb') as file:
+                data = file.read(file_format.MOST_BYTES + 1)
+        except (OSError, ValueError) as error:
+            raise RecordingError(f'cannot read the recording {name!r}: {getattr(error, "strerror", None) or error}') from None
+        if len(data) > file_format.MOST_BYTES:
+            raise RecordingError(f'cannot read the recording {name!r}: it is larger than {file_format.MOST_BYTES >> 30} GiB')
+        return cls.from_bytes(data, name)
+
+    @classmethod
+    def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
+        """A recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
+        recording = cls(file_format.decode(data, name))
+        recording._unread = name
+        return recording
+
+    def to_bytes(self) -> bytes:
+        """The recording as text (JSON lines), the same bytes for the same run."""
+        return file_format.encode(self._content)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a recording file, whole or not at all; what is no regular file (`/dev/stdout`, a pipe) is written to.
+
+        :raises RecordingError: when it cannot be written.
+        """
+        target = os.path.realpath(path)
+        draft = target if os.path.exists(target) and not os.path.isfile(target) else f'{target}.part'
+        try:
+            with open(draft, 'wb') as file:
+                file.write(self.to_bytes())
+            if draft != target:
+                os.replace(draft, target)
+        except OSError as error:
+            raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: {error.strerror or error}') from None
+
+    def digest(self) -> str:
+        """SHA-256 of everything that happened: equal for equal launch file, arguments and seed, on every machine.
+
+        Paths of the launch files are left out, so that a copy of a workspace gives the same digest.
+        """
+        import hashlib
+
+        from edulaunch.engine.recording.canonical import canonical
+
+        return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
+
+    @cached_property
+    def launch(self) -> LaunchRecord:
+        """What was launched, its declared arguments, and launch's return code."""
+        fields = {**self._content['launch']}
+        for words in ('warnings', 'help'):  # of recordings of old: they are found anew
+            fields.pop(words, None)
+        fields['declared'] = [DeclaredArgument(*row) for row in fields.get('declared', ())]
+        fields['unread'] = [UnreadArgument(*row) for row in fields.get('unread', ())]
+        return LaunchRecord(**fields)
+
+    @property
+    def includes(self) -> list[str]:
+        """The launch files that were included, in order."""
+        return self.launch.includes
+
+    @cached_property
+    def processes(self) -> list[ProcessRecord]:
+        """The programs that were started, in order."""
+        return [
+            ProcessRecord(
+                row['name'],
+                row['pid'],
+                row['argv'],
+                row['package'],
+                row['executable'],
+                row['file'],
+                row['line'],
+                row['parameter_origins'],
+                row['started'] / 1e9,
+                seconds(row['ended']),
+                row['returncode'],
+                row['exception'],
+            )
+            for row in self._content['processes']
+        ]
+
+    @cached_property
+    def nodes(self) -> list[NodeRecord]:
+        """The nodes that joined the graph, in order, with everything they ever published, heard, served or called."""
+        ends: dict[int, dict[str, list[tuple[str, str]]]] = {}
+        for kind, name, type_name, node, *_ in self._content['endpoints']:
+            of_kind = ends.setdefault(node, {}).setdefault(kind, [])
+            if (name, type_name) not in of_kind:
+                of_kind.append((name, type_name))
+        return [
+            NodeRecord(
+                name,
+                process,
+                start / 1e9,
+                seconds(end),
+                *(ends.get(index, {}).get(kind, []) for kind in ('publisher', 'subscription', 'service', 'client')),
+            )
+            for name, process, start, end, index in self._content['nodes']
+        ]
+
+    @cached_property
+    def ends(self) -> list[EndRecord]:
+        """All publishers, subscriptions, services and clients, in order of their making."""
+        nodes = {row[4]: row[0] for row in self._content['nodes']}
+        return [
+            EndRecord(kind, name, type_name, nodes.get(node, ''), made / 1e9, qos)
+            for kind, name, type_name, node, _, made, qos in self._content['endpoints']
+        ]
+
+    def parameters(self, node: str) -> dict[str, Parameter]:
+        """The parameters of a node (fully qualified name) at the end, in the order of declaration.
+
+        :raises KeyError: when no such node was there; the message names the nodes that were.
+        """
+        found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
+        is_hosted = any(self.nodes[position].name == node for position in self.hosted_nodes or ())
+        for position, (_, name, parameter, value, origin) in enumerate(self._content['parameters']):
+            if name == node and (position in self.hosted_parameters or not is_hosted):
+                if value is None:
+                    found.pop(parameter, None)
+                else:
+                    found[parameter] = Parameter(value, origin)
+        if not found and node not in {record.name for record in self.nodes}:
+            raise not_recorded(f'no node {node!r}', node, (record.name for record in self.nodes))
+        return found
+
+    @cached_property
+    def own_processes(self) -> list[ProcessRecord]:
+        """The processes that run a student's program: neither one of ours, nor a `ros2` command."""
+        ours = tuple(os.path.join(path, '') for path, name in self._content['roots'] if name == '@underlay')
+        return [row for row in self.processes if not row.argv[0].startswith(ours) and os.path.basename(row.argv[0]) != 'ros2']
+
+    def trajectory(self, turtle: str) -> Trajectory:
+        """Where a turtle was, as numpy arrays t, x, y, theta; `turtle` is 'turtle1', or '/ns/turtle1' with a namespace.
+
+        A robot's odometry topic such as '/odom' works too. See :class:`~edulaunch.engine.recording.trajectory.Trajectory`.
+
+        :raises KeyError: when nothing of that name was recorded; the message names what was.
+        """
+        from edulaunch.engine.recording.trajectory import read_trajectory
+
+        return read_trajectory(self, turtle)
+
+    def frames_at(self, time_s: float) -> dict[str, Frame]:
+        """The newest transform of each tf child frame at a time, by child name in order of first appearance."""
+        from edulaunch.engine.recording.frames import frames_at
+
+        return frames_at(self, time_s)
+
+    @cached_property
+    def logs(self) -> list[LogRecord]:
+        """Log messages of nodes, in order."""
+        return [LogRecord(row[0] / 1e9, *row[1:]) for row in self._content['logs']]
+
+    @cached_property
+    def output(self) -> list[Output]:
+        """What programs wrote, in order."""
+        return [Output(row[0] / 1e9, *row[1:]) for row in self._content['output']]
+
+    @cached_property
+    def notes(self) -> list[Note]:
+        """What the engine noticed, in order."""
+        return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
+
+    @cached_property
+    def facts(self) -> list[Fact]:
+        """Odd things that programs did, each with how often, in order of their first time: what advice is made of."""
+        rows = self._content.get('facts') or ()
+        return [Fact(time / 1e9, process, kind, data, times, last / 1e9) for time, process, kind, data, times, last in rows]
+
+    @cached_property
+    def misfits(self) -> list[Misfit]:
+        """Publishers and subscriptions of one topic that could not be joined, in order of time."""
+        from edulaunch.engine.recording.misfits import misfits
+
+        return list(misfits(self))
+
+    @property
+    def not_repeatable(self) -> list[str]:
+        """Why the same launch may not give the same recording again: programs that read the real machine, and what they used;
+        real programs that were started. Empty for a run that repeats.
+        """
+        return list(dict.fromkeys(note.text for note in self.notes if note.kind in UNREPEATABLE))
+
+    @cached_property
+    def advice(self) -> list[Any]:
+        """What the rules of :mod:`edulaunch.advice` find in this run, as its Findings, the worst first."""
+        found: list[Any] = attached('judge')(self)
+        return found
+
+    @property
+    def warnings(self) -> list[str]:
+        """What people should hear of after the run, in words: dead programs, misspelt names, and what went wrong in silence."""
+        return [*map(str, map(attached('told'), self.advice))]

@@ -1,0 +1,201 @@
+"""What a recording holds: plain frozen data. Times are seconds since the start of the simulation."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from edulaunch.engine.attached import attached
+
+PARAMETER_SERVICES = (
+    'describe_parameters',
+    'get_parameters',
+    'get_parameter_types',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+    'get_type_description',
+)
+"""Services that every node of rclpy has, below its own name."""
+
+
+class DeclaredArgument(NamedTuple):
+    """A launch argument as the launch files declare it; `default` as `ros2 launch -s` shows it, None when it is required."""
+
+    name: str
+    default: str | None
+    description: str
+    choices: list[str] | None
+    file: str | None
+    line: int | None
+
+
+class UnreadArgument(NamedTuple):
+    """A launch argument that was given, and that no launch file declares or reads; what is declared where it was given.
+
+    `included` is the launch file it was given to, when that was an include, which stands at `file` and `line`.
+    """
+
+    name: str
+    declared: list[str]
+    included: str | None
+    file: str | None
+    line: int | None
+
+
+class LaunchRecord(NamedTuple):
+    """What was launched and how that went. `error` is launch's own text when a description failed, with its place;
+    `error_type`, `error_cause` and `error_facts` are what is behind it, as data.
+    """
+
+    file: str = ''
+    arguments: dict[str, str] = {}
+    declared: list[DeclaredArgument] = []
+    includes: list[str] = []
+    returncode: int | None = None
+    error: str | None = None
+    error_file: str | None = None
+    error_line: int | None = None
+    error_type: str | None = None
+    error_cause: str | None = None
+    error_facts: dict[str, Any] = {}
+    unread: list[UnreadArgument] = []
+
+    @property
+    def help(self) -> str | None:
+        """What to do about the error, in the reader's language."""
+        if self.error is None:
+            return None
+        place = None if self.error_file is None else (self.error_file, self.error_line)
+        facts = {'type': self.error_type or '', 'message': self.error_cause or '', 'place': place, 'facts': self.error_facts}
+        words: str | None = attached('help_of')(facts)
+        return words
+
+
+class ProcessRecord(NamedTuple):
+    """A launched program. `returncode` is None while it runs; negative for a signal. `exception` is what ended it, if any:
+    a dict with type, message, file, line.
+    """
+
+    name: str
+    pid: int
+    argv: list[str]
+    package: str | None
+    executable: str | None
+    file: str | None
+    line: int | None
+    parameter_origins: dict[str, str]
+    started_s: float
+    ended_s: float | None = None
+    returncode: int | None = None
+    exception: dict[str, Any] | None = None
+
+    @property
+    def origin(self) -> tuple[str, int] | None:
+        """Launch file and line of the action that started it."""
+        return None if self.file is None or self.line is None else (self.file, self.line)
+
+
+class NodeRecord(NamedTuple):
+    """A node: fully qualified name, launch name of its process, and its endpoints as (name, type)."""
+
+    name: str
+    process: str
+    started_s: float
+    ended_s: float | None
+    publishers: list[tuple[str, str]]
+    subscriptions: list[tuple[str, str]]
+    services: list[tuple[str, str]]
+    clients: list[tuple[str, str]]
+
+
+class EndRecord(NamedTuple):
+    """A publisher, subscription, service or client (`kind`) that ever was: absolute name, type, the node that made it, when."""
+
+    kind: str
+    name: str
+    type: str
+    node: str
+    made_s: float
+    qos: list[Any]
+
+
+class TopicRecord(NamedTuple):
+    """A topic: its type (the first one seen), who publishes and who listens (fully qualified names), how many messages."""
+
+    name: str
+    type: str
+    publishers: list[str]
+    subscriptions: list[str]
+    count: int  # type: ignore[assignment]  # hides tuple.count, which nobody needs here
+
+
+class Parameter(NamedTuple):
+    """A parameter's value at the end of the run, and in words where that value came from."""
+
+    value: Any
+    origin: str
+
+
+class LogRecord(NamedTuple):
+    """A log message of a node; `level` is 10 to 50 as in `rcl_interfaces/msg/Log`."""
+
+    time_s: float
+    process: str
+    logger: str
+    level: int
+    message: str
+
+
+class Output(NamedTuple):
+    """Text that a program wrote to 'stdout' or 'stderr'."""
+
+    time_s: float
+    process: str
+    stream: str
+    text: str
+
+
+class Note(NamedTuple):
+    """Something the engine noticed, such as endpoints that cannot talk because of their QoS."""
+
+    time_s: float
+    process: str | None
+    kind: str
+    text: str
+
+
+class Fact(NamedTuple):
+    """Something odd that happened in a program, in plain data and without a word; how often, first and last.
+
+    :ivar kind: 'lookup failed', 'timer skipped' ...: what `data` holds is said where the fact is noted (`Process.fact`).
+    """
+
+    time_s: float
+    process: str | None
+    kind: str
+    data: dict[str, Any]
+    times: int
+    last_s: float
+
+
+class ServiceCall(NamedTuple):
+    """A request and when its reply came (None: never). `served` is False when no server existed."""
+
+    time_s: float
+    service: str
+    type: str
+    client: str
+    request: Any
+    served: bool
+    replied_s: float | None
+    response: Any
+
+
+class Frame(NamedTuple):
+    """A tf frame in its parent: translation in metres, rotation as (x, y, z, w), the stamp of the transform in seconds."""
+
+    parent: str
+    translation: tuple[float, float, float]
+    rotation: tuple[float, float, float, float]
+    is_static: bool
+    stamp_s: float

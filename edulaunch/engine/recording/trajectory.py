@@ -1,0 +1,56 @@
+"""Where a turtle or a robot was, over time."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.recording.absent import not_recorded
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.recording import Recording
+
+POSE, ODOMETRY = 'turtlesim/msg/Pose', 'nav_msgs/msg/Odometry'
+
+
+class Trajectory(NamedTuple):
+    """Arrays of equal length: time in seconds, x and y in metres, heading in radians (x right, y up, counter-clockwise)."""
+
+    t: Any
+    x: Any
+    y: Any
+    theta: Any
+
+
+def moving_things(recording: Recording) -> dict[str, str]:
+    """The turtles and robots of a recording: name to topic, turtles first ('turtle1', '/turtlesim2/turtle1', '/odom')."""
+    found = {}
+    for topic in recording.topics.values():
+        if topic.type == POSE and topic.publishers and topic.name.endswith('/pose'):
+            name = topic.name.removesuffix('/pose')
+            found[name.removeprefix('/') if name.count('/') == 1 else name] = topic.name
+    for topic in recording.topics.values():
+        if topic.type == ODOMETRY and topic.publishers:
+            found[topic.name] = topic.name
+    return found
+
+
+def read_trajectory(recording: Recording, name: str) -> Trajectory:
+    """See `Recording.trajectory`."""
+    import numpy as np
+
+    things = moving_things(recording)
+    topic = things.get(name) or things.get(name.removeprefix('/')) or things.get('/' + name)
+    if topic is None:
+        raise not_recorded(f'nothing called {name!r} moved', name, things)
+    if recording.topics[topic].type == POSE:
+        rows = recording.series(topic, 'x', 'y', 'theta')
+    else:
+        place = 'pose.pose.position.{}'.format
+        turn = 'pose.pose.orientation.{}'.format
+        rows = [
+            (t, x, y, 2.0 * math.atan2(z, w))
+            for t, x, y, z, w in recording.series(topic, place('x'), place('y'), turn('z'), turn('w'))
+        ]
+    table = np.array(rows, dtype=float).reshape(-1, 4)
+    return Trajectory(*(table[:, column] for column in range(4)))

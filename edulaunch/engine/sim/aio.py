@@ -1,0 +1,87 @@
+"""An asyncio event loop whose clock is the simulated one.
+
+Waiting for the next timer parks the task that runs the loop, so coroutines, futures and `asyncio.sleep` take turns with all
+other programs. Launch runs on it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from asyncio import base_events
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.sim.loops import NOTHING, put_back, set_aside
+from edulaunch.engine.sim.task import Task, TaskKilled, current_task
+
+
+class _Turns:
+    """What asyncio takes for its selector: waiting for files becomes giving the turn back."""
+
+    def __init__(self, loop: SimulatedEventLoop) -> None:
+        self._loop = loop
+
+    def select(self, timeout: float | None) -> list[Any]:
+        task = self._loop.task
+        if timeout is None:
+            task.park()
+        elif timeout > 0:
+            task.park(task.sim.now_ns + max(1, round(timeout * 1e9)))
+        return []
+
+
+class SimulatedEventLoop(base_events.BaseEventLoop):
+    """asyncio's own loop with simulated time: `time()` is seconds since the start of the simulation."""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__()
+        self.task = task
+        self._selector = _Turns(self)
+        self._clock_resolution = 1e-9
+
+    def __del__(self, _warn: object = None) -> None:
+        """Nothing of the operating system is held: a loop that nobody closed is no reason to warn."""
+
+    def time(self) -> float:
+        """Simulated seconds since the start."""
+        return self.task.sim.elapsed_s
+
+    def run_forever(self) -> None:
+        """As asyncio's, in the running task; a loop that runs around it (a notebook's) is set aside meanwhile."""
+        self.task = current_task()
+        outer, outer_loop = set_aside(), self.task.loop
+        self.task.loop = self
+        try:
+            super().run_forever()
+        finally:
+            self.task.loop = outer_loop
+            put_back(outer)
+
+    def _check_running(self) -> None:
+        """Another loop may run around this one: `run_forever` sets it aside."""
+        if self.is_running():
+            raise RuntimeError('This event loop is already running')
+
+    def call_exception_handler(self, context: dict[str, Any]) -> None:
+        """As asyncio's; but that a program is being ended is no mistake of the callback that is interrupted."""
+        if not isinstance(context.get('exception'), TaskKilled):
+            super().call_exception_handler(context)
+
+    def step_aside(self, switch: Callable[[], object]) -> None:
+        """Give the turn back with this loop set aside, so that others may run theirs."""
+        mine = set_aside()
+        try:
+            switch()
+        finally:
+            put_back(mine if self.is_running() else NOTHING)
+
+    def _process_events(self, event_list: list[Any]) -> None:
+        """Nothing to do: a turn brings no file events."""
+
+    def _write_to_self(self) -> None:
+        self.task.wake()
+
+
+def new_event_loop() -> asyncio.AbstractEventLoop:
+    """A loop for the running task's simulation."""
+    return SimulatedEventLoop(current_task())

@@ -1,0 +1,42 @@
+"""Ctrl-C, and the interrupt button of a notebook, while simulated time passes."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from types import FrameType, TracebackType
+from typing import Any
+
+from edulaunch.engine.sim.simulation import Simulation
+
+
+class Interruption:
+    """In force, the first SIGINT lets the simulation stop between two of its steps; a second one raises KeyboardInterrupt.
+
+    Python's own handler raises KeyboardInterrupt in whatever runs: in a simulated program, which takes it for its own Ctrl-C
+    while the run goes on, or in the middle of the engine. Where somebody else handles SIGINT, or outside the main thread,
+    nothing is done.
+
+    :ivar came: whether a SIGINT has come.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        self.came = False
+        self._sim = sim
+        self._before: Any = None
+
+    def __enter__(self) -> Interruption:
+        in_main = threading.current_thread() is threading.main_thread()
+        if in_main and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            self._before = signal.signal(signal.SIGINT, self._press)
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        if self._before is not None:
+            signal.signal(signal.SIGINT, self._before)
+
+    def _press(self, signum: int, frame: FrameType | None) -> None:
+        if self.came:
+            raise KeyboardInterrupt
+        self.came = True
+        self._sim.stop()

@@ -1,0 +1,150 @@
+"""Real time as an add-on: waiting between the steps of a simulation so that it keeps pace with a clock on the wall."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from edulaunch.engine.sim.simulation import Simulation
+
+LONGEST_WAIT_S = 0.05
+SLICE_S = 0.02
+"""Simulated seconds (at speed 1) after which whoever drives a :class:`RealTime` has its turn."""
+FALLS_BEHIND_S = 0.25
+"""Real seconds that are made up for; what is lost beyond that (a computer that slept, programs that are too slow) stays lost."""
+
+
+class Pacer:
+    """Runs a simulation at `speed` simulated seconds per real second; 0 means as fast as possible.
+
+    :param clock, wait: what tells and lets pass real time, in seconds (for tests).
+    """
+
+    def __init__(
+        self,
+        sim: Simulation,
+        speed: float = 1.0,
+        *,
+        clock: Callable[[], float] = time.monotonic,
+        wait: Callable[[float], object] = time.sleep,
+    ) -> None:
+        self.sim = sim
+        self.speed = speed
+        self._clock = clock
+        self._wait = wait
+
+    def run(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
+        """Run until `until_ns`, until `is_over()` is true, or until nothing is left to do."""
+        sim = self.sim
+        began_ns, began_s = sim.now_ns, self._clock()
+        while not is_over():
+            next_ns = sim.next_time_ns()
+            if next_ns is None or (until_ns is not None and next_ns > until_ns):
+                self._hold(until_ns, began_ns, began_s, is_over)
+                break
+            if self.speed:
+                ahead = (next_ns - began_ns) / 1e9 / self.speed - (self._clock() - began_s)
+                if ahead > 0:
+                    self._wait(min(ahead, LONGEST_WAIT_S))
+                    if ahead > LONGEST_WAIT_S:
+                        continue
+            sim.step()
+
+    def _hold(self, until_ns: int | None, began_ns: int, began_s: float, is_over: Callable[[], bool]) -> None:
+        """Nothing happens until the end: wait for the clock to get there."""
+        if until_ns is None or is_over():
+            return
+        while self.speed and not is_over():
+            ahead = (until_ns - began_ns) / 1e9 / self.speed - (self._clock() - began_s)
+            if ahead <= 0:
+                break
+            self._wait(min(ahead, LONGEST_WAIT_S))
+        if not is_over():
+            self.sim.run(until_ns)
+
+
+class RealTime:
+    """Simulated time that follows the clock on the wall while its owner does other things.
+
+    The owner calls :meth:`advance` and then waits as long as that says, or shorter.
+
+    :param clock: what tells real time, in seconds (for tests).
+    """
+
+    def __init__(self, sim: Simulation, speed: float = 1.0, *, clock: Callable[[], float] = time.monotonic) -> None:
+        self.sim = sim
+        self._clock = clock
+        self._speed = speed
+        self._paused = False
+        self._began = sim.now_ns, clock()
+        self._is_wall = False
+
+    @property
+    def is_wall(self) -> bool:
+        """Whether the simulated time *is* that of the clock on the wall, as for whoever talks with the real world.
+
+        Then nothing stays lost: after a second in which the computer was too slow it is a second later. It cannot be
+        paused, and the speed has no effect.
+        """
+        return self._is_wall
+
+    @is_wall.setter
+    def is_wall(self, is_wall: bool) -> None:
+        self._is_wall, self._paused = is_wall, False
+        if is_wall:
+            self._began = time.time_ns(), self._clock()
+            self.sim.leap(self._due_ns())
+        else:
+            self.go_on()
+
+    @property
+    def speed(self) -> float:
+        """Simulated seconds per real second."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, speed: float) -> None:
+        self._speed = speed
+        self.go_on()
+
+    @property
+    def paused(self) -> bool:
+        """Whether time stands still."""
+        return self._paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        self._paused = paused and not self._is_wall
+        self.go_on()
+
+    def go_on(self) -> None:
+        """Let simulated time follow from here: the real time that has passed is not made up for."""
+        if not self._is_wall:
+            self._began = self.sim.now_ns, self._clock()
+
+    def advance(self) -> float | None:
+        """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
+        sim = self.sim
+        if self._paused:
+            sim.run(sim.now_ns)  # what was just started may show that it waits
+            return None
+        next_ns = sim.next_time_ns()
+        if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._pace:
+            if self._is_wall:
+                sim.leap(sim.now_ns + self._due_ns() - next_ns)
+                next_ns = sim.next_time_ns() or sim.now_ns
+            else:
+                self._began = next_ns, self._clock() - FALLS_BEHIND_S
+        due_ns = max(sim.now_ns, self._due_ns())
+        sim.run(due_ns if next_ns is None else min(due_ns, max(next_ns, sim.now_ns) + round(SLICE_S * 1e9 * self._pace)))
+        next_ns = sim.next_time_ns()
+        return None if next_ns is None else max(0.0, (next_ns - self._due_ns()) / 1e9 / self._pace)
+
+    @property
+    def _pace(self) -> float:
+        return 1.0 if self._is_wall else self._speed
+
+    def _due_ns(self) -> int:
+        """The simulated time that belongs to the present real time."""
+        began_ns, began_s = self._began
+        return began_ns + round((self._clock() - began_s) * 1e9 * self._pace)

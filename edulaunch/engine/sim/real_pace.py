@@ -1,0 +1,36 @@
+"""Real time, for as long as something of the real world is waited for: real programs, a person at a keyboard."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from edulaunch.engine.sim.simulation import Simulation
+
+LOOK_EVERY_NS = 10_000_000
+"""Simulated time keeps this close to real time."""
+SILENCE_NS = 10**9
+
+
+class RealPace:
+    """One clock for all who wait for the real world: however many they are, simulated time passes as real time does.
+
+    :param clock: real time in ns (for tests).
+    """
+
+    def __init__(self, sim: Simulation, clock: Callable[[], int] = time.monotonic_ns) -> None:
+        self._sim = sim
+        self._clock = clock
+        self._anchor = self._last = sim.now_ns, clock()
+
+    def begin(self) -> None:
+        """From now on the two go together, wherever each of them is."""
+        self._anchor = self._last = self._sim.now_ns, self._clock()
+
+    def ahead_s(self) -> float:
+        """How long to wait until real time is where simulated time is. After a second in which nobody asked they begin anew."""
+        now, real = self._sim.now_ns, self._clock()
+        if now - self._last[0] > SILENCE_NS or real - self._last[1] > SILENCE_NS:
+            self._anchor = now - LOOK_EVERY_NS, real
+        self._last = now, real
+        return max(0, (now - self._anchor[0]) - (real - self._anchor[1])) / 1e9

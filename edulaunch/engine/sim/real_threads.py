@@ -1,0 +1,145 @@
+"""Real threads of a plain script that use ROS beside its main thread.
+
+In a plain script `threading` is Python's own: `threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads
+take part in the simulation of the main thread. Only that one takes items off the agenda; they wait, in real time, until they are
+woken or their deadline has come. As long as there are any simulated time keeps pace with real time, and runs do not repeat.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+from edulaunch.engine.sim.task import AmbientTask, Task, TaskKilled, current_task
+
+LOOK_EVERY_S = 0.01
+THREAD_BEGINS_S = 0.02
+
+
+class RealThreads:
+    """The threads beside a main thread's task, and the clock that they share.
+
+    :param host: the task.
+    """
+
+    def __init__(self, host: AmbientTask) -> None:
+        self._host = host
+        self._threads: list[threading.Thread] = []
+        self._bell = threading.Event()
+        self._setting_time = threading.Lock()
+        self._anchor = host.sim.now_ns, time.monotonic_ns()
+        self._keeps_time = False
+
+    def keep_time(self) -> None:
+        """From now on simulated time is real time, threads or not; asked for before anything has happened."""
+        sim = self._host.sim
+        if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
+            sim.start_ns = sim.now_ns = time.time_ns()
+        self._anchor, self._keeps_time = (sim.now_ns, time.monotonic_ns()), True
+
+    def set_the_pace(self, due_ns: int | None) -> bool:
+        """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        return self.are_here() or (self._keeps_time and due_ns is not None)
+
+    def let_begin(self) -> None:
+        """Let threads that were started just now come in."""
+        time.sleep(THREAD_BEGINS_S)
+
+    def join(self) -> RealThreadTask:
+        """Let the running thread take part."""
+        return RealThreadTask(self._host, self)
+
+    def add(self, thread: threading.Thread) -> None:
+        """Another one has come; simulated time goes on from where it is."""
+        if not self.are_here():
+            self._anchor = self._host.sim.now_ns, time.monotonic_ns()
+        self._threads.append(thread)
+
+    def are_here(self) -> bool:
+        """Whether any of them still runs."""
+        self._threads = [thread for thread in self._threads if thread.is_alive()]
+        return bool(self._threads)
+
+    def now_ns(self) -> int:
+        """Make simulated time what belongs to the present real time; it never goes back, whichever threads ask."""
+        with self._setting_time:
+            sim, here = self._host.sim, time.monotonic_ns()
+            now = self._anchor[0] + here - self._anchor[1]
+            if sim.now_ns > now:
+                now = sim.now_ns
+                self._anchor = now, here
+            sim.now_ns = now
+            return now
+
+    def ring(self) -> None:
+        """Let the main thread look again at once."""
+        self._bell.set()
+
+    def await_turn(self, due_ns: int | None) -> bool:
+        """Whether it is time for what is due at `due_ns` (None: never); if not, wait a moment, or for :meth:`ring`."""
+        now = self.now_ns()
+        if due_ns is not None and now >= due_ns:
+            return True
+        self._bell.wait(LOOK_EVERY_S if due_ns is None else min(LOOK_EVERY_S, (due_ns - now) / 1e9))
+        self._bell.clear()
+        return False
+
+
+class RealThreadTask(AmbientTask):
+    """Stands for the code of a real thread in the simulation of the main thread."""
+
+    is_real_thread = True
+
+    def __init__(self, host: AmbientTask, clock: RealThreads) -> None:
+        super().__init__(host.sim, owner=host.owner)
+        self.name = threading.current_thread().name
+        self._bell = threading.Event()
+        self._clock = clock
+        self._clock.add(threading.current_thread())
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """As :meth:`Task.park`, in real time; may end early, as if woken: not everything that ends a wait wakes whoever waits, so
+        it looks again now and then. A wake is never lost: whoever waits looks at what it waits for after the flag went down.
+        """
+        self._clock.ring()
+        wait_s = LOOK_EVERY_S
+        if deadline_ns is not None:
+            wait_s = min(wait_s, (deadline_ns - self._clock.now_ns()) / 1e9)
+        if not self._woken and wait_s > 0:
+            self._bell.wait(wait_s)
+        self._bell.clear()
+        now = self._clock.now_ns()
+        if not self._woken and deadline_ns is not None and now >= deadline_ns:
+            return False
+        self._woken = False
+        self.attend()
+        return True
+
+    def wake(self) -> None:
+        """Let the thread look again."""
+        self._woken = True
+        self._bell.set()
+
+    def run_next_first(self) -> None:
+        """Nothing: only the main thread takes items off the agenda."""
+
+
+def start_real_thread(body: Callable[[], object], name: str) -> Task:
+    """Run `body` in a further real thread; returns its task."""
+    begun = threading.Event()
+    tasks: list[Task] = []
+
+    def run() -> None:
+        tasks.append(current_task())
+        begun.set()
+        try:
+            body()
+        except TaskKilled:
+            pass
+        finally:
+            tasks[0].finished = True
+
+    threading.Thread(target=run, name=name, daemon=True).start()
+    begun.wait()
+    return tasks[0]

@@ -1,0 +1,142 @@
+"""Simulated time and the agenda: the whole kernel in one class."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from heapq import heappop, heappush
+from typing import TYPE_CHECKING, Any
+
+from greenlet import getcurrent
+
+from edulaunch.errors import SimulationError
+
+if TYPE_CHECKING:
+    import random
+
+EPOCH_NS = 1_700_000_000_000_000_000
+"""Where simulated time starts: an even second, so that printed stamps look real and repeat from run to run."""
+
+FAR_NS = 1 << 63
+"""Later than anything; not a float infinity, to which integers are compared slowly."""
+
+Item = list[Any]
+"""An agenda item: [time in ns, priority, sequence, callback]. A cancelled or finished item has no callback."""
+
+
+class Simulation:
+    """Owns the time (integer nanoseconds), one agenda and the seed. Nothing else keeps a clock.
+
+    The agenda is a heap of (time, priority, sequence, callback): ties are settled by priority, then by who asked first.
+    What is asked for the present instant with the usual priority 0 stands in a queue beside the heap: that is the same order
+    (whatever the heap holds for this instant was asked for earlier), and much cheaper.
+
+    Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
+    :class:`~edulaunch.engine.sim.task.Task`).
+
+    :param seed: from which every random generator of the run is derived.
+    :param start_ns: the simulated time at the beginning.
+    """
+
+    def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
+        self.seed = seed
+        self.start_ns = start_ns
+        self.now_ns = start_ns
+        self.hub: Any = None
+        self.agenda: list[Item] = []
+        self._soon: deque[Item] = deque()
+        self.last_number = 0
+        self._stopped = False
+        self.hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
+
+    @property
+    def elapsed_s(self) -> float:
+        """Simulated seconds since the start."""
+        return (self.now_ns - self.start_ns) / 1e9
+
+    def schedule(self, at_ns: int, callback: Callable[[], object], priority: int = 0) -> Item:
+        """Put `callback` on the agenda for `at_ns`; among equal times the lower priority number runs first.
+
+        :raises SimulationError: when `at_ns` has passed already.
+        """
+        if at_ns < self.now_ns:
+            raise SimulationError(f'cannot schedule {self.now_ns - at_ns} ns into the past')
+        self.last_number += 1
+        item = [at_ns, priority, self.last_number, callback]
+        if at_ns == self.now_ns and not priority:
+            self._soon.append(item)
+        else:
+            heappush(self.agenda, item)
+        return item
+
+    @staticmethod
+    def cancel(item: Item) -> None:
+        """Take an item off the agenda; one that has run already is left alone."""
+        item[3] = None
+
+    def next_time_ns(self) -> int | None:
+        """When the next item is due, or None on an empty agenda."""
+        agenda = self.agenda
+        while agenda and agenda[0][3] is None:
+            heappop(agenda)
+        if self._soon:
+            return self.now_ns
+        return agenda[0][0] if agenda else None
+
+    def step(self) -> bool:
+        """Run the next item. False when there is none."""
+        self.hub = getcurrent()
+        self.hands_on = False
+        return self._run_next(FAR_NS)
+
+    def _run_next(self, limit_ns: int) -> bool:
+        """Run the next item; False when there is none until `limit_ns`."""
+        agenda, soon = self.agenda, self._soon
+        while soon or agenda:
+            if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
+                callback = soon.popleft()[3]
+            else:
+                if agenda[0][0] > limit_ns:
+                    return False
+                at_ns, _, _, callback = heappop(agenda)
+                if callback is not None and at_ns > self.now_ns:
+                    self.now_ns = at_ns
+            if callback is not None:
+                callback()
+                return True
+        return False
+
+    def run(self, until_ns: int | None = None) -> None:
+        """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
+        self._stopped = False
+        self.hands_on = True
+        self.hub = getcurrent()
+        limit_ns = FAR_NS if until_ns is None else until_ns
+        while not self._stopped and self._run_next(limit_ns):
+            pass
+        self.hands_on = False
+        if until_ns is not None and not self._stopped and self.now_ns < until_ns:
+            self.now_ns = until_ns
+
+    def stop(self) -> None:
+        """Let :meth:`run` return after the item that is running now."""
+        self._stopped = True
+        self.hands_on = False
+
+    @property
+    def was_stopped(self) -> bool:
+        """Whether the last :meth:`run` ended by :meth:`stop`."""
+        return self._stopped
+
+    def leap(self, to_ns: int) -> None:
+        """Let it be later at once: what is on the agenda stays as far ahead as it was. A time that is over changes nothing."""
+        by_ns = max(0, to_ns - self.now_ns)
+        for item in self.agenda:
+            item[0] += by_ns
+        self.now_ns += by_ns
+
+    def random(self, name: str) -> random.Random:
+        """A random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
+        import random
+
+        return random.Random(f'{self.seed}/{name}')

@@ -1,0 +1,326 @@
+"""Programs that block: tasks that give their turn back and get it again.
+
+A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time; which
+one is the agenda's choice. Everything else that blocks (sleeping, locks, waiting for a message) is `park` and `wake`.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from greenlet import GreenletExit, getcurrent, greenlet
+
+from edulaunch.engine.sim.simulation import Item, Simulation
+from edulaunch.errors import SimulationError
+
+if TYPE_CHECKING:
+    from edulaunch.engine.sim.real_threads import RealThreads
+
+POLLS_BEFORE_TIME_PASSES = 1000
+POLLS_AFTER_THAT = 20
+POLL_PAUSE_NS = 1_000_000
+
+
+class TaskKilled(BaseException):
+    """Raised inside a task that is being killed; a program cannot go on after it."""
+
+
+class Task:
+    """One blocking program in simulated time.
+
+    :param body: the program; its return value is kept as `result`, an exception that leaves it as `exception`.
+    :param name: for people.
+    :param owner: whatever the running code belongs to (a `Process`); found again through :func:`current_task`.
+    """
+
+    def __init__(self, sim: Simulation, body: Callable[[], object], *, name: str = 'task', owner: Any = None) -> None:
+        self.sim = sim
+        self.name = name
+        self.owner = owner
+        self.finished = False
+        self.result: object = None
+        self.exception: BaseException | None = None
+        self.loop: Any = None
+        self._body = body
+        self._greenlet: Any = None
+        self._parked = False
+        self._woken = False
+        self._killed = False
+        self._interrupts: list[Callable[[], object]] = []
+        self._timer: Item | None = None
+        self._polls = 0
+        self._done: list[Callable[[Task], object]] = []
+        self._soon = sim._soon
+        self._turn: Item = [sim.start_ns, 0, 0, None]
+
+    def __repr__(self) -> str:
+        return f'<Task {self.name}>'
+
+    @property
+    def frame(self) -> FrameType | None:
+        """Where it stands while it is parked; None while it runs, and when it has ended."""
+        return getattr(self._greenlet, 'gr_frame', None)
+
+    is_real_thread = False
+    """Whether it stands for a real thread beside the main one; see `real_threads.py`."""
+
+    def start(self) -> None:
+        """Give the task its first turn, at the present simulated time."""
+        starter = running_task()
+        if starter is not None and starter.is_real_thread:  # only the main thread makes greenlets, and knows what time it is
+            self._soon.append([self.sim.start_ns, 0, 1, lambda: self._make_greenlet()()])
+        else:
+            self.sim.schedule(self.sim.now_ns, self._make_greenlet())
+
+    def _make_greenlet(self) -> Callable[[], object]:
+        self._greenlet = _TaskGreenlet(self._run)
+        self._greenlet.task = self
+        switch: Callable[[], object] = self._greenlet.switch
+        self._turn[3] = switch
+        return switch
+
+    def start_at_once(self) -> None:
+        """As :meth:`start`, before everything else that was asked for this instant: the task that calls this goes on when the new
+        one waits for the first time.
+        """
+        self._soon.appendleft([self.sim.now_ns, 0, 0, self._make_greenlet()])
+        starter = running_task()
+        if starter is not None and starter.sim is self.sim:
+            starter.run_next_first()
+
+    def run_next_first(self) -> None:
+        """Run the first item that waits for the present instant, then go on. Wakes that come meanwhile are kept."""
+        due = self._soon.popleft()
+        self._soon.extendleft((self._turn, due))
+        if self.loop is None:
+            self.sim.hub.switch()
+        else:
+            self.loop.step_aside(self.sim.hub.switch)
+
+    def _run(self) -> None:
+        try:
+            self.attend()
+            self.result = self._body()
+        except TaskKilled:
+            pass
+        except BaseException as error:
+            if isinstance(error, GreenletExit) or not hasattr(self, '_timer'):
+                return  # the simulation was thrown away with the task in it: nobody is there to be told, nor all of it
+            self.exception = error
+        self.finished = True
+        self._parked = False
+        if self._timer is not None:
+            self._timer[3] = None
+        getcurrent().parent = self.sim.hub
+        for callback in self._done:
+            callback(self)
+
+    def add_done_callback(self, callback: Callable[[Task], object]) -> None:
+        """Call `callback(task)` when the program has ended (at once if it has)."""
+        if self.finished:
+            callback(self)
+        else:
+            self._done.append(callback)
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """Give the turn back until :meth:`wake`, or until the simulated time is `deadline_ns`.
+
+        A wake that came since the last park ends this one at once. Callers therefore look again at what they wait for.
+
+        :returns: True when woken, False when the deadline came first.
+        :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
+        """
+        self._polls = 0
+        self._parked = True  # before the look at `_woken`: a wake, perhaps in another thread, does and looks the other way round
+        if not self._woken and not self._killed:
+            timer = self._timer
+            if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:
+                self._set_timer(deadline_ns)
+            sim, soon = self.sim, self._soon
+            agenda = sim.agenda
+            if self.loop is not None:
+                self.loop.step_aside(sim.hub.switch)
+            elif soon and not soon[0][2] and sim.hands_on and not (agenda and agenda[0][0] == sim.now_ns):
+                # A task's turn is next (turns have the sequence number 0): the hub would switch to it and do nothing else.
+                # Saves a third of all switches where tasks wake each other (2 % of the large project).
+                soon.popleft()[3]()
+            else:
+                sim.hub.switch()
+        self._parked = False
+        woken = self._woken
+        if woken:
+            self._woken = False
+        if self._killed:
+            raise TaskKilled
+        if self._interrupts:
+            self._deliver_interrupts()
+        if not woken and (deadline_ns is None or self._timer is not None):  # a turn that the wake before this park left, late
+            return self.park(deadline_ns)
+        return woken
+
+    def waits_for_ever(self) -> bool:
+        """Whether it is parked, and only a :meth:`wake` can end that."""
+        return self._parked and self._timer is None and not self._woken
+
+    def _set_timer(self, deadline_ns: int | None) -> None:
+        if self._timer is not None:
+            self._timer[3] = None
+            self._timer = None
+        if deadline_ns is not None:
+            sim = self.sim
+            self._timer = sim.schedule(deadline_ns if deadline_ns > sim.now_ns else sim.now_ns, self._on_timer)
+
+    def _on_timer(self) -> None:
+        self._timer = None
+        if self._parked and not self._woken:
+            self._greenlet.switch()
+
+    def wake(self) -> None:
+        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once.
+
+        A real thread may do so at any moment: no wake gets lost, whatever the task does meanwhile.
+        """
+        if not self._woken:
+            self._woken = True
+            if self._parked:
+                self._soon.append(self._turn)
+
+    def interrupt(self, action: Callable[[], object]) -> None:
+        """Run `action` inside the task where it is parked (or will park next); what it raises is raised there."""
+        self._interrupts.append(action)
+        self.wake()
+
+    def _deliver_interrupts(self) -> None:
+        while self._interrupts:
+            self._interrupts.pop(0)()
+
+    def attend(self) -> None:
+        """From inside the task: take what :meth:`interrupt` and :meth:`kill` want now, not at the next parking place."""
+        if self._killed:
+            raise TaskKilled
+        self._deliver_interrupts()
+
+    def kill(self) -> None:
+        """End the task: `TaskKilled` is raised wherever it parks, again and again."""
+        self._killed = True
+        self.wake()
+
+    def poll(self) -> None:
+        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time.
+
+        It takes many looks until time passes for the first time, and fewer from then on until it really blocks.
+        """
+        self._polls += 1
+        if self._polls > POLLS_BEFORE_TIME_PASSES:
+            self.sleep_until(self.sim.now_ns + POLL_PAUSE_NS)
+            self._polls = POLLS_BEFORE_TIME_PASSES - POLLS_AFTER_THAT
+
+    def sleep_until(self, at_ns: int) -> None:
+        """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""
+        sim = self.sim
+        missed = self.park(at_ns)
+        while sim.now_ns < at_ns:
+            missed = self.park(at_ns) or missed
+        if missed:
+            self._woken = True
+
+
+class AmbientTask(Task):
+    """Stands for code outside any task, such as a plain script or a notebook cell: parking it runs the simulation in place."""
+
+    def __init__(self, sim: Simulation, owner: Any = None) -> None:
+        super().__init__(sim, lambda: None, name='main', owner=owner)
+        self.real_threads: RealThreads | None = None  # given to it with its owner
+        self._threads = threading.active_count()
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """As :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
+        sim = self.sim
+        while not self._woken:
+            next_ns = sim.next_time_ns()
+            is_over = deadline_ns is not None and (next_ns is None or next_ns > deadline_ns)
+            if next_ns != sim.now_ns and threading.active_count() != self._threads:
+                self._threads = threading.active_count()  # some were started, or have ended: let them come in before time passes
+                if self.real_threads is not None:
+                    self.real_threads.let_begin()
+                continue
+            due_ns = deadline_ns if is_over else next_ns
+            beside = self.real_threads
+            if beside is not None and beside.set_the_pace(due_ns) and not beside.await_turn(due_ns):
+                break
+            if is_over:
+                sim.now_ns = max(sim.now_ns, deadline_ns or 0)
+                return False
+            if not sim.step():
+                raise SimulationError(
+                    'waiting for ever: nothing that is scheduled could end this wait',
+                    help='a script alone has a simulation of its own: start it with ros2 run, or by a launch file, as the others',
+                )
+        self._woken = False
+        self._deliver_interrupts()
+        return True
+
+    def wake(self) -> None:
+        """As :meth:`Task.wake`; perhaps from another thread."""
+        super().wake()
+        if self.real_threads is not None:
+            self.real_threads.ring()
+
+    def run_next_first(self) -> None:
+        """Run the first item that waits for the present instant in place."""
+        self.sim.step()
+
+
+class _TaskGreenlet(greenlet):  # type: ignore[misc]
+    """A greenlet that knows its task."""
+
+    task: Task
+
+
+def running_task() -> Task | None:
+    """The task whose code runs now, or None on the hub and outside any simulation."""
+    return getattr(getcurrent(), 'task', None)
+
+
+def current_task() -> Task:
+    """The task whose code runs now; outside any task the ambient one of this thread, made at first use."""
+    current = getcurrent()
+    try:
+        task: Task = current.task
+    except AttributeError:
+        task = current.task = _ambient_task()
+    return task
+
+
+def _ambient_task() -> AmbientTask:
+    """For the main thread, or a thread that has nothing to do with it, one of its own; else one that takes part there."""
+    host = getattr(_MAIN, 'task', None)
+    beside = host.real_threads if isinstance(host, AmbientTask) and host.owner is not None else None
+    is_main = beside is None or threading.current_thread() is threading.main_thread()
+    return AmbientTask(Simulation()) if is_main or beside is None else beside.join()
+
+
+def task_around(frame: FrameType | None) -> Task | None:
+    """The task whose code a frame of another thread belongs to: it stands at the bottom."""
+    while frame is not None:
+        if frame.f_code is Task._run.__code__:
+            task: Task = frame.f_locals['self']
+            return task
+        frame = frame.f_back
+    return None
+
+
+def _main_greenlet() -> Any:
+    """What runs the main thread outside any task; None when this module was not imported there."""
+    if threading.current_thread() is not threading.main_thread():
+        return None
+    found = getcurrent()
+    while found.parent is not None:
+        found = found.parent
+    return found
+
+
+_MAIN = _main_greenlet()

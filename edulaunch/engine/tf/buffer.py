@@ -1,0 +1,201 @@
+"""The time-ordered buffer of transforms: what tf2's BufferCore knows and answers, in numbers only.
+
+Times are integer nanoseconds; 0 means "the latest common time". Frames are named by strings. The face
+`tf2_py` turns messages into these numbers and failures into tf2's exceptions.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from edulaunch.engine.tf import dumps
+from edulaunch.engine.tf.failure import TransformFailure
+from edulaunch.engine.tf.history import History
+from edulaunch.engine.tf.names import check_name, check_names, problem
+from edulaunch.engine.tf.path import Path, find_path
+from edulaunch.engine.tf.quaternions import HUGE, TINY
+from edulaunch.engine.tf.rejection import Rejection, reasons_against, too_old
+from edulaunch.engine.tf.transforms import IDENTITY, Transform, canonical, compose
+from edulaunch.engine.tf.walk import chain, latest_common_time, walk
+
+DEFAULT_CACHE_NS = 10_000_000_000
+ACCEPTED: tuple[Rejection, ...] = ()
+
+
+class TransformBuffer:
+    """Transforms of a tree of frames over the last seconds.
+
+    :param cache_ns: how far before the newest sample of a frame its history reaches.
+    """
+
+    def __init__(self, cache_ns: int = DEFAULT_CACHE_NS) -> None:
+        self.cache_ns = cache_ns
+        # in order of first mention; None for a frame without parent
+        self._frames: dict[str, History | None] = {}
+        # valid until a parent changes
+        self._paths: dict[tuple[str, str], Path] = {}
+
+    def set(
+        self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str = 'default_authority', static: bool = False
+    ) -> tuple[Rejection, ...]:
+        """Take one transform: `pose` of the child seen from the parent at a time.
+
+        :returns: what tf2 logs when it refuses the transform, as (severity, text); empty when it was
+            accepted.
+        """
+        x, y, z, qx, qy, qz, qw = pose
+        square = qx * qx + qy * qy + qz * qz + qw * qw
+        if qw > 0.0 and 4.0 * qw * qw > square > TINY and square < HUGE:
+            # the common case of quaternions.canonical, written out for speed
+            if square != 1.0:
+                scale = 1.0 / sqrt(square)
+                pose = (x, y, z, qx * scale, qy * scale, qz * scale, qw * scale)
+        else:
+            pose = canonical(pose)
+            square = pose[6]
+        check = square + x + y + z  # nan when any of them is
+        history = self._frames.get(child)
+        if history is None or history.static or static or not history.stamps or history.parents[-1] != parent or check != check:
+            return self._set_with_care(parent, child, stamp_ns, pose, authority, static)
+        newest = history.stamps[-1]
+        horizon = newest - self.cache_ns
+        if history.stamps[history.first] < horizon:
+            history.prune(horizon)
+        if stamp_ns > newest:
+            history.stamps.append(stamp_ns)
+            history.poses.append(pose)
+            history.parents.append(parent)
+        elif stamp_ns < horizon:
+            return too_old(child, stamp_ns, authority)
+        else:
+            history.insert(parent, stamp_ns, pose)
+        history.authority = authority
+        return ACCEPTED
+
+    def _set_with_care(
+        self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str, static: bool
+    ) -> tuple[Rejection, ...]:
+        """All of :meth:`set` that is not usual: new frames, new parents, static transforms, bad input."""
+        parent, child = parent.removeprefix('/'), child.removeprefix('/')
+        rejections = reasons_against(parent, child, pose, authority)
+        if rejections:
+            return rejections
+        history = self._frames.get(child)
+        if history is None or history.static != static:
+            history = self._frames[child] = History(child, static)
+        self._frames.setdefault(parent)
+        self._paths.clear()
+        history.authority = authority
+        if static:
+            history.replace(parent, pose)
+            return ACCEPTED
+        if history.stamps:
+            horizon = history.newest - self.cache_ns
+            history.prune(horizon)
+            if stamp_ns < horizon:
+                return too_old(child, stamp_ns, authority)
+        history.insert(parent, stamp_ns, pose)
+        return ACCEPTED
+
+    def clear(self) -> None:
+        """Drop the samples of all dynamic frames; names and static transforms stay."""
+        for history in self._frames.values():
+            if history is not None and not history.static:
+                history.forget()
+        self._paths.clear()
+
+    def lookup(self, target: str, source: str, time_ns: int = 0) -> tuple[int, Transform]:
+        """(stamp, target_from_source) at a time, interpolated between samples; 0 is the latest common time.
+
+        :raises TransformFailure: an unknown name, no connection, or no data at that time.
+        """
+        path = self._paths.get((target, source))
+        if path is None:
+            if target == source:  # before any look at the names, as in tf2
+                return time_ns or self._newest(source), IDENTITY
+            check_names(self._frames, target, source)
+            path = self._remember_path(target, source)
+        if path is not None:
+            found = path.at(time_ns)
+            if found is not None:
+                return found
+        return walk(self._frames, target, source, time_ns)
+
+    def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
+        """The same between two times, over a frame that does not move meanwhile; the stamp is that of the
+        target.
+
+        :raises TransformFailure: as :meth:`lookup`; all three names are checked.
+        """
+        check_names(self._frames, target, source, fixed)
+        stamp_ns, target_from_fixed = self.lookup(target, fixed, target_ns)
+        return stamp_ns, canonical(compose(target_from_fixed, self.lookup(fixed, source, source_ns)[1]))
+
+    def can_transform(self, target: str, source: str, time_ns: int = 0) -> tuple[bool, str]:
+        """(whether :meth:`lookup` would succeed, why not)."""
+        path = self._paths.get((target, source))
+        if target == source or path is not None and path.covers(time_ns or path.latest_common_time()):
+            return True, ''
+        return self._try(problem(self._frames, target, source), target, source, time_ns)
+
+    def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
+        """(whether :meth:`lookup_full` would succeed, why not)."""
+        possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
+        return self._try('', fixed, source, source_ns) if possible else (False, reason)
+
+    def latest_common_time(self, target: str, source: str) -> int:
+        """The newest time for which the transform is known; 0 when all of it is static.
+
+        :raises TransformFailure: an unknown name, or no connection.
+        """
+        check_name(self._frames, target, 'get_latest_common_time')
+        check_name(self._frames, source, 'get_latest_common_time')
+        return latest_common_time(self._frames, target, source)
+
+    def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
+        """The frames on the way from the source over the fixed frame to the target.
+
+        :raises TransformFailure: as :meth:`lookup_full`.
+        """
+        check_names(self._frames, target, source, fixed)
+        below = chain(self._frames, fixed, source, source_ns)
+        return below + chain(self._frames, target, fixed, target_ns)[1:]
+
+    def frame_exists(self, name: str) -> bool:
+        """Whether the frame has been mentioned in a transform."""
+        return name in self._frames
+
+    def frame_names(self) -> list[str]:
+        """All frames in order of first mention."""
+        return list(self._frames)
+
+    def all_frames_as_yaml(self) -> str:
+        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_yaml`."""
+        return dumps.all_frames_as_yaml(self._frames)
+
+    def all_frames_as_string(self) -> str:
+        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
+        return dumps.all_frames_as_string(self._frames)
+
+    def all_frames_as_dot(self, now_ns: int = 0) -> str:
+        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_dot`."""
+        return dumps.all_frames_as_dot(self._frames, now_ns)
+
+    def _newest(self, frame: str) -> int:
+        history = self._frames.get(frame)
+        return 0 if history is None else history.newest
+
+    def _remember_path(self, target: str, source: str) -> Path | None:
+        path = find_path(self._frames, target, source)
+        if path is not None:
+            self._paths[target, source] = path
+        return path
+
+    def _try(self, reason: str, target: str, source: str, time_ns: int) -> tuple[bool, str]:
+        if reason:
+            return False, reason
+        try:
+            self.lookup(target, source, time_ns)
+        except TransformFailure as failure:
+            return False, str(failure)
+        return True, ''

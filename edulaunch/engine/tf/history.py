@@ -1,0 +1,155 @@
+"""What is known of one child frame: its samples in order of time."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from math import acos, sin
+
+from edulaunch.engine.tf.transforms import Transform
+
+COMPACT_AT = 64
+
+
+class History:
+    """The samples of one child frame, oldest first: three parallel lists from index `first` on.
+
+    Old samples are dropped by moving `first`; the lists are cut when half of them is dead, so that an insert
+    costs the same however long the history is, and a look at any time costs a bisection.
+
+    :param name: the child frame.
+    :param static: True for a frame of /tf_static: one sample, valid at all times.
+    """
+
+    __slots__ = ('authority', 'first', 'mixed', 'name', 'parents', 'poses', 'stamps', 'static')
+
+    def __init__(self, name: str, static: bool) -> None:
+        self.name = name
+        self.static = static
+        self.stamps: list[int] = []
+        self.poses: list[Transform] = []  # parent_from_child
+        self.parents: list[str] = []
+        self.first = 0
+        self.mixed = False  # True while samples may name different parents
+        self.authority = ''
+
+    @property
+    def count(self) -> int:
+        """How many samples are kept."""
+        return len(self.stamps) - self.first
+
+    @property
+    def newest(self) -> int:
+        """Stamp of the newest sample; 0 for a static or empty history."""
+        return self.stamps[-1] if self.stamps else 0
+
+    @property
+    def oldest(self) -> int:
+        """Stamp of the oldest sample; 0 for a static or empty history."""
+        return self.stamps[self.first] if self.stamps else 0
+
+    def replace(self, parent: str, pose: Transform) -> None:
+        """Keep this one sample only (a static transform); it has no stamp."""
+        self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
+
+    def forget(self) -> None:
+        """Drop all samples."""
+        self.stamps.clear()
+        self.poses.clear()
+        self.parents.clear()
+        self.first = 0
+        self.mixed = False
+
+    def prune(self, horizon_ns: int) -> None:
+        """Drop samples older than `horizon_ns`; the newest one always stays."""
+        stamps, first = self.stamps, self.first
+        while stamps[first] < horizon_ns:
+            first += 1
+        self.first = first
+        if first > COMPACT_AT and first * 2 > len(stamps):
+            del self.stamps[:first], self.poses[:first], self.parents[:first]
+            self.first = 0
+            if self.mixed:
+                self.mixed = any(parent != self.parents[-1] for parent in self.parents)
+
+    def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
+        """Put a sample in its place; among equal stamps it becomes the newest; one that is known already is
+        ignored.
+        """
+        stamps = self.stamps
+        if not stamps or stamp_ns > stamps[-1]:
+            place = len(stamps)
+        else:
+            place = bisect_right(stamps, stamp_ns, self.first)
+            index = place - 1
+            while index >= self.first and stamps[index] == stamp_ns:
+                if self.poses[index] == pose and self.parents[index] == parent:
+                    return
+                index -= 1
+        if self.parents and self.parents[-1] != parent:
+            self.mixed = True
+        stamps.insert(place, stamp_ns)
+        self.poses.insert(place, pose)
+        self.parents.insert(place, parent)
+
+    def pose_at(self, time_ns: int) -> Transform | None:
+        """The pose at a time, 0 being the newest; None when it would have to be extrapolated. See :func:`poses_at`."""
+        found = poses_at((self,), time_ns) if self.stamps else None
+        return found[0] if found else None
+
+    def sample(self, time_ns: int) -> tuple[Transform, str] | None:
+        """(:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
+        pose = self.pose_at(time_ns)
+        if pose is None:
+            return None
+        newer = bisect_right(self.stamps, time_ns, self.first)
+        if not self.mixed or time_ns == 0 or newer == len(self.stamps):
+            return pose, self.parents[-1]
+        older = self.first if time_ns == self.stamps[self.first] else newer - 1
+        if self.parents[older] != self.parents[newer]:
+            pose = self.poses[older]
+        return pose, self.parents[older]
+
+
+def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
+    """The pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
+
+    Between two samples it is interpolated. Exactly at a stamp that several samples have, the last inserted one counts, except
+    among the oldest, where it is the first (as in tf2). One loop without a call for each frame: lookups in the past spend their
+    time here.
+
+    :param histories: none of them empty.
+    """
+    poses: list[Transform] = []
+    newer = 0  # kept from frame to frame: those of one robot are mostly sent together
+    for history in histories:
+        stamps = history.stamps
+        if history.static or time_ns == stamps[-1] or not time_ns:
+            poses.append(history.poses[-1])
+            continue
+        first = history.first
+        if not (first < newer < len(stamps) and (older_ns := stamps[newer - 1]) <= time_ns < (newer_ns := stamps[newer])):
+            newer = bisect_right(stamps, time_ns, first)
+            if newer == first or newer == len(stamps):
+                return None
+            older_ns, newer_ns = stamps[newer - 1], stamps[newer]
+        known = history.poses
+        if time_ns == older_ns:
+            poses.append(known[first if time_ns == stamps[first] else newer - 1])
+            continue
+        ratio = (time_ns - older_ns) / (newer_ns - older_ns)
+        rest = 1.0 - ratio
+        x, y, z, ax, ay, az, aw = known[newer - 1]
+        u, v, w, bx, by, bz, bw = known[newer]
+        turned = ax or ay or bx or by  # about another axis than z; the zeros of the others need not be multiplied
+        dot = ax * bx + ay * by + az * bz + aw * bw if turned else az * bz + aw * bw
+        if -1.0 < dot < 1.0:  # spherical interpolation along the shorter arc
+            theta = acos(dot) if dot > 0.0 else acos(-dot)
+            scale = 1.0 / sin(theta)
+            s = sin(rest * theta) * scale
+            t = sin(ratio * theta) * (scale if dot > 0.0 else -scale)
+            az, aw = az * s + bz * t, aw * s + bw * t
+            if turned:
+                ax, ay = ax * s + bx * t, ay * s + by * t
+        poses.append((x * rest + u * ratio, y * rest + v * ratio, z * rest + w * ratio, ax, ay, az, aw))
+    return poses

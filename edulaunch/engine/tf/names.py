@@ -1,0 +1,46 @@
+"""tf2's checks of the frame names that are passed to a lookup."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+from edulaunch.engine.tf.failure import INVALID_ARGUMENT, LOOKUP, TransformFailure
+
+ARGUMENTS = ('target_frame', 'source_frame', 'fixed_frame')
+
+
+def check_name(frames: Container[str], name: str, function: str) -> None:
+    """Raise when there is no such frame.
+
+    :raises TransformFailure: with the text of tf2's exception; `function` is what the name was passed to.
+    :raises TypeError: for something else than a text, such as the None of a parameter without a value.
+    """
+    if name in frames:
+        return
+    rule = _broken_rule(name)
+    if rule:
+        raise TransformFailure(INVALID_ARGUMENT, f'Invalid argument "{name}" passed to {function} - {rule}')
+    raise TransformFailure(LOOKUP, f'"{name}" passed to {function} does not exist. ')
+
+
+def check_names(frames: Container[str], *names: str) -> None:
+    """:func:`check_name` for the arguments of lookupTransform: target, source and fixed frame."""
+    for name, argument in zip(names, ARGUMENTS, strict=False):
+        check_name(frames, name, f'lookupTransform argument {argument}')
+
+
+def problem(frames: Container[str], *names: str) -> str:
+    """What canTransform says about its arguments; empty when all of them are known frames."""
+    for name, argument in zip(names, ARGUMENTS, strict=False):
+        if name not in frames:
+            rule = _broken_rule(name) or 'frame does not exist'
+            return f'Invalid frame ID "{name}" passed to canTransform argument {argument} - {rule}'
+    return ''
+
+
+def _broken_rule(name: str) -> str:
+    if not isinstance(name, str):
+        raise TypeError(f'a frame name must be str, not {type(name).__name__}')
+    if not name:
+        return 'in tf2 frame_ids cannot be empty'
+    return "in tf2 frame_ids cannot start with a '/'" if name.startswith('/') else ''

@@ -1,0 +1,92 @@
+"""The remembered way between two frames, and the transform along it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import sqrt
+
+from edulaunch.engine.tf.history import History, poses_at
+from edulaunch.engine.tf.quaternions import HUGE, TINY
+from edulaunch.engine.tf.transforms import IDENTITY, Transform, canonical, product, relative
+
+MAX_DEPTH = 1000
+
+
+class Path:
+    """From a source frame up to the first common ancestor, and from the target frame up to it.
+
+    :param up: histories from the source to below the ancestor.
+    :param down: histories from the target to below the ancestor.
+    """
+
+    __slots__ = ('_stamps', 'down', 'dynamic', 'up')
+
+    def __init__(self, up: Sequence[History], down: Sequence[History]) -> None:
+        self.up = up
+        self.down = down
+        self.dynamic = [history for history in (*up, *down) if not history.static]
+        self._stamps = [history.stamps for history in self.dynamic]
+
+    def latest_common_time(self) -> int:
+        """The oldest of the newest stamps; 0 when all is static."""
+        latest = 0
+        for stamps in self._stamps:
+            newest = stamps[-1]
+            if newest and (newest < latest or not latest):
+                latest = newest
+        return latest
+
+    def covers(self, time_ns: int) -> bool:
+        """Whether every history can tell its pose at `time_ns` (0: always)."""
+        if time_ns:
+            for history in self.dynamic:
+                if not history.stamps[history.first] <= time_ns <= history.stamps[-1]:
+                    return False
+        return True
+
+    def at(self, time_ns: int) -> tuple[int, Transform] | None:
+        """(time, target_from_source at that time), 0 being the latest common time; None when something would have to be
+        extrapolated.
+        """
+        stamp_ns = time_ns or self.latest_common_time()
+        found = IDENTITY
+        if self.up:
+            poses = poses_at(self.up, stamp_ns)
+            if poses is None:
+                return None
+            found = product(poses)
+        if self.down:
+            poses = poses_at(self.down, stamp_ns)
+            if poses is None:
+                return None
+            found = relative(product(poses), found)
+        x, y, z, qx, qy, qz, qw = found
+        square = qx * qx + qy * qy + qz * qz + qw * qw
+        if 3.99 * qw * qw > square and TINY < square < HUGE:  # the common case of `canonical`, written out for speed
+            s = 1.0 / sqrt(square) if qw > 0.0 else -1.0 / sqrt(square)
+            return stamp_ns, (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
+        return stamp_ns, canonical(found)
+
+
+def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:
+    """The path by the newest parents; None when there is none, or when it is not the same at all times."""
+    up: list[History] = []
+    place = {source: 0}
+    frame = source
+    while frame != target and (history := frames[frame]) is not None:
+        if history.mixed or not history.stamps or len(up) == MAX_DEPTH:
+            return None
+        up.append(history)
+        frame = history.parents[-1]
+        if frame in place:  # a loop: the exact walk reports it
+            return None
+        place[frame] = len(up)
+    down: list[History] = []
+    frame = target
+    while frame not in place:
+        history = frames[frame]
+        if history is None or history.mixed or not history.stamps or len(down) == MAX_DEPTH:
+            return None
+        down.append(history)
+        frame = history.parents[-1]
+    return Path(up[: place[frame]], down)

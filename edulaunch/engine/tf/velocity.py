@@ -1,0 +1,39 @@
+"""How fast one frame moves as seen from another, from two looks at the buffer."""
+
+from __future__ import annotations
+
+from math import atan2, sqrt
+
+from edulaunch.engine.tf.buffer import TransformBuffer
+from edulaunch.engine.tf.quaternions import Quaternion, Vector, conjugate, multiply
+
+
+def lookup_velocity(
+    buffer: TransformBuffer, tracking: str, observation: str, time_ns: int, averaging_ns: int
+) -> tuple[Vector, Vector]:
+    """(linear in m/s, angular in rad/s) of the tracking frame's origin, in axes of the observation frame.
+
+    The mean over `averaging_ns` around `time_ns` (0: the latest time); the span is moved back where data
+    ends.
+
+    :raises TransformFailure: as :meth:`TransformBuffer.lookup`.
+    """
+    latest_ns = buffer.lookup(observation, tracking)[0]
+    end_ns = min((time_ns or latest_ns) + averaging_ns // 2, latest_ns)
+    start_ns = max(averaging_ns, end_ns) - averaging_ns
+    if end_ns == start_ns:
+        return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    start, end = (buffer.lookup(observation, tracking, start_ns)[1], buffer.lookup(observation, tracking, end_ns)[1])
+    span_s = (end_ns - start_ns) * 1e-9
+    linear = ((end[0] - start[0]) / span_s, (end[1] - start[1]) / span_s, (end[2] - start[2]) / span_s)
+    return linear, _turn_rate(multiply(end[3:], conjugate(start[3:])), span_s)
+
+
+def _turn_rate(turn: Quaternion, span_s: float) -> Vector:
+    """Axis times angle per second of a small rotation, the shorter way round."""
+    x, y, z, w = turn if turn[3] >= 0.0 else (-turn[0], -turn[1], -turn[2], -turn[3])
+    sine = sqrt(x * x + y * y + z * z)
+    if sine == 0.0:
+        return (0.0, 0.0, 0.0)
+    scale = 2.0 * atan2(sine, w) / sine / span_s
+    return (x * scale, y * scale, z * scale)

@@ -1,0 +1,86 @@
+"""The world of turtlesim: a canvas and the turtles on it."""
+
+from __future__ import annotations
+
+from random import Random
+
+from edulaunch.engine.worlds.drawing import SIDE, DrawingLayer, as_float32
+from edulaunch.engine.worlds.turtle import Turtle
+
+PICTURES = ('ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')
+CENTER = as_float32(SIDE / 2.0)
+
+
+class TurtleWorld:
+    """Turtles on a square canvas of :data:`SIDE` metres, updated in alphabetical order of their names.
+
+    :param random: chooses each turtle's picture, the only thing here that is left to chance.
+    """
+
+    def __init__(self, random: Random) -> None:
+        self.turtles: list[Turtle] = []  # alphabetical
+        self.drawing = DrawingLayer()
+        self._random = random
+        self._named = 0
+
+    def find(self, name: str) -> Turtle | None:
+        """The turtle of that name, or None."""
+        for turtle in self.turtles:
+            if turtle.name == name:
+                return turtle
+        return None
+
+    def free_name(self) -> str:
+        """The next automatic name: turtle1, turtle2, ... Numbers of turtles that are gone are not used."""
+        while True:
+            self._named += 1
+            name = f'turtle{self._named}'
+            if self.find(name) is None:
+                return name
+
+    def spawn(self, x: float, y: float, theta: float, name: str = '') -> Turtle | None:
+        """Put a turtle at (x, y, theta), y upward; if that is off the canvas, the first update clamps it.
+
+        :param name: empty for an automatic name.
+        :returns: the turtle, or None when the name is taken.
+        """
+        name = name or self.free_name()
+        if self.find(name) is not None:
+            return None
+        turtle = Turtle(name, self.drawing, x, y, theta, self._random.randrange(len(PICTURES)))
+        self.turtles.append(turtle)
+        self.turtles.sort(key=_name_of)
+        return turtle
+
+    def spawn_first(self) -> Turtle:
+        """Put turtle1 in the middle of an empty world, facing right."""
+        turtle = self.spawn(CENTER, CENTER, 0.0)
+        assert turtle is not None, 'an automatic name is never taken'
+        return turtle
+
+    def kill(self, name: str) -> bool:
+        """Take a turtle away; its trail stays. False when there is none of that name."""
+        turtle = self.find(name)
+        if turtle is not None:
+            self.turtles.remove(turtle)
+        return turtle is not None
+
+    def clear(self) -> None:
+        """Wipe the drawing; the turtles stay where they are."""
+        self.drawing.clear()
+        for turtle in self.turtles:
+            turtle.pen.lift()
+
+    def remove_all(self) -> None:
+        """Take all turtles away and count automatic names from turtle1 again; the drawing stays."""
+        self.turtles.clear()
+        self._named = 0
+
+    def update(self, now_ns: int) -> None:
+        """One tick of 16 ms for every turtle. `now_ns` only decides which commands are too old."""
+        for turtle in self.turtles:
+            turtle.update(now_ns)
+
+
+def _name_of(turtle: Turtle) -> str:
+    return turtle.name

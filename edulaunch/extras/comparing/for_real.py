@@ -1,0 +1,192 @@
+"""A run for real, observed: by a node beside it, and by what its processes write."""
+
+from __future__ import annotations
+
+import base64
+import fcntl
+import json
+import os
+import queue
+import random
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from edulaunch.engine.interfaces.cdr import decode
+from edulaunch.engine.packages import Program as Executable
+from edulaunch.engine.packages.index import interfaces_of
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.errors import EdulaunchError
+from edulaunch.extras.comparing.observation import (
+    BRIEFLY,
+    NOT_COMPARED,
+    End,
+    Flow,
+    Line,
+    Observation,
+    Program,
+    add_messages,
+    is_compared,
+    lines_of,
+    program_of,
+    steady_name,
+)
+from edulaunch.extras.native.command import command
+from edulaunch.extras.native.host import NativeHost
+from edulaunch.extras.network.native_session import NativeSession
+from edulaunch.runtime.session import Session
+
+END_S = 15.0
+"""After Ctrl-C: launch kills what has not ended by then."""
+LOOK_EVERY_S = 0.5
+DOMAINS = range(70, 100)
+"""ROS_DOMAIN_IDs that are safe on every system and that few people use."""
+_OBSERVER = Executable('entry_point', '', 'observer', 'observer', module='edulaunch.extras.native.observer', function='main')
+IsEnough = Callable[[Observation], bool]
+
+
+def run_for_real(
+    path: str,
+    file: str | None,
+    arguments: Mapping[str, str],
+    seconds: float,
+    workspaces: Sequence[str],
+    is_enough: IsEnough = lambda seen: True,
+    patience_s: float = 0.0,
+) -> Observation:
+    """Launch it in a domain of its own on this computer, press Ctrl-C, and say what was seen.
+
+    :param seconds: the run lasts so long, and up to `patience_s` longer until `is_enough` of what was seen.
+    :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
+    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # of a shell's background job, and programs inherit it
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    with _domain() as domain:
+        env = {**os.environ, 'ROS_DOMAIN_ID': str(domain), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
+        with NativeSession(workspaces=workspaces, env=env) as session, _observer(session) as ask:
+            watch = _Watch(session)
+            launch = session.launch(path, file, arguments)
+            _run(session, seconds)
+            watch.add(ask('look'))
+            while not session.is_over and watch.now_s < seconds + patience_s and not is_enough(watch.seen()):
+                _run(session, LOOK_EVERY_S)
+                watch.add(ask('look'))
+            launch.raise_error()
+            watch.add(ask('end'))
+            asked_s = watch.now_s
+            session.interrupt()
+            _run(session, END_S)
+            return watch.seen()._replace(asked_s=asked_s)
+
+
+def _run(session: Session, seconds: float) -> None:
+    """Let real time pass.
+
+    :raises KeyboardInterrupt: somebody pressed Ctrl-C; what was seen until then is no comparison.
+    """
+    if session.run(seconds, speed=1.0):
+        raise KeyboardInterrupt
+
+
+@contextmanager
+def _domain() -> Iterator[int]:
+    """A domain that no other comparison of this computer uses meanwhile."""
+    for number in random.SystemRandom().sample(DOMAINS, len(DOMAINS)):
+        with open(os.path.join(tempfile.gettempdir(), f'edulaunch-{os.getuid()}-domain-{number}'), 'w') as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                continue
+            yield number
+            return
+    raise EdulaunchError(f'{len(DOMAINS)} comparisons run already.', help='wait until some are through')
+
+
+@contextmanager
+def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
+    """A node that notes what it sees; it answers a word with what it knows, while the session goes on.
+
+    :raises EdulaunchError: it did not come up, or it died.
+    """
+    assert isinstance(session.host, NativeHost)
+    words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)
+    pipes: dict[str, Any] = {'stdin': subprocess.PIPE, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE}
+    with subprocess.Popen([*words, 'observer'], env=session.host.env, text=True, start_new_session=True, **pipes) as child:
+        assert child.stdin is not None and child.stdout is not None and child.stderr is not None
+        tell, lines = child.stdin, iter(child.stdout.readline, '')
+        answers: queue.SimpleQueue[str] = queue.SimpleQueue()
+
+        def hear() -> None:
+            for line in lines:
+                answers.put(line)
+            answers.put('')
+
+        def ask(word: str) -> Any:
+            tell.write(f'{word}\n')
+            tell.flush()
+            while answers.empty() and not session.is_over:
+                _run(session, 0.05)
+            answer = answers.get()
+            if not answer:
+                raise EdulaunchError('the observer of the real run died.')
+            return json.loads(answer)
+
+        try:
+            if next(lines, '') != 'ready\n':
+                raise EdulaunchError('nothing could be observed:\n' + ''.join(child.stderr.readlines()[-5:]))
+            threading.Thread(target=hear, daemon=True).start()
+            yield ask
+        finally:
+            child.kill()
+
+
+class _Watch:
+    """What the observer of a run has told until now, and what its processes wrote; times count from here."""
+
+    def __init__(self, session: Session) -> None:
+        assert isinstance(session.host, NativeHost)
+        self._host, self._began_s = session.host, time.time()
+        self._registry = interfaces_of(session.index)[1]
+        self._nodes: dict[str, float] = {}
+        self._ends: dict[End, tuple[str, float]] = {}
+        self._flows: dict[str, Flow] = {}
+        self._parameters: dict[str, dict[str, Any]] = {}
+
+    def add(self, told: Any) -> None:
+        """What the observer told."""
+        self._nodes.update({steady_name(node): when - self._began_s for node, when in told['nodes'].items() if is_compared(node)})
+        for kind, name, type_name, node, qos, when in told['ends']:
+            if is_compared(node):
+                self._ends.setdefault(End(kind, steady_name(name), type_name, steady_name(node)), (qos, when - self._began_s))
+        for topic, (type_name, rows) in told['messages'].items():
+            if topic not in NOT_COMPARED and rows:
+                cls: Any = self._registry.get(type_name)
+                wires = ((when - self._began_s, decode(cls, base64.b64decode(data))) for when, data in rows)
+                add_messages(self._flows, topic, type_name, wires, self._registry.get)
+        self._parameters = {steady_name(node): values for node, values in told['parameters'].items()}
+
+    @property
+    def now_s(self) -> float:
+        """How long the run has lasted."""
+        return time.time() - self._began_s
+
+    def seen(self) -> Observation:
+        """What is known until now."""
+        lines: list[Line] = []
+        programs: dict[str, Program] = {}
+        began_s = self._began_s
+        for run in self._host.runs:
+            for stream in ('stdout', 'stderr'):
+                pieces = [(when - began_s, text) for when, each, text in run.written if each == stream]
+                lines += lines_of(program_of(run.name), pieces)
+            ended_s = None if run.ended_s is None else run.ended_s - began_s
+            signalled_s = run.signalled_s - began_s
+            spoke_s = run.written[0][0] - began_s if run.written else BRIEFLY
+            programs[run.name] = Program(run.started_s - began_s, ended_s, run.returncode, frozenset(), signalled_s, spoke_s)
+        return Observation(self._nodes, self._ends, self._parameters, self._flows, lines, programs, self.now_s, began_s)

@@ -1,0 +1,76 @@
+"""Differences that are known, from a table in YAML: they are named with their reason, and do not count."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fnmatch import fnmatchcase
+from typing import NamedTuple
+
+from edulaunch.errors import UnusableInput
+from edulaunch.extras.comparing.differing import Difference
+
+
+class Known(NamedTuple):
+    """One row of the table; `file`, `kind`, `name`, `simulated` and `real` are patterns as in a shell.
+
+    :ivar file: the words of the comparison, with one blank between them.
+    :ivar why: the reason, in words.
+    :ivar sometimes: whether it depends on chance, so that nobody minds when it does not occur.
+    """
+
+    file: str
+    why: str
+    kind: str = '*'
+    name: str = '*'
+    simulated: str = '*'
+    real: str = '*'
+    sometimes: bool = False
+
+    def is_about(self, words: Sequence[str]) -> bool:
+        """Whether it is about this comparison."""
+        return fnmatchcase(' '.join(words), self.file)
+
+    def covers(self, words: Sequence[str], difference: Difference) -> bool:
+        """Whether it explains this difference."""
+        patterns = self.kind, self.name, self.simulated, self.real
+        return self.is_about(words) and all(map(fnmatchcase, difference[:4], patterns))
+
+
+BY_DESIGN = [
+    Known(
+        '*',
+        'the planar Waffle hears Twist and TwistStamped; a real program can hear one type on a topic',
+        'subscription',
+        '/cmd_vel of /turtlebot3_diff_drive',
+        sometimes=True,
+    ),
+    Known('*', 'the client was gone', 'output', real='*failed to send response (timeout)*', sometimes=True),
+    Known('*', 'the client was gone', 'output', real='*self.__service.service_send_response(*', sometimes=True),
+]
+"""What anybody may meet, and nobody can change."""
+
+
+def reason(known: Sequence[Known], words: Sequence[str], difference: Difference) -> Known | None:
+    """The first row that explains a difference, if any does."""
+    return next((one for one in known if one.covers(words, difference)), None)
+
+
+def split(known: Sequence[Known], words: Sequence[str], found: Sequence[Difference]) -> tuple[list[Difference], list[Known]]:
+    """What nothing of the table explains, and the rows that explain the rest."""
+    rows = {each: reason(known, words, each) for each in found}
+    return [each for each in found if rows[each] is None], list(dict.fromkeys(row for row in rows.values() if row))
+
+
+def read_known(path: str) -> list[Known]:
+    """The table in a file: a list of mappings with the names of :class:`Known`.
+
+    :raises UnusableInput: when it cannot be read, or a row is not such a row.
+    """
+    import yaml
+
+    try:
+        with open(path, encoding='utf-8') as file:
+            return [Known(**row) for row in yaml.safe_load(file) or ()]
+    except (OSError, ValueError, TypeError, yaml.YAMLError) as error:
+        help = f'a list of mappings with {", ".join(Known._fields)}, of which file and why are needed'
+        raise UnusableInput(f'{path!r} is no table of known differences: {error}', help=help) from None

@@ -1,0 +1,212 @@
+"""What can be seen of a run from outside, in the same words for both worlds. Times are seconds since launch began."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, NamedTuple
+
+from edulaunch.engine.interfaces.message import Message
+
+ClassOf = Callable[[str], type[Message]]
+NOT_COMPARED = ('/rosout', '/parameter_events')
+"""Topics whose messages are seen elsewhere: as output, and as parameters."""
+BRIEFLY = float('inf')
+_HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
+_STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')
+_NUMBER = re.compile(r'-?\d+(\.\d+)?(e[+-]?\d+)?')
+_ROW = re.compile(r'#(,? +#)+')
+_UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+|(?<=_)[A-Za-z0-9]{16}(?=\W|$)|(?<=edulaunch-compare-)\w+')
+_SOURCE = re.compile(r', at /\S+\.\w+:\d+')
+"""Where in its own source rcl found a mistake."""
+_NOISE = re.compile(r'\x1b\[[\d;]*m\[?\x1b|RTPS_TRANSPORT_SHM')
+"""What Fast DDS itself has to say of other processes of this computer."""
+_TRANSFORMS = 'tf2_msgs/msg/TFMessage'
+
+
+class End(NamedTuple):
+    """A publisher, subscription, service or client (`kind`) of a node."""
+
+    kind: str
+    name: str
+    type: str
+    node: str
+
+
+class Range(NamedTuple):
+    """What the values of a field were: the range of its numbers (low is above high when there are none), or its texts."""
+
+    low: float
+    high: float
+    texts: frozenset[str]
+
+    def __str__(self) -> str:
+        if self.texts:
+            return ', '.join(sorted(map(repr, self.texts))[:3])
+        if self.low > self.high:
+            return 'nothing'
+        return f'{self.low:.6g}' if self.low == self.high else f'{self.low:.6g} to {self.high:.6g}'
+
+
+class Values:
+    """What one field of a topic was over time: its numbers, and its texts with numbers masked."""
+
+    def __init__(self) -> None:
+        self._numbers: list[tuple[float, float]] = []
+        self._texts: dict[str, float] = {}
+
+    def add(self, time_s: float, value: Any) -> None:
+        """One more value."""
+        if isinstance(value, str):
+            self._texts.setdefault(masked(value), time_s)
+        elif isinstance(value, (bool, int, float)):
+            self._numbers.append((time_s, value))
+        elif len(value) > 2 and not isinstance(value[0], str):
+            self.add(time_s, min(value))
+            self.add(time_s, max(value))
+        else:
+            for each in value:
+                self.add(time_s, each)
+
+    def between(self, begin_s: float, end_s: float) -> Range:
+        """What it was in a span of time."""
+        numbers = [value for time_s, value in self._numbers if begin_s <= time_s <= end_s]
+        texts = frozenset(text for text, time_s in self._texts.items() if begin_s <= time_s <= end_s)
+        return Range(min(numbers, default=float('inf')), max(numbers, default=float('-inf')), texts)
+
+    @property
+    def range(self) -> Range:
+        """What it was all the time."""
+        return self.between(float('-inf'), float('inf'))
+
+
+class Flow(NamedTuple):
+    """The messages of a topic, or the transforms of one frame in another."""
+
+    times: list[float]
+    fields: dict[str, Values]
+
+
+class Line(NamedTuple):
+    """A line that a program wrote, with numbers masked."""
+
+    process: str
+    text: str
+    time_s: float
+
+
+class Program(NamedTuple):
+    """When a program was started and when it ended (None: it still runs), the nodes it made, as far as they are known, and when
+    it got its first signal and wrote its first line.
+    """
+
+    started_s: float
+    ended_s: float | None = None
+    returncode: int | None = None
+    nodes: frozenset[str] = frozenset()
+    signalled_s: float = BRIEFLY
+    spoke_s: float = BRIEFLY
+
+
+class Observation(NamedTuple):
+    """Everything that was seen.
+
+    :ivar nodes: when each was there first; :data:`BRIEFLY` for one that was gone before everybody can have found it.
+    :ivar ends: their QoS (reliability and durability) and when they were there first, as for nodes.
+    :ivar parameters: at the end, by node.
+    :ivar flows: by topic, or 'tf a -> b'.
+    :ivar lines: what programs wrote.
+    :ivar programs: by launch name.
+    :ivar asked_s: when Ctrl-C was pressed.
+    :ivar start_s: when launch began, in seconds since 1970.
+    """
+
+    nodes: dict[str, float]
+    ends: dict[End, tuple[str, float]]
+    parameters: dict[str, dict[str, Any]]
+    flows: dict[str, Flow]
+    lines: list[Line]
+    programs: dict[str, Program]
+    asked_s: float
+    start_s: float = 0.0
+
+    @property
+    def codes(self) -> dict[str, list[int]]:
+        """The exit codes of each program that has ended, by launch name without its number."""
+        codes: dict[str, list[int]] = {}
+        for name, program in self.programs.items():
+            if program.returncode is not None:
+                codes.setdefault(program_of(name), []).append(program.returncode)
+        return codes
+
+    def until_asked(self) -> Observation:
+        """Without what came of Ctrl-C."""
+        lines = [line for line in self.lines if line.time_s < self.asked_s]
+        programs = {
+            name: program._replace(ended_s=None, returncode=None) if (program.ended_s or 0.0) >= self.asked_s else program
+            for name, program in self.programs.items()
+        }
+        return self._replace(lines=lines, programs=programs)
+
+
+def is_compared(node: str) -> bool:
+    """Whether a node is one of the launch file's: not of a command, an observer or launch itself."""
+    return _HIDDEN_NODE.search(node) is None
+
+
+def masked(text: str) -> str:
+    """A line of output without what differs from run to run: times, identities, numbers and how many."""
+    text = _UNIQUE.sub('#', _STAMPED_LOG.sub('[#]', _SOURCE.sub('', text)))
+    return _ROW.sub('#', _NUMBER.sub('#', text)).rstrip()
+
+
+def steady_name(node: str) -> str:
+    """The name of a node without letters by chance (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
+    return _UNIQUE.sub('#', node)
+
+
+def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line]:
+    """The lines in what a program wrote piece by piece; of a traceback only the error: its frames are those of one world."""
+    rest, in_traceback, last_s = '', False, 0.0
+    for time_s, piece in (*pieces, (None, '\n')):
+        last_s = last_s if time_s is None else time_s
+        *whole, rest = (rest + piece).split('\n')
+        for text in whole:
+            in_traceback = text.startswith('Traceback ') or (in_traceback and text.startswith(' '))
+            if text.strip() and not in_traceback and not _NOISE.search(text):
+                yield Line(process, masked(text), last_s)
+
+
+def program_of(name: str) -> str:
+    """A launch name without its number: 'talker-1' -> 'talker'."""
+    return name.rpartition('-')[0] or name
+
+
+def add_messages(
+    flows: dict[str, Flow], topic: str, type_name: str, rows: Iterable[tuple[float, Any]], class_of: ClassOf
+) -> None:
+    """Add the wires of a topic."""
+    for time_s, wire in rows:
+        if type_name == _TRANSFORMS:
+            for transform in wire[0]:
+                flow = flows.setdefault(f'tf {transform[2]} -> {transform[3]}', Flow([], {}))
+                flow.times.append(time_s)
+                _add(flow.fields, '', class_of('geometry_msgs/msg/TransformStamped'), time_s, transform, class_of)
+        else:
+            flow = flows.setdefault(topic, Flow([], {}))
+            flow.times.append(time_s)
+            _add(flow.fields, '', class_of(type_name), time_s, wire, class_of)
+
+
+def _add(
+    fields: dict[str, Values], before: str, cls: type[Message], time_s: float, wire: tuple[Any, ...], class_of: ClassOf
+) -> None:
+    for (path, text), value in zip(cls.wire_type(), wire, strict=True):
+        nested, bracket, _ = text.partition('[')
+        if path.endswith(('stamp.sec', 'stamp.nanosec')) or cls.TYPE == 'builtin_interfaces/msg/Time' or 'goal_id' in path:
+            continue
+        if bracket and '/' in nested:
+            for each in value:
+                _add(fields, f'{before}{path}[].', class_of(nested), time_s, each, class_of)
+        else:
+            fields.setdefault(before + path, Values()).add(time_s, value)

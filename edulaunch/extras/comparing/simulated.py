@@ -1,0 +1,155 @@
+"""A run in simulation, observed: everything is read from its recording."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.packages.index import interfaces_of
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.recorder import Recorder
+from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
+from edulaunch.extras.comparing.observation import (
+    BRIEFLY,
+    NOT_COMPARED,
+    ClassOf,
+    End,
+    Flow,
+    Line,
+    Observation,
+    Program,
+    add_messages,
+    is_compared,
+    lines_of,
+    program_of,
+    steady_name,
+)
+from edulaunch.runtime.session import Session
+
+FOUND_S = 3.0
+"""A node or an end of one that lasts longer is found by everybody for real."""
+END_S = 15.0
+"""After Ctrl-C."""
+
+
+class LateHost(Host):
+    """A host whose programs take their time to come up: `delays_s`, by launch name, as it was for real."""
+
+    delays_s: Mapping[str, float] = {}
+
+    def begin(self, process: Process) -> None:
+        """See `Host.begin`."""
+        delay_ns = round(self.delays_s.get(process.name, 0.0) * 1e9)
+        if delay_ns:
+            self.sim.schedule(self.sim.now_ns + delay_ns, process.task.start)
+        else:
+            super().begin(process)
+
+
+class EndsRecorder(Recorder):
+    """A recorder that notes when publishers, subscriptions, services and clients have gone.
+
+    :ivar gone_s: by their number.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        super().__init__(sim)
+        self.gone_s: dict[int, float] = {}
+
+    def endpoint_removed(self, kind: str, endpoint: Any) -> None:
+        """See `Recorder.endpoint_removed`."""
+        super().endpoint_removed(kind, endpoint)
+        self.gone_s[endpoint.index] = (self.sim.now_ns - self.sim.start_ns) / 1e9
+
+
+class LateSession(Session):
+    """A session with such a host and recorder."""
+
+    host_class = LateHost
+    recorder_class = EndsRecorder
+
+
+def simulate(
+    path: str,
+    file: str | None,
+    arguments: Mapping[str, str],
+    seconds: float,
+    workspaces: Sequence[str],
+    delays_s: Mapping[str, float] | None = None,
+    start_s: float = EPOCH_NS / 1e9,
+    seed: int = 0,
+) -> Observation:
+    """Run it, press Ctrl-C after `seconds`, and say what was seen.
+
+    :param delays_s: how long programs take to come up, by launch name.
+    :param start_s: the time of day at which it begins, in seconds since 1970.
+    :param seed: of its random numbers.
+    :raises UnusableInput: when it cannot be launched at all.
+    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
+    """
+    with LateSession(workspaces=workspaces, start_ns=round(start_s * 1e9), seed=seed) as session:
+        assert isinstance(session.host, LateHost) and isinstance(session.recorder, EndsRecorder)
+        session.host.delays_s = delays_s or {}
+        launch = session.launch(path, file, arguments)
+        was_stopped = session.run(seconds)
+        launch.raise_error()
+        session.interrupt()
+        if session.run(END_S) or was_stopped:
+            raise KeyboardInterrupt
+        recording = session.recording()
+        gone = [session.recorder.gone_s.get(row[4], END_S + seconds) for row in session.recorder.endpoints]
+        return observe(recording, gone, seconds, interfaces_of(session.index)[1].get)
+
+
+def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class_of: ClassOf) -> Observation:
+    """What a recording shows; Ctrl-C was pressed at `asked_s`, and each of its ends was gone at `gone_s`."""
+    nodes: dict[str, float] = {}
+    for node in recording.nodes:
+        if is_compared(node.name):
+            lasted_s = (asked_s if node.ended_s is None else node.ended_s) - node.started_s
+            when = node.started_s if lasted_s > FOUND_S else BRIEFLY
+            name = steady_name(node.name)
+            nodes[name] = min(when, nodes.get(name, BRIEFLY))
+    ends: dict[End, tuple[str, float]] = {}
+    for record, end_s in zip(recording.ends, gone_s, strict=True):
+        if is_compared(record.node):
+            qos = QoS(*record.qos) if record.kind in ('publisher', 'subscription') else None
+            words = '' if qos is None else f'{qos.reliability} {qos.durability}'
+            name = steady_name(record.node)
+            is_brief = nodes[name] == BRIEFLY or end_s < min(asked_s, record.made_s + FOUND_S)
+            when = BRIEFLY if is_brief else record.made_s
+            end = End(record.kind, steady_name(record.name), record.type, name)
+            ends[end] = min(ends.get(end, (words, when)), (words, when), key=lambda each: each[1])
+    known = dict.fromkeys(node.name for node in recording.nodes if is_compared(node.name))
+    parameters = {steady_name(name): {key: each.value for key, each in recording.parameters(name).items()} for name in known}
+    flows: dict[str, Flow] = {}
+    for topic, record_of in recording.topics.items():
+        if topic not in NOT_COMPARED and record_of.publishers:
+            published = recording.published(topic, record_of.type)
+            lasting = [
+                (time / 1e9, wire)
+                for time, node, wire in published
+                if nodes.get(steady_name(node)) != BRIEFLY and time / 1e9 <= asked_s
+            ]
+            add_messages(flows, topic, record_of.type, lasting, class_of)
+            flows.setdefault(topic, Flow([], {}))
+    nodes_of: dict[str, set[str]] = {}
+    for node in recording.nodes:
+        nodes_of.setdefault(node.process, set()).add(steady_name(node.name))
+    programs = {
+        each.name: Program(each.started_s, each.ended_s, each.returncode, frozenset(nodes_of.get(each.name, ())))
+        for each in recording.processes
+        if each.name != 'launch'
+    }
+    return Observation(nodes, ends, parameters, flows, _lines(recording), programs, asked_s)
+
+
+def _lines(recording: Recording) -> list[Line]:
+    pieces: dict[tuple[str, str], list[tuple[float, str]]] = {}
+    for output in recording.output:
+        if output.process != 'launch':
+            pieces.setdefault((output.process, output.stream), []).append((output.time_s, output.text))
+    return [line for (process, _), written in pieces.items() for line in lines_of(program_of(process), written)]

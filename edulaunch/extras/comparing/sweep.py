@@ -1,0 +1,121 @@
+"""Many launch files in both worlds, several side by side, each comparison a program of its own."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from typing import NamedTuple
+
+from edulaunch.extras.comparing.differing import Difference
+from edulaunch.extras.comparing.known import Known
+
+LONGEST_S = 240.0
+"""So much longer than `--for` a comparison may take: on the busiest computer less, so that one which hangs is found."""
+LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
+
+
+class Row(NamedTuple):
+    """One launch file.
+
+    :ivar words: as for `edulaunch compare`.
+    :ivar found: what differs and is not known.
+    :ivar known: what explains the rest.
+    :ivar trouble: why there is no result.
+    """
+
+    words: tuple[str, ...]
+    found: tuple[Difference, ...] = ()
+    known: tuple[Known, ...] = ()
+    trouble: str = ''
+
+    @property
+    def verdict(self) -> str:
+        """In a word or two."""
+        if self.trouble:
+            return 'not compared'
+        return 'differs' if self.found else 'known' if self.known else 'equal'
+
+    @property
+    def is_well(self) -> bool:
+        """Whether nothing differs that is not known."""
+        return not self.trouble and not self.found
+
+
+def launch_files(folder: str) -> Iterator[str]:
+    """The launch files in a folder and those below, without hidden ones and what was built."""
+    for place, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name[0] not in '._' and name not in ('build', 'install', 'log'))
+        yield from (os.path.join(place, name) for name in sorted(names) if name.endswith(LAUNCH_ENDINGS))
+
+
+def sweep(
+    items: Sequence[Sequence[str]],
+    seconds: float,
+    jobs: int,
+    options: Sequence[str] = (),
+    folder_of: Callable[[Sequence[str]], str | None] = lambda words: None,
+    progress: Callable[[Row], object] = lambda row: None,
+) -> list[Row]:
+    """Compare each, `jobs` at a time; rows in the order of the items.
+
+    :param items: each the words of one comparison: a path, or a package and a file, and launch arguments.
+    :param options: further ones of each comparison.
+    :param folder_of: where each is launched, if not here.
+    :param progress: told of each row when it is there.
+    :raises KeyboardInterrupt: after Ctrl-C, when those that ran have ended.
+    """
+    rows: dict[int, Row] = {}
+    running: list[subprocess.Popen[str]] = []
+    with ThreadPoolExecutor(jobs) as pool:
+        futures = {
+            pool.submit(_row, tuple(words), seconds, options, folder_of(words), running): number
+            for number, words in enumerate(items)
+        }
+        try:
+            for future in as_completed(futures):
+                rows[futures[future]] = future.result()
+                progress(future.result())
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)
+            for child in list(running):
+                child.terminate()
+            raise
+    return [rows[number] for number in sorted(rows)]
+
+
+def _row(
+    words: tuple[str, ...], seconds: float, options: Sequence[str], folder: str | None, running: list[subprocess.Popen[str]]
+) -> Row:
+    command = [sys.executable, '-m', 'edulaunch', 'compare', *words, '--for', str(seconds), '--json', *options]
+    with subprocess.Popen(
+        command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors='replace'
+    ) as child:
+        running.append(child)
+        try:
+            told, complaint = child.communicate(timeout=seconds + LONGEST_S)
+        except subprocess.TimeoutExpired:
+            child.kill()  # which ends what it has started, too
+            return Row(words, trouble=f'took more than {seconds + LONGEST_S:g} s')
+        finally:
+            running.remove(child)
+    if child.returncode not in (0, 1) or not told:
+        lines = [line for line in complaint.splitlines() if line.strip()] or ['no result']
+        return Row(words, trouble=next((line for line in lines if 'error: ' in line), lines[-1]))
+    rows = json.loads(told)
+    return Row(words, tuple(Difference(**each) for each in rows['differences']), tuple(Known(**each) for each in rows['known']))
+
+
+def gone(known: Sequence[Known], rows: Sequence[Row]) -> list[Known]:
+    """What is known of these launch files and did not occur, apart from what depends on chance."""
+    compared = [row for row in rows if not row.trouble]
+    return [
+        each
+        for each in known
+        if not each.sometimes
+        and any(each.is_about(row.words) for row in compared)
+        and not any(each in row.known for row in compared)
+    ]

@@ -1,0 +1,170 @@
+"""The few names that our rclpy has besides ROS 2's, for programs of ours on the real one; each by means of its public names."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Callable
+from functools import cached_property
+from importlib.machinery import ModuleSpec, PathFinder
+from importlib.util import module_from_spec, spec_from_file_location
+from types import ModuleType
+from typing import Any
+
+from edulaunch.engine.interfaces.cdr import decode, encode
+
+AT_ONCE = 100
+"""So many callbacks are run in one go by `spin_ready`, before what comes later has its turn."""
+_ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'rosidl_pycommon'))
+
+
+class Faces:
+    """Finds our packages of Python modules before any others of those names; rclpy and what belongs to it are the real ones."""
+
+    def __init__(self, folder: str) -> None:
+        self._folder = folder
+
+    def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
+        """Part of the import protocol."""
+        if path is not None or name in _ITS_OWN or not os.path.isdir(os.path.join(self._folder, name)):
+            return None
+        return PathFinder.find_spec(name, [self._folder])
+
+
+def install(faces: str) -> None:
+    """Let our programs find what they need in the real rclpy.
+
+    :param faces: the folder of our Python packages.
+    """
+    sys.meta_path.insert(0, Faces(faces))
+    _own_module('rclpy.impl.passed_on', os.path.join(faces, 'rclpy', 'impl', 'passed_on.py'))
+    _modules()
+    _messages()
+    _times()
+    _executors()
+
+
+def _own_module(name: str, path: str) -> None:
+    spec = spec_from_file_location(name, path)
+    assert spec is not None and spec.loader is not None
+    module = sys.modules[name] = module_from_spec(spec)
+    spec.loader.exec_module(module)
+
+
+def _modules() -> None:
+    core = sys.modules['rclpy.node_parts.core'] = ModuleType('rclpy.node_parts.core')
+    core.core_of = _NodeFacts.of  # type: ignore[attr-defined]
+    sys.modules['rclpy.node_parts'] = ModuleType('rclpy.node_parts')
+
+
+def _messages() -> None:
+    """Wire tuples instead of messages, which saves making one."""
+    from rclpy.context import Context
+    from rclpy.node import Node
+    from rclpy.publisher import Publisher
+    from rclpy.subscription import Subscription
+
+    def send(publisher: Any, wire: tuple[Any, ...]) -> None:
+        publisher.publish(encode(publisher.msg_type, wire))
+
+    def take_wires(subscription: Any, callback: Callable[[Any], object]) -> None:
+        kind = subscription.msg_type
+        subscription.raw = True
+        subscription.callback = lambda data: callback(decode(kind, data))
+
+    from rclpy.utilities import get_default_context
+
+    add: Callable[..., None] = _add
+    add(Publisher, send_wire=send, context=property(lambda each: get_default_context()))
+    add(Subscription, take_wires=take_wires)
+    add(Context, alive=property(lambda context: context.ok()), park=_park, waits=[])
+    add(Node, _rclpy=property(_NodeFacts.of))
+
+
+def _park(context: Any, deadline_ns: int | None) -> None:
+    """Wait a moment, at the longest until the deadline: with what `waits` has, if anything."""
+    left_s = 0.05 if deadline_ns is None else (deadline_ns - time.time_ns()) / 1e9
+    for wait in context.waits or (time.sleep,):
+        wait(max(0.0, min(left_s, 0.05)))
+
+
+class _NodeFacts:
+    """What a node of ours knows of itself: its names, and the parameter values given from outside."""
+
+    destroyed = True  # to those that ask whether there is anything to tell of it
+
+    def __init__(self, node: Any) -> None:
+        self._node = node
+
+    @classmethod
+    def of(cls, node: Any) -> _NodeFacts:
+        """Those of a node, made once."""
+        found: _NodeFacts = node.__dict__.setdefault('_edulaunch_facts', cls(node))
+        return found
+
+    @property
+    def takes_any_type(self) -> bool:
+        """Whether it may hear several types on a topic: never for real, whatever is asked for."""
+        return False
+
+    @takes_any_type.setter
+    def takes_any_type(self, wanted: bool) -> None:
+        pass
+
+    def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
+        """The absolute name; unless it is only expanded, remapped."""
+        resolve = self._node.resolve_topic_name if kind == 'topic' else self._node.resolve_service_name
+        return str(resolve(name, only_expand=only_expand))
+
+    @cached_property
+    def graph(self) -> Any:
+        """What can be recorded."""
+        from edulaunch.engine.processes.current import current_process
+        from edulaunch.extras.native.bag_topics import BagTopics
+
+        return BagTopics(self._node, current_process())
+
+    @property
+    def entry(self) -> Any:
+        """Stands for the node there."""
+        return self.graph.entry
+
+    @property
+    def overrides(self) -> Any:
+        """The values of the command line and its parameter files."""
+        from edulaunch.engine.graph.ros_arguments import parse_ros_arguments
+
+        return parse_ros_arguments(sys.argv).overrides_for(self._node.get_fully_qualified_name())
+
+
+def _times() -> None:
+    from rclpy.clock import Clock
+    from rclpy.time import Time
+
+    _add(Clock, now_ns=lambda clock: clock.now().nanoseconds)
+    _add(Time, _nanoseconds=property(lambda each: each.nanoseconds))
+
+
+def _executors() -> None:
+    from rclpy.executors import SingleThreadedExecutor
+
+    _add(SingleThreadedExecutor, spin_ready=_spin_ready)
+
+
+def _spin_ready(executor: Any) -> None:
+    from rclpy.executors import ShutdownException, TimeoutException
+
+    for _ in range(AT_ONCE):
+        try:
+            handler, _, _ = executor.wait_for_ready_callbacks(timeout_sec=0)
+        except (TimeoutException, ShutdownException):
+            return
+        handler()
+        if handler.exception() is not None:
+            raise handler.exception()
+
+
+def _add(kind: Any, **names: object) -> None:
+    for name, value in names.items():
+        setattr(kind, name, value)

@@ -1,0 +1,179 @@
+"""What programs of ours ask the engine for, in a process of its own: real time, real threads, this process.
+
+Registered under the names of the engine's modules that they import; the engine itself is not loaded.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import sys
+import threading
+import time
+from functools import cached_property
+from importlib import import_module
+from select import select
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from edulaunch.engine.underlay_place import engine_folder
+
+if TYPE_CHECKING:
+    from edulaunch.engine.packages import Index
+
+DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
+"""Who misses the first announcements of a node hears the next one after three seconds."""
+
+
+class RealTime:
+    """Time in place of a simulation's."""
+
+    def __init__(self) -> None:
+        self.start_ns = time.time_ns()
+
+    @property
+    def now_ns(self) -> int:
+        """The time, in ns since 1970."""
+        return time.time_ns()
+
+    def random(self, name: str) -> random.Random:
+        """Chance, which does not repeat here."""
+        return random.Random()
+
+
+class RealTask:
+    """This thread in place of a task."""
+
+    def __init__(self, sim: RealTime, owner: ThisProcess) -> None:
+        self.sim = sim
+        self.owner = owner
+
+    def sleep_until(self, at_ns: int) -> None:
+        """Sleep until a time of :class:`RealTime`."""
+        time.sleep(max(0, at_ns - time.time_ns()) / 1e9)
+
+    def poll(self) -> None:
+        """A program that looks at the clock in a loop waits by doing so."""
+
+
+class _Loader:
+    """Modules of this process are Python's own."""
+
+    modules = sys.modules
+
+    def import_(self, name: str) -> ModuleType:
+        return import_module(name)
+
+
+class RealHost:
+    """This computer in place of a machine."""
+
+    is_real = True
+
+    def where_on_network(self) -> str:
+        """Which network its programs are on, and by what."""
+        from rclpy import get_rmw_implementation_identifier
+
+        domain = os.environ.get('ROS_DOMAIN_ID') or '0'
+        return f'domain {domain}, by {get_rmw_implementation_identifier()}'
+
+    def discover(self, node: Any) -> None:
+        """Wait until it is known who is there: for so long, and on until nothing new has come for a moment.
+
+        A computer that is busy answers late.
+        """
+        began_s = changed_s = time.monotonic()
+        known: object = None
+        while (now_s := time.monotonic()) < began_s + LONGEST_DISCOVERY_S and node.context.ok():
+            found = sorted(node.get_node_names_and_namespaces()), sorted(node.get_topic_names_and_types())
+            if found != known:
+                known, changed_s = found, now_s
+            elif now_s > max(began_s + DISCOVERY_S, changed_s + SETTLED_S):
+                break
+            time.sleep(0.05)
+
+
+class ThisProcess:
+    """This process in place of a simulated one. What advice is made of is nobody's here."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.host = RealHost()
+        self.sim = RealTime()
+        self.state: dict[str, Any] = {}
+        self.loader = _Loader()
+        self.env = os.environ
+        self.returncode = None
+        self.pid = os.getpid()
+        self.cwd = os.getcwd()
+        self.sourced_path = os.environ.get('AMENT_PREFIX_PATH', '')
+
+    @property
+    def argv(self) -> list[str]:
+        """Its command line."""
+        return sys.argv
+
+    @property
+    def stdin(self) -> Any:
+        """What it reads."""
+        stdin: Any = sys.stdin
+        stdin.is_ready = lambda: bool(select([stdin], (), (), 0)[0])
+        return stdin
+
+    @property
+    def stdout(self) -> Any:
+        """Where it writes."""
+        return sys.stdout
+
+    @property
+    def stderr(self) -> Any:
+        """Where it complains."""
+        return sys.stderr
+
+    @cached_property
+    def index(self) -> Index:
+        """The packages that it finds."""
+        from edulaunch.engine.packages import Index
+
+        return Index([path for path in self.sourced_path.split(os.pathsep) if path])
+
+    def write(self, stream: str, text: str) -> None:
+        """Write on 'stdout' or 'stderr'."""
+        getattr(sys, stream).write(text)
+        getattr(sys, stream).flush()
+
+    def exit_now(self, code: int) -> NoReturn:
+        """End at once: with a code, or by the signal that a negative one names."""
+        if code < 0:
+            signal.signal(-code, signal.SIG_DFL)
+            os.kill(os.getpid(), -code)
+        os._exit(code)
+
+    def fact(self, kind: str, key: object, data: object) -> None:
+        """Nobody keeps it."""
+
+    def fact_over(self, kind: str, key: object) -> None:
+        """Nobody kept it."""
+
+
+def install(name: str) -> ThisProcess:
+    """Stand in for the engine in this process."""
+    process = ThisProcess(name)
+    task = RealTask(process.sim, process)
+    _module('edulaunch.engine.sim.task', current_task=lambda: task, running_task=lambda: task)
+    _module('edulaunch.engine.sim.sync', sleep=time.sleep, Lock=threading.Lock)
+    _module('edulaunch.engine.processes.current', current_process=lambda: process)
+    _module('edulaunch.engine.processes.whose_code', student_line=dict)
+    _module('edulaunch.engine.processes', current_process=lambda: process).__path__ = [_folder('processes')]
+    return process
+
+
+def _folder(room: str) -> str:
+    return os.path.join(engine_folder(), 'engine', room)
+
+
+def _module(name: str, **values: object) -> ModuleType:
+    module = sys.modules[name] = ModuleType(name)
+    module.__dict__.update(values)
+    return module

@@ -1,0 +1,176 @@
+"""Starts the programs of a launch as real processes on the real rclpy; launch itself stays what it is."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import shlex
+import sys
+import time
+from functools import cached_property
+from tempfile import TemporaryDirectory
+from typing import TextIO
+
+from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.real import RealProcess
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.extras.native.command import HOME, command
+from edulaunch.extras.native.environment import Environment, needed
+
+NATIVE_KINDS = ('entry_point', 'script', 'module')
+ROS2 = Program('ros2', '', 'ros2', 'ros2')
+HERE_COMMANDS = ('launch', 'run', 'component standalone')
+"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, as launch itself does."""
+_ROS2_FILE = """#!/bin/sh
+case "$1 $2 " in
+{here}) PYTHONPATH={home} exec {python} -m edulaunch.desk.cli.real {lock} "$@";;
+esac
+exec {real} ros2 "$@"
+"""
+
+
+class NativeHost(Host):
+    """A host whose programs are real processes.
+
+    What only says why it cannot run (a C++ program of a workspace, one of an absent package) says so as in the simulation.
+    """
+
+    _commands: TemporaryDirectory[str] | None = None
+    _lock: TextIO
+
+    @cached_property
+    def runs(self) -> list[NativeRun]:
+        """The programs that were started, in order."""
+        return []
+
+    @cached_property
+    def environment(self) -> Environment:
+        """The real rclpy's.
+
+        :raises UnusableInput: when it is not installed.
+        """
+        return needed()
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Process | RealProcess:
+        """Start a program: see :meth:`Host.start`."""
+        index = index or self._index_here()
+        known = self._known_command(spec, index)
+        if known is not None:
+            argv, program = known
+            if program is None and not ' '.join([*argv[1:3], '']).startswith(tuple(f'{words} ' for words in HERE_COMMANDS)):
+                program = ROS2
+            if program is not None and program.kind in (*NATIVE_KINDS, 'ros2'):
+                return self._start_real(spec, argv, program, index, on_output, on_exit)
+        run = self._run(spec, on_output, on_exit)
+        if known is None:
+            spec = spec._replace(env=self._environment(spec, index))
+        return super().start(spec, run.hear, run.end, index=index)
+
+    def _start_real(
+        self,
+        spec: ProcessSpec,
+        argv: list[str],
+        program: Program,
+        index: Index,
+        on_output: OnOutput | None,
+        on_exit: OnExit | None,
+    ) -> RealProcess:
+        for word in argv:
+            if word in self.generated_files:
+                self.generated_files[word].write()
+        environment = self._environment(spec, index)
+        environment.pop('PYTHONPATH', None)
+        environment['PYTHONUNBUFFERED'] = '1'
+        words = (*command(self.environment, program, spec, index), *argv)
+        run = self._run(spec, on_output, on_exit)
+        real = NativeProcess(self, spec._replace(argv=words, shell=False, env=environment), run.hear, run.end)
+        real.run = run
+        self.real_programs.append(real)
+        return real
+
+    def _environment(self, spec: ProcessSpec, index: Index) -> dict[str, str]:
+        environment = dict(self.env if spec.env is None else spec.env)
+        environment['PATH'] = os.pathsep.join([self.commands(spec, index), environment.get('PATH', os.defpath)])
+        return environment
+
+    def commands(self, spec: ProcessSpec, index: Index) -> str:
+        """A folder with the `ros2` that programs start themselves, made at first use.
+
+        Those that they leave in the background end with this process in whatever way, be it by SIGKILL: they wait for its lock.
+        """
+        if self._commands is None:
+            self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
+            lock, path = (os.path.join(self._commands.name, name) for name in ('lock', 'ros2'))
+            self._lock = open(lock, 'w')  # noqa: SIM115  # until `close`
+            fcntl.flock(self._lock, fcntl.LOCK_EX)
+            words = command(self.environment, ROS2, spec._replace(name='ros2'), index, parent=lock)
+            text = _ROS2_FILE.format(
+                here='|'.join(f'"{words} "*' for words in HERE_COMMANDS),
+                home=shlex.quote(HOME),
+                python=shlex.quote(sys.executable),
+                lock=shlex.quote(lock),
+                real=shlex.join(words),
+            )
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write(text)
+            os.chmod(path, 0o700)
+        return self._commands.name
+
+    def close(self) -> None:
+        """See `Host.close`. The commands of ros2 that programs left running in the background end, too."""
+        super().close()
+        if self._commands is not None:
+            self._lock.close()
+            self._commands.cleanup()
+
+    def _run(self, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> NativeRun:
+        self.runs.append(NativeRun(spec.name, on_output, on_exit))
+        return self.runs[-1]
+
+
+class NativeProcess(RealProcess):
+    """A program on the real rclpy.
+
+    :ivar run: what is noted of it.
+    """
+
+    run: NativeRun
+
+    def send_signal(self, signum: int) -> None:
+        """See `RealProcess.send_signal`."""
+        self.run.signalled_s = min(self.run.signalled_s, time.time())
+        super().send_signal(signum)
+
+
+class NativeRun:
+    """What one program wrote, and how it ended.
+
+    :ivar written: (when, stream, text); times are seconds since 1970.
+    :ivar started_s, ended_s: None for one that still runs.
+    :ivar signalled_s: when it got its first signal; infinite for one that got none.
+    """
+
+    def __init__(self, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+        self.name = name
+        self.written: list[tuple[float, str, str]] = []
+        self.returncode: int | None = None
+        self.started_s = time.time()
+        self.ended_s: float | None = None
+        self.signalled_s = float('inf')
+        self._on_output, self._on_exit = on_output, on_exit
+
+    def hear(self, stream: str, text: str) -> None:
+        """It wrote something."""
+        self.written.append((time.time(), stream, text))
+        if self._on_output is not None:
+            self._on_output(stream, text)
+
+    def end(self, returncode: int) -> None:
+        """It ended."""
+        self.returncode, self.ended_s = returncode, time.time()
+        if self._on_exit is not None:
+            self._on_exit(returncode)

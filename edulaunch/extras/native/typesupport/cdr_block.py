@@ -1,0 +1,112 @@
+"""The two C functions that copy a message's CDR bytes into and out of Fast CDR's buffer."""
+
+from __future__ import annotations
+
+import ctypes as c
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.extras.native.typesupport import abi
+
+_cdr = c.CDLL('libfastcdr.so.2')
+_write = _cdr._ZN8eprosima7fastcdr3Cdr15serialize_arrayEPKcm
+_write.restype, _write.argtypes = c.c_void_p, (c.c_void_p, c.c_void_p, c.c_size_t)
+_position = _cdr._ZN8eprosima7fastcdr3Cdr20get_current_positionEv
+_position.restype, _position.argtypes = c.c_void_p, (c.c_void_p,)
+_new_buffer = _cdr._ZN8eprosima7fastcdr10FastBufferC1EPcm
+_new_buffer.restype, _new_buffer.argtypes = None, (c.c_void_p, c.c_void_p, c.c_size_t)
+_new_cdr = _cdr._ZN8eprosima7fastcdr3CdrC1ERNS0_10FastBufferENS1_10EndiannessENS0_10CdrVersionE
+_new_cdr.restype, _new_cdr.argtypes = None, (c.c_void_p, c.c_void_p, c.c_uint8, c.c_int)
+_LITTLE_ENDIAN, _XCDR1 = 1, 1
+_SIZE = 424242  # a length that no pointer or counter in a new object equals
+
+
+def _places() -> tuple[int, int, int]:
+    """Where a Cdr keeps its buffer, and a buffer the start and the length of its bytes: seen in objects that are made for it.
+
+    :raises ImportError: this Fast CDR is laid out in another way.
+    """
+    memory, buffer, cdr = c.create_string_buffer(64), c.create_string_buffer(256), c.create_string_buffer(4096)
+    _new_buffer(c.addressof(buffer), c.addressof(memory), _SIZE)
+    _new_cdr(c.addressof(cdr), c.addressof(buffer), _LITTLE_ENDIAN, _XCDR1)
+    try:
+        return (_find(cdr, c.addressof(buffer)), _find(buffer, c.addressof(memory)), _find(buffer, _SIZE))
+    except ValueError:
+        raise ImportError('this version of Fast CDR keeps its buffer in a way that edulaunch does not know') from None
+
+
+def _find(block: c.Array[c.c_char], value: int) -> int:
+    words = (c.c_size_t * (len(block) // 8)).from_buffer(block)
+    return 8 * list(words).index(value)
+
+
+_BUFFER, _START, _LENGTH = _places()
+
+
+def fill(block: int, body: bytes) -> None:
+    """Let a message be these CDR bytes (without header)."""
+    held = abi.Block.from_address(block)
+    if held.data:
+        abi.libc.free(held.data)
+    held.data, held.size = abi.libc.malloc(len(body) or 1), len(body)
+    c.memmove(held.data, body, len(body))
+
+
+def content(block: int) -> bytes:
+    """The CDR bytes that a message is."""
+    held = abi.Block.from_address(block)
+    return c.string_at(held.data, held.size) if held.size else b''
+
+
+def _serialize(block: int, cdr: int) -> bool:
+    """Write a message where the stream stands."""
+    held = abi.Block.from_address(block)
+    _write(cdr, held.data, held.size)
+    return True
+
+
+def _deserialize(cdr: int, block: int) -> bool:
+    """Take everything from where the stream stands to its end; the codec finds out where the message ends."""
+    buffer = c.c_size_t.from_address(cdr + _BUFFER).value
+    end = c.c_size_t.from_address(buffer + _START).value + c.c_size_t.from_address(buffer + _LENGTH).value
+    position = _position(cdr)
+    fill(block, c.string_at(position, end - position))
+    return True
+
+
+def _size(block: int) -> int:
+    """How many bytes a message takes."""
+    return int(abi.Block.from_address(block).size)
+
+
+def _largest_size(bounds: int) -> int:
+    """No type is known to be of one size, or to be bounded (the flags behind `bounds`)."""
+    c.c_uint8.from_address(bounds).value = 0
+    return 0
+
+
+def _create() -> int:
+    """An empty message."""
+    made: int = abi.libc.calloc(1, c.sizeof(abi.Block))
+    return made
+
+
+def _destroy(block: int) -> None:
+    """Free a message."""
+    held = abi.Block.from_address(block)
+    if held.data:
+        abi.libc.free(held.data)
+    abi.libc.free(block)
+
+
+def _made(function: Callable[..., object], *types: Any) -> int:
+    return abi.address_of(abi.keep(c.CFUNCTYPE(*types)(function)))
+
+
+SERIALIZE = _made(_serialize, c.c_bool, c.c_void_p, c.c_void_p)
+DESERIALIZE = _made(_deserialize, c.c_bool, c.c_void_p, c.c_void_p)
+SIZE = _made(_size, c.c_uint32, c.c_void_p)
+LARGEST_SIZE = _made(_largest_size, c.c_size_t, c.c_void_p)
+CREATE = _made(_create, c.c_void_p)
+DESTROY = _made(_destroy, None, c.c_void_p)
+"""Where the C functions of all messages begin."""

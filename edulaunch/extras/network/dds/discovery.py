@@ -1,0 +1,198 @@
+"""Who is on the network: what DDS tells of endpoints, and ROS 2's topic `ros_discovery_info` of the nodes that they belong to."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from cyclonedds._clayer import ddspy_take, ddspy_take_endpoint, ddspy_take_participant, ddspy_write
+from cyclonedds.builtin import (
+    BuiltinDataReader,
+    BuiltinTopicDcpsParticipant,
+    BuiltinTopicDcpsPublication,
+    BuiltinTopicDcpsSubscription,
+)
+from cyclonedds.builtin_types import cqos_to_qos
+from cyclonedds.core import InstanceState, Listener
+from cyclonedds.pub import DataWriter
+from cyclonedds.qos import Policy, Qos
+from cyclonedds.sub import DataReader
+from cyclonedds.topic import Topic
+
+from edulaunch.engine.interfaces.cdr import decode, encode
+from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.errors import InterfaceError
+from edulaunch.extras.network.dds.mangling import far_name
+from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds
+from edulaunch.extras.network.dds.types import idl_class
+from edulaunch.extras.network.link import ENCLAVE, MARK, FarEndpoint, FarGraph, FarNode, Trouble
+
+INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
+MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
+AT_ONCE = 200
+"""How many pieces of news are looked at in one turn of the machine."""
+ANY = 0x7F
+"""Samples in any state."""
+OwnNode = tuple[str, str, Sequence[bytes], Sequence[bytes]]
+"""Namespace, name, gids of its readers and of its writers."""
+
+
+class Discovery:
+    """Follows who comes and goes, and tells who we are.
+
+    :param wake: called, in another thread, when there is news.
+    """
+
+    def __init__(self, participant: Any, wake: Callable[[], object]) -> None:
+        self.own = participant.guid.bytes
+        self.troubles: list[Trouble] = []
+        self._endpoints: dict[bytes, FarEndpoint] = {}
+        self._participant_of: dict[bytes, bytes] = {}
+        self._nodes: dict[bytes, dict[FarNode, Sequence[bytes]]] = {}
+        self._claims: dict[bytes, FarNode] = {}
+        self._machines: set[bytes] = set()
+        self._gone: deque[bytes] = deque(maxlen=MOST_PARTICIPANTS)
+        self._listener = Listener(on_data_available=lambda reader: wake())
+        topic = Topic(participant, 'ros_discovery_info', idl_class(INFO, underlay_registry()), qos=Qos(PLAIN))
+        common = (PLAIN, Policy.Reliability.Reliable(10_000_000), Policy.Durability.TransientLocal)
+        quietly = Qos(*common, Policy.History.KeepLast(100), Policy.IgnoreLocal.Participant)
+        self._infos = DataReader(participant, topic, qos=quietly, listener=self._listener)
+        self._teller = DataWriter(participant, topic, qos=Qos(*common, Policy.History.KeepLast(1)))
+        self._builtin = [
+            (BuiltinDataReader(participant, kind, listener=self._listener), take, make)
+            for kind, take, make in (
+                (BuiltinTopicDcpsParticipant, ddspy_take_participant, self._participant),
+                (BuiltinTopicDcpsPublication, ddspy_take_endpoint, self._publication),
+                (BuiltinTopicDcpsSubscription, ddspy_take_endpoint, self._subscription),
+            )
+        ]
+
+    def tell(self, nodes: Sequence[OwnNode]) -> None:
+        """Let everybody know which of our endpoints belong to which node."""
+        cls = underlay_registry().get(INFO)
+        wire = (self.own, tuple((namespace, name, _gids(readers), _gids(writers)) for namespace, name, readers, writers in nodes))
+        ddspy_write(reference(self._teller), padded(encode(cls, wire)))
+
+    def take(self) -> tuple[bool, bool]:
+        """Look at some of the news; returns whether there was any, and whether more may wait."""
+        counts = []
+        for reader, take, make in self._builtin:
+            found = take(reference(reader), AT_ONCE, make, cqos_to_qos)
+            counts.append(len(found) if isinstance(found, list) else 0)
+        infos = ddspy_take(reference(self._infos), ANY, AT_ONCE)
+        for data, info in infos if isinstance(infos, list) else ():
+            if info.valid_data:
+                self._info(data)
+                counts.append(1)
+        return any(counts), max(counts) >= AT_ONCE
+
+    def graph(self) -> FarGraph:
+        """Everybody but us, without what links have for themselves."""
+        nodes = [node for nodes in self._nodes.values() for node in nodes if not node.name.startswith(MARK)]
+        return FarGraph(
+            nodes, [end for end in self._endpoints.values() if end.node is None or not end.node.name.startswith(MARK)]
+        )
+
+    def _participant(self, key: bytes, qos: Any, info: Any) -> None:
+        if _is_alive(info):
+            if enclave_of(qos) == ENCLAVE and len(self._machines) < MOST_PARTICIPANTS:
+                self._machines.add(key)
+                before = self._nodes.get(key, {})
+                self._claim(key, {node._replace(is_simulated=True): gids for node, gids in before.items()})
+        else:
+            self._machines.discard(key)
+            self._gone.append(key)
+            for gid in [gid for gid, whose in self._participant_of.items() if whose == key]:
+                self._forget(gid)
+            self._claim(key, {})
+
+    def _publication(self, *sample: Any) -> None:
+        self._endpoint(True, *sample)
+
+    def _subscription(self, *sample: Any) -> None:
+        self._endpoint(False, *sample)
+
+    def _endpoint(
+        self,
+        is_writer: bool,
+        gid: bytes,
+        participant: bytes,
+        handle: int,
+        topic: str,
+        type_name: str,
+        qos: Any,
+        info: Any,
+        _: Any,
+    ) -> None:
+        if not _is_alive(info):
+            self._forget(gid)
+            return
+        if participant == self.own or topic is None or (found := far_name(topic, type_name, is_writer)) is None:
+            return
+        if len(self._endpoints) >= MOST_ENDPOINTS and gid not in self._endpoints:
+            text = f'there are more than {MOST_ENDPOINTS} endpoints on the network: what comes later is not shown and not heard'
+            self.troubles.append(Trouble('endpoints', text))
+            return
+        policies, type_hash = from_dds(qos)
+        self._participant_of[gid] = participant
+        self._endpoints[gid] = FarEndpoint(gid, *found, type_hash, policies, self._claims.get(gid))
+
+    def _forget(self, gid: bytes) -> None:
+        self._endpoints.pop(gid, None)
+        self._participant_of.pop(gid, None)
+
+    def _info(self, data: bytes) -> None:
+        """A participant tells its nodes."""
+        try:
+            participant, nodes = decode(underlay_registry().get(INFO), data)
+        except InterfaceError as error:
+            self.troubles.append(Trouble('ros_discovery_info', f'what somebody tells of its nodes makes no sense: {error}'))
+            return
+        if participant == self.own or participant in self._gone:  # the last that it said may be read after its end
+            return
+        if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
+            self.troubles.append(
+                Trouble('participants', f'more than {MOST_PARTICIPANTS} programs tell of their nodes: the others are not shown')
+            )
+            return
+        claimed: dict[FarNode, Sequence[bytes]] = {}
+        for namespace, name, readers, writers in nodes[:MOST_NODES]:
+            node = FarNode(participant, namespace, name, participant in self._machines)
+            claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
+        if len(nodes) > MOST_NODES:
+            self.troubles.append(Trouble('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown'))
+        self._claim(participant, claimed)
+
+    def _claim(self, participant: bytes, nodes: dict[FarNode, Sequence[bytes]]) -> None:
+        before = {gid for gids in self._nodes.pop(participant, {}).values() for gid in gids}
+        claims = {gid: node for node, gids in nodes.items() for gid in gids}
+        if nodes:
+            self._nodes[participant] = nodes
+        for gid in sorted(before.union(claims)):
+            node = claims.get(gid)
+            if node is None:
+                self._claims.pop(gid, None)
+            else:
+                self._claims[gid] = node
+            known = self._endpoints.get(gid)
+            if known is not None and known.node != node:
+                self._endpoints[gid] = known._replace(node=node)
+
+
+def reference(entity: Any) -> Any:
+    """By what Cyclone DDS itself knows a reader or writer."""
+    return entity._ref
+
+
+def padded(cdr: bytes) -> bytes:
+    """DDS sends multiples of four bytes."""
+    return cdr + b'\0' * (-len(cdr) % 4)
+
+
+def _gids(gids: Sequence[bytes]) -> tuple[tuple[bytes], ...]:
+    return tuple((gid,) for gid in gids)
+
+
+def _is_alive(info: Any) -> bool:
+    return bool(info.valid_data) and info.instance_state == InstanceState.Alive

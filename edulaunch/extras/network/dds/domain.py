@@ -1,0 +1,69 @@
+"""How far this computer looks for others: the domain's configuration, from ROS 2's variables."""
+
+from __future__ import annotations
+
+from html import escape
+
+from cyclonedds.core import DDSException
+from cyclonedds.domain import Domain
+
+from edulaunch.extras.network.link import LinkError, Settings
+
+MOST_PARTICIPANTS = 32
+"""How many participants on one computer find each other without multicast, as in ROS 2's own configuration of Cyclone DDS."""
+LOCALHOST = '127.0.0.1'
+
+
+class _Joined:
+    """A domain that this program is in: with which configuration, and how many links use it."""
+
+    def __init__(self, number: int, text: str) -> None:
+        self.text, self.domain, self.links = text, Domain(number, text), 0
+
+
+_joined: dict[int, _Joined] = {}
+
+
+def join(settings: Settings) -> None:
+    """Be in a domain until :func:`leave`. Several links of one program share it.
+
+    :raises LinkError: when there is none of that number, or this program is in it already with other settings.
+    """
+    number, text = settings.domain, configuration(settings)
+    if number not in _joined:
+        try:
+            _joined[number] = _Joined(number, text)
+        except DDSException as error:
+            raise LinkError(f'cannot join domain {number}: {error}') from None
+    if _joined[number].text != text:
+        raise LinkError(f'this program is in domain {number} already, with other settings')
+    _joined[number].links += 1
+
+
+def leave(number: int) -> None:
+    """A link has gone, and all that belonged to it."""
+    joined = _joined[number]
+    joined.links -= 1
+    if not joined.links:
+        joined.domain.__del__()  # cyclonedds has no other way, and may forget it when the collector comes
+        del _joined[number]
+
+
+def configuration(settings: Settings) -> str:
+    """Cyclone DDS's configuration: loopback alone, or the computer's network.
+
+    On the loopback multicast is used too (it does not leave it): that is where programs without settings of their own call.
+    """
+    peers = [] if settings.discovery_range == 'OFF' else list(settings.static_peers)
+    on_loopback = settings.discovery_range != 'SUBNET' and not peers
+    multicast = settings.discovery_range == 'SUBNET' or (on_loopback and settings.discovery_range != 'OFF')
+    if settings.discovery_range == 'LOCALHOST':
+        peers.insert(0, LOCALHOST)
+    interface = f'address="{LOCALHOST}" multicast="true"' if on_loopback else 'autodetermine="true"'
+    named = ''.join(f'<Peer Address="{escape(peer)}"/>' for peer in peers)
+    return (
+        f'<CycloneDDS><Domain><General><Interfaces><NetworkInterface {interface}/></Interfaces>'
+        f'<AllowMulticast>{str(multicast).lower()}</AllowMulticast></General>'
+        f'<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{MOST_PARTICIPANTS}</MaxAutoParticipantIndex>'
+        f'<Peers>{named}</Peers></Discovery></Domain></CycloneDDS>'
+    )

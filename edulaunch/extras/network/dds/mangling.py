@@ -1,0 +1,39 @@
+"""What ROS 2 names are called in DDS: '/chatter' is 'rt/chatter', std_msgs/msg/String is std_msgs::msg::dds_::String_."""
+
+from __future__ import annotations
+
+from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION
+
+TOPIC, REQUEST, REPLY = 'rt', 'rq', 'rr'
+SUFFIX = {TOPIC: '', REQUEST: 'Request', REPLY: 'Reply'}
+LONGEST = 512
+
+
+def topic_name(prefix: str, name: str) -> str:
+    """The DDS topic of a ROS topic, or of a service's requests or replies."""
+    return f'{prefix}{name}{SUFFIX[prefix]}'
+
+
+def dds_type(type_name: str) -> str:
+    """'geometry_msgs::msg::dds_::Twist_' for 'geometry_msgs/msg/Twist'."""
+    package, kind, name = type_name.split('/')
+    return f'{package}::{kind}::dds_::{name}_'
+
+
+def far_name(topic: str, type_name: str, is_writer: bool) -> tuple[str, str, str] | None:
+    """What a DDS endpoint is in ROS 2, as (kind, name, type name); None for what is none of its topics and services.
+
+    A service is told by what hears its requests, a client by what sends them.
+    """
+    prefix, slash, rest = topic.partition('/')
+    parts = type_name.split('::')
+    if not slash or prefix not in (TOPIC, REQUEST) or len(parts) != 4 or parts[2] != 'dds_' or len(topic) > LONGEST:
+        return None
+    package, middle, _, name = parts
+    name, suffix = name.removesuffix('_'), SUFFIX[prefix]
+    if prefix == TOPIC:
+        return (PUBLISHER if is_writer else SUBSCRIPTION), f'/{rest}', f'{package}/{middle}/{name}'
+    if not (rest.endswith(suffix) and name.endswith('_Request')):
+        return None
+    service = f'{package}/{middle}/{name.removesuffix("_Request")}'
+    return (CLIENT if is_writer else SERVICE), f'/{rest.removesuffix(suffix)}', service

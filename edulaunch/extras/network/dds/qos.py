@@ -1,0 +1,84 @@
+"""Quality of service, ours and that of cyclonedds."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from cyclonedds.qos import Policy, Qos
+
+from edulaunch.engine.graph.qos import (
+    AUTOMATIC,
+    BEST_EFFORT,
+    INFINITE_NS,
+    KEEP_ALL,
+    MANUAL_BY_TOPIC,
+    RELIABLE,
+    TRANSIENT_LOCAL,
+    VOLATILE,
+    QoS,
+)
+
+LONGEST_BLOCK_NS = 10_000_000
+"""How long a reliable publisher waits for readers that are slow, before the message is dropped: nothing else runs meanwhile."""
+NEVER_NS = (1 << 63) - 1
+WAITING = 1000
+"""How many messages wait for their subscription at most, or as many as its depth says."""
+PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
+_ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
+HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
+
+
+def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
+    """The policies of an endpoint of ours; its type's hash goes with them, as ROS 2 does it."""
+    depth = max(qos.depth, WAITING if is_reader else 1)
+    life = Policy.Liveliness.ManualByTopic if qos.liveliness == MANUAL_BY_TOPIC else Policy.Liveliness.Automatic
+    policies: list[Any] = [
+        PLAIN,
+        Policy.IgnoreLocal.Participant,
+        Policy.Userdata(f'typehash={type_hash};'.encode()),
+        Policy.Reliability.Reliable(LONGEST_BLOCK_NS) if qos.reliability == RELIABLE else Policy.Reliability.BestEffort,
+        Policy.Durability.TransientLocal if qos.durability == TRANSIENT_LOCAL else Policy.Durability.Volatile,
+        Policy.History.KeepAll if qos.history == KEEP_ALL and not is_reader else Policy.History.KeepLast(depth),
+        Policy.Deadline(qos.deadline_ns or NEVER_NS),
+        life(qos.lease_ns or NEVER_NS),
+    ]
+    if qos.durability == TRANSIENT_LOCAL and not is_reader:
+        kept = Policy.History.KeepAll if qos.history == KEEP_ALL else Policy.History.KeepLast(depth)
+        policies.append(Policy.DurabilityService(0, kept, -1, -1, -1))
+    return Qos(*policies, *([] if is_reader else [Policy.Lifespan(qos.lifespan_ns or NEVER_NS)]))
+
+
+def from_dds(qos: Qos) -> tuple[QoS, str]:
+    """The policies of an endpoint that is far away, and the hash of its type ('' when it tells none).
+
+    How much it keeps is nowhere said: ROS 2 shows UNKNOWN, here it is the usual depth.
+    """
+    found = HASH.search(_user_data(qos))
+    reliable = Policy.Reliability in qos and qos[Policy.Reliability] != Policy.Reliability.BestEffort
+    stays = Policy.Durability in qos and qos[Policy.Durability] != Policy.Durability.Volatile
+    by_hand = Policy.Liveliness in qos and isinstance(qos[Policy.Liveliness], Policy.Liveliness.ManualByTopic)
+    return QoS(
+        reliability=RELIABLE if reliable else BEST_EFFORT,
+        durability=TRANSIENT_LOCAL if stays else VOLATILE,
+        deadline_ns=_time(qos, Policy.Deadline, 'deadline'),
+        lifespan_ns=_time(qos, Policy.Lifespan, 'lifespan'),
+        liveliness=MANUAL_BY_TOPIC if by_hand else AUTOMATIC,
+        lease_ns=_time(qos, Policy.Liveliness, 'lease_duration'),
+    ), found.group(1) if found else ''
+
+
+def enclave_of(qos: Qos) -> str:
+    """The enclave that a participant tells; '' when it tells none, as who is no ROS 2."""
+    found = _ENCLAVE.search(_user_data(qos))
+    return found[1] if found else ''
+
+
+def _user_data(qos: Qos) -> str:
+    data: bytes = qos[Policy.Userdata].data if Policy.Userdata in qos else b''
+    return data[:1000].decode('ascii', 'replace')
+
+
+def _time(qos: Qos, policy: Any, name: str) -> int:
+    value = int(getattr(qos[policy], name)) if policy in qos else NEVER_NS
+    return value if 0 < value < NEVER_NS else INFINITE_NS

@@ -1,0 +1,31 @@
+"""The links that there are, by name."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.extras.network.link import Link, LinkError
+
+LINKS = {
+    'cyclonedds': ('edulaunch.extras.network.dds.link', 'CycloneLink'),
+    'rclpy': ('edulaunch.extras.network.rclpy_link', 'RclpyLink'),
+}
+DEFAULT = 'cyclonedds'
+INSTALL = "pip install 'edulaunch[network]'"
+
+
+def make_link(name: str = DEFAULT) -> Link:
+    """A link that is not open yet.
+
+    :raises LinkError: when there is none of that name, or what it needs is not installed.
+    """
+    if name not in LINKS:
+        raise LinkError(f'there is no link {name!r}: {", ".join(LINKS)}', help=did_you_mean(name, LINKS) or f'take {DEFAULT}')
+    module, class_name = LINKS[name]
+    try:
+        link: Link = getattr(import_module(module), class_name)()
+    except ModuleNotFoundError as error:
+        wanted = INSTALL if name == DEFAULT else 'edulaunch network install'
+        raise LinkError(f'the link {name} needs {error.name}, which is not installed', help=wanted) from None
+    return link

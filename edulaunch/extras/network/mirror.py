@@ -1,0 +1,179 @@
+"""Keeps the machine's graph equal to the network's: each node and endpoint out there has one here that stands for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.names import namespace_problem, node_name_problem, topic_name_problem
+from edulaunch.engine.interfaces.registry import Registry
+from edulaunch.errors import InterfaceError
+from edulaunch.extras.network.far import (
+    UNKNOWN_NAME,
+    UNKNOWN_NAMESPACE,
+    FarClient,
+    FarPublisher,
+    FarService,
+    FarSubscription,
+    Network,
+    TypeName,
+    is_far,
+    join,
+)
+from edulaunch.extras.network.link import PUBLISHER, SERVICE, SUBSCRIPTION, FarEndpoint, FarGraph, FarNode, Interface, Trouble
+
+CLAIMED_WITHIN_NS = 10**9
+"""An endpoint that no node has claimed is shown without one after that time: most nodes tell of theirs a little later."""
+
+
+class Mirror:
+    """The far nodes and endpoints of one graph.
+
+    :param registry: where their types are looked for.
+    :param chosen: whether a topic or service of that name crosses.
+    :param ask: what takes the requests to a service that is far away.
+    :param trouble: told of what cannot be.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        registry: Registry,
+        chosen: Callable[[str], bool],
+        ask: Callable[[Any], object],
+        trouble: Callable[[Trouble], object],
+    ) -> None:
+        self.graph, self.registry, self.chosen, self.ask, self.trouble = graph, registry, chosen, ask, trouble
+        self.network = Network()
+        self.listeners: dict[str, int] = {}
+        """How many real subscriptions each topic has."""
+        self._nodes: dict[FarNode, NodeEntry] = {}
+        self._ends: dict[bytes, tuple[FarEndpoint, Any]] = {}
+        self._unclaimed: dict[bytes, int] = {}
+        self._far = FarGraph((), ())
+        self._unknown: NodeEntry | None = None
+
+    def update(self, far: FarGraph) -> None:
+        """From now on these are there."""
+        self._far = far
+        known = {end.gid: end for end in far.endpoints if self.chosen(end.name)}
+        for gid, (end, mirrored) in list(self._ends.items()):
+            if known.get(gid) != end:
+                self._remove(gid, end, mirrored)
+        self._update_nodes(dict.fromkeys(far.nodes))
+        for gid, end in known.items():
+            if gid not in self._ends and self._is_due(end):
+                self._add(end)
+        self._unclaimed = {gid: since for gid, since in self._unclaimed.items() if gid in known and gid not in self._ends}
+
+    def again(self) -> None:
+        """Look at the same once more: types have come, or time has passed."""
+        self.update(self._far)
+
+    def publisher(self, gid: bytes, topic: str) -> FarPublisher | None:
+        """Who sent a message; for a link that cannot tell, somebody who may have."""
+        found = self._ends.get(gid)
+        if found is None and gid:
+            end = next((end for end in self._far.endpoints if end.gid == gid), None)
+            if end is not None and self.chosen(end.name):
+                self._add(end)
+                found = self._ends.get(gid)
+        if found is not None:
+            return found[1] if isinstance(found[1], FarPublisher) else None
+        others = self.graph.publishers.get(topic, ())
+        return next((other for other in others if isinstance(other, FarPublisher)), None)
+
+    def unknown(self) -> NodeEntry:
+        """The node of those that belong to none."""
+        if self._unknown is None:
+            index = self.graph.next_index()
+            self._unknown = NodeEntry(self.network, UNKNOWN_NAME, UNKNOWN_NAMESPACE, index)
+            self.graph.tracer.node_added(self._unknown)
+        return self._unknown
+
+    def retype(self) -> None:
+        """Types that were not known may be by now: those endpoints are made anew."""
+        for gid, (end, mirrored) in list(self._ends.items()):
+            if isinstance(mirrored.cls, TypeName) and not isinstance(self._class(end.type_name), TypeName):
+                self._remove(gid, end, mirrored)
+        self.again()
+
+    def close(self) -> None:
+        """Nobody is there any more."""
+        self.update(FarGraph((), ()))
+        if self._unknown is not None:
+            self.graph.tracer.node_removed(self._unknown)
+
+    def _is_due(self, end: FarEndpoint) -> bool:
+        if end.node is not None:
+            return True
+        now = self.graph.sim.now_ns
+        if end.gid not in self._unclaimed:
+            self._unclaimed[end.gid] = now
+            self.graph.sim.schedule(now + CLAIMED_WITHIN_NS, self.again)
+        return now >= self._unclaimed[end.gid] + CLAIMED_WITHIN_NS
+
+    def _update_nodes(self, wanted: dict[FarNode, None]) -> None:
+        for node in [node for node in self._nodes if node not in wanted]:
+            self.graph.remove_node(self._nodes.pop(node))
+        for node in wanted:
+            if node not in self._nodes:
+                if namespace_problem(node.namespace) or node_name_problem(node.name):
+                    self.trouble(
+                        Trouble('node names', f'a node is called {node.namespace!r} {node.name!r}: not a name, not shown')
+                    )
+                    continue
+                entry = self._nodes[node] = self.graph.add_node(self.network, node.name, node.namespace)
+                name = entry.fully_qualified_name
+                if any(other.fully_qualified_name == name and not is_far(other) for other in self.graph.nodes):
+                    other_one = 'one of another machine' if node.is_simulated else 'a real one'
+                    text = f'there are two nodes called {name}: one of this machine, and {other_one}'
+                    self.trouble(
+                        Trouble(f'name {name}', f'{text}\n  help: put one of them into a namespace, or give it another name')
+                    )
+
+    def _add(self, end: FarEndpoint) -> None:
+        if topic_name_problem(end.name):
+            self.trouble(Trouble('names', f'something on the network is called {end.name!r}: not a name, not shown'))
+            return
+        node = self._nodes.get(end.node) if end.node is not None else None
+        mirrored = self._made(end, node or self.unknown(), self._class(end.type_name))
+        self._ends[end.gid] = end, mirrored
+        if end.kind == SUBSCRIPTION:
+            self.listeners[end.name] = self.listeners.get(end.name, 0) + 1
+        join(mirrored)
+
+    def _made(self, end: FarEndpoint, node: NodeEntry, cls: Any) -> Any:
+        if end.kind == PUBLISHER:
+            return FarPublisher(self.graph, node, end.name, cls, end.qos)
+        if end.kind == SUBSCRIPTION:
+            return FarSubscription(self.graph, node, end.name, cls, end.qos)
+        if end.kind == SERVICE:
+            return FarService(self.graph, node, end.name, cls, end.qos, self.ask)
+        return FarClient(self.graph, node, end.name, cls, end.qos)
+
+    def _remove(self, gid: bytes, end: FarEndpoint, mirrored: Any) -> None:
+        del self._ends[gid]
+        if end.kind == SUBSCRIPTION:
+            self.listeners[end.name] -= 1
+        mirrored.destroy()
+
+    def _class(self, type_name: str) -> Any:
+        """The class of a type: of this machine, or of whoever uses it here; a stand-in when nobody knows it."""
+        for node in self.graph.nodes:
+            for own in () if is_far(node) else node.endpoints:
+                if own.type_name == type_name:
+                    return own.cls
+        try:
+            return self.registry.get(type_name)
+        except InterfaceError:
+            return TypeName(type_name)
+
+    def check_hash(self, own: Any, interface: Interface) -> None:
+        """Tell when a real endpoint means something else by a type's name."""
+        name = own.topic_name if own.kind in (PUBLISHER, SUBSCRIPTION) else own.service_name
+        for end, _ in self._ends.values():
+            if end.name == name and end.type_name == own.type_name and end.hash not in ('', interface.hash):
+                text = f'{name}: {end.type_name} is not the same here and out there (another definition): messages are misread'
+                self.trouble(Trouble(f'hash {end.type_name}', text))

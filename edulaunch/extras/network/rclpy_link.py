@@ -1,0 +1,241 @@
+"""The full link: the real rclpy in a side process. Topics, services, parameters and actions, both ways, with every ROS 2 peer."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+from collections import deque
+from collections.abc import Sequence
+
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.errors import UnusableInput
+from edulaunch.extras.native.command import command, interface_layers
+from edulaunch.extras.native.environment import needed
+from edulaunch.extras.network import rclpy_wire as wire
+from edulaunch.extras.network.link import (
+    MARK,
+    Event,
+    FarEndpoint,
+    FarGraph,
+    FarNode,
+    GraphChanged,
+    Interface,
+    LinkError,
+    Message,
+    Request,
+    Response,
+    Settings,
+    Trouble,
+)
+
+LONGEST_START_S = 30.0
+MOST_WAITING = 32 << 20
+"""Bytes that wait for a side process which does not read; messages beyond that are dropped."""
+AT_ONCE = 1 << 20
+"""Bytes that are taken in one turn of the machine."""
+AGAIN = '\n  help: edulaunch network off, then on again'
+RENEW = 'what it complains of is in the log of the machine; edulaunch network install makes its environment anew'
+_PROFILE = os.path.join(os.path.dirname(__file__), 'rclpy_side.xml')
+"""Fast DDS's settings of the side process."""
+_SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.network.rclpy_side', function='main')
+
+
+class RclpyLink:
+    """See `network.link.Link`. Who published a message it cannot tell."""
+
+    title = 'rclpy'
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._out = bytearray()
+        self._frames = wire.Frames()
+        self._waiting: deque[Event] = deque()
+        self._kinds: dict[int, str] = {}
+        self._far = FarGraph((), ())
+        self._known: dict[tuple[object, ...], FarEndpoint] = {}
+        self._child: subprocess.Popen[bytes] | None = None
+        self._sockets: list[socket.socket] = []
+
+    def open(self, settings: Settings) -> None:
+        """See `Link.open`."""
+        try:
+            environment = needed()
+        except UnusableInput as error:
+            raise LinkError(str(error)) from None
+        self.title = f'rclpy {environment.version}'
+        env = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'ROS_'))}
+        env.update(ROS_DOMAIN_ID=str(settings.domain), ROS_AUTOMATIC_DISCOVERY_RANGE=settings.discovery_range)
+        env.update(ROS_STATIC_PEERS=';'.join(settings.static_peers), FASTRTPS_DEFAULT_PROFILES_FILE=_PROFILE)
+        words = command(environment, _SIDE, ProcessSpec((), 'link'), Index())
+        self._socket, theirs = self._sockets = list(socket.socketpair())
+        number = theirs.fileno()
+        self._child = subprocess.Popen(
+            [*words, 'link', str(number)], env=env, pass_fds=(number,), stdin=subprocess.DEVNULL, start_new_session=True
+        )
+        theirs.close()
+        self._wait()
+        self._socket.setblocking(False)
+
+    def _wait(self) -> None:
+        """Until the side process is ready.
+
+        :raises LinkError: it is not.
+        """
+        self._socket.settimeout(LONGEST_START_S)
+        try:
+            data = self._socket.recv(1 << 16)
+        except TimeoutError:
+            data = b''
+        kinds = [self._hear(*frame) for frame in self._frames.feed(data)]
+        if wire.READY not in kinds:
+            self.close()
+            raise LinkError('the side process with the real rclpy did not start.', help=RENEW)
+
+    def _say(self, kind: int, handle: int, number: int = 0, data: bytes = b'') -> None:
+        if len(self._out) > MOST_WAITING and kind == wire.PUBLISH:
+            self._waiting.append(Trouble('full', 'the side process with the real rclpy is too slow: messages are dropped'))
+            return
+        self._out += wire.frame(kind, handle, number, data)
+
+    def add_node(self, namespace: str, name: str) -> int:
+        """See `Link.add_node`."""
+        self._count += 1
+        self._say(wire.NODE, self._count, 0, json.dumps([namespace, name]).encode())
+        return self._count
+
+    def remove_node(self, handle: int) -> None:
+        """See `Link.remove_node`."""
+        self._say(wire.NODE_GONE, handle)
+
+    def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
+        """See `Link.add`; what rclpy does not want is told later, as a :class:`Trouble`."""
+        self._count += 1
+        self._kinds[self._count] = f'{kind} {name}'
+        told = {
+            'kind': kind,
+            'name': name,
+            'type': interface.name,
+            'layers': interface_layers(interface.registry),
+            'qos': list(qos),
+        }
+        self._say(wire.ADD, self._count, node, json.dumps(told).encode())
+        return self._count
+
+    def remove(self, handle: int) -> None:
+        """See `Link.remove`."""
+        del self._kinds[handle]
+        self._say(wire.REMOVE, handle)
+
+    def publish(self, handle: int, cdr: bytes) -> None:
+        """See `Link.publish`."""
+        self._say(wire.PUBLISH, handle, 0, cdr)
+
+    def request(self, handle: int, number: int, cdr: bytes) -> None:
+        """See `Link.request`."""
+        self._say(wire.ASK, handle, number, cdr)
+
+    def reply(self, handle: int, who: bytes, cdr: bytes) -> None:
+        """See `Link.reply`."""
+        self._say(wire.ANSWER, handle, int.from_bytes(who, 'little'), cdr)
+
+    def flush(self) -> None:
+        """See `Link.flush`; what the side process does not take now goes out next time."""
+        while self._out:
+            try:
+                sent = self._socket.send(self._out)
+            except BlockingIOError:
+                return
+            except OSError:
+                self._out.clear()  # it has died, which `take` tells
+                return
+            del self._out[:sent]
+
+    def take(self) -> Sequence[Event]:
+        """See `Link.take`."""
+        taken = 0
+        while taken < AT_ONCE:
+            try:
+                data = self._socket.recv(1 << 16)
+            except BlockingIOError:
+                break
+            except OSError:
+                data = b''
+            if not data:
+                self._died()
+                break
+            taken += len(data)
+            for frame in self._frames.feed(data):
+                self._hear(*frame)
+        self.flush()
+        events, self._waiting = list(self._waiting), deque()
+        return events
+
+    def _died(self) -> None:
+        self._far, self._known = FarGraph((), ()), {}
+        self._waiting += (
+            GraphChanged(),
+            Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more' + AGAIN),
+        )
+        silent, bell = socket.socketpair()
+        silent.setblocking(False)  # which goes with it to the other number
+        os.dup2(silent.fileno(), self._socket.fileno())  # never readable, under the same number: the machine need not look again
+        silent.close()
+        self._sockets.append(bell)
+
+    def _hear(self, kind: int, handle: int, number: int, data: bytes) -> int:
+        if kind == wire.GRAPH:
+            self._see(json.loads(data))
+            self._waiting.append(GraphChanged())
+        elif kind == wire.TROUBLE:
+            what = self._kinds.get(handle, 'the link')
+            self._waiting.append(Trouble(f'refused {what}', f'{what}: {data.decode(errors="replace")}'))
+        elif handle in self._kinds:
+            if kind == wire.MESSAGE:
+                self._waiting.append(Message(handle, b'', number, data))
+            elif kind == wire.REQUEST:
+                self._waiting.append(Request(handle, number.to_bytes(8, 'little'), data))
+            else:
+                self._waiting.append(Response(handle, number, data))
+        return kind
+
+    def _see(self, told: list[list[list[object]]]) -> None:
+        """A new picture of who is there; an endpoint that was there before is the same object."""
+        nodes = {
+            (space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
+            for gid, space, name, is_simulated in told[0]
+            if not str(name).startswith(MARK)
+        }
+        before, self._known = self._known, {}
+        for gid, kind, name, type_name, type_hash, qos, space, node in told[1]:
+            if str(node).startswith(MARK):
+                continue
+            key = (gid, kind, name, type_name, type_hash, tuple(qos) if isinstance(qos, list) else None, nodes.get((space, node)))
+            policies = QoS(*qos) if isinstance(qos, list) else QoS()
+            texts = (str(kind), str(name), str(type_name), str(type_hash))
+            self._known[key] = before.get(key) or FarEndpoint(bytes.fromhex(str(gid)), *texts, policies, nodes.get((space, node)))
+        self._far = FarGraph(tuple(nodes.values()), tuple(self._known.values()))
+
+    def graph(self) -> FarGraph:
+        """See `Link.graph`."""
+        return self._far
+
+    def fileno(self) -> int:
+        """See `Link.fileno`."""
+        return self._socket.fileno()
+
+    def close(self) -> None:
+        """See `Link.close`."""
+        child, self._child = self._child, None
+        for each in self._sockets:
+            each.close()
+        if child is None:
+            return
+        try:
+            child.wait(1.0)
+        except subprocess.TimeoutExpired:
+            child.kill()
+            child.wait()

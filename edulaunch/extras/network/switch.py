@@ -1,0 +1,209 @@
+"""The network of one machine, switched on and off: what `edulaunch network` and `ros2 launch --network` do."""
+
+from __future__ import annotations
+
+import selectors
+import sys
+import time as wall
+import traceback
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from edulaunch.engine.sim.pacing import RealTime
+from edulaunch.errors import EdulaunchError
+from edulaunch.extras.network.bridge import Bridge
+from edulaunch.extras.network.clock import ClockNode
+from edulaunch.extras.network.link import LinkError, Settings
+from edulaunch.extras.network.links import DEFAULT, make_link
+from edulaunch.extras.network.settings import chooser, nobody_found, settings_of
+from edulaunch.runtime.session import Session
+
+MOST_MISTAKES = 20
+FARTHEST_NS = 24 * 3600 * 10**9
+"""A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
+LONGEST_WAIT_S = 0.01
+SETTLED_NS = 3 * 10**9
+"""So long after joining those who are there have been found."""
+ALONE_NS = 10 * 10**9
+"""Who has found nobody then, is told so by the doctor, too."""
+WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
+
+
+def is_walls_time(now_ns: int) -> bool:
+    """Whether a machine's time is about that of the clock on the wall."""
+    return -(10**9) < wall.time_ns() - now_ns < FARTHEST_NS
+
+
+class Wish(NamedTuple):
+    """What somebody who joins asks for.
+
+    :ivar link: what carries the messages.
+    :ivar clock: whether the machine's time is published on /clock.
+    :ivar topics: what crosses; nothing named: everything.
+    """
+
+    link: str = DEFAULT
+    clock: bool = False
+    topics: Sequence[str] = ()
+
+
+class Switch:
+    """Joins a machine to the network, and lets it leave.
+
+    :param selector: what the machine waits with.
+    """
+
+    def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
+        self._session, self._time, self._selector = session, time, selector
+        self.bridge: Bridge | None = None
+        self._settings = Settings()
+        self._wish = Wish()
+        self._clock: ClockNode | None = None
+        self._mistakes = 0
+        self._joined_ns = 0
+        self._tell: Callable[[str], object] = print
+
+    def on(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> None:
+        """Join; an earlier bridge leaves before.
+
+        :raises EdulaunchError: when that cannot be.
+        """
+        settings = settings_of(env)
+        if not is_walls_time(self._session.sim.now_ns):
+            raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
+        made = make_link(wish.link)
+        self.off()
+        bridge = Bridge(self._session, made, chooser(wish.topics), tell)
+        self._time.is_wall = True
+        self._session.follow = self.follow
+        try:
+            bridge.open(settings)
+        except EdulaunchError:
+            self._no_more()
+            made.close()
+            raise
+        self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: self._safely(bridge.take))
+        self.bridge, self._settings, self._wish, self._mistakes, self._tell = bridge, settings, wish, 0, tell
+        self._clock = ClockNode(self._session.graph) if wish.clock else None
+        self._joined_ns = self._session.sim.now_ns
+        self._session.sim.schedule(self._joined_ns + ALONE_NS, lambda: self._note_alone(bridge))
+
+    def _note_alone(self, bridge: Bridge) -> None:
+        if self.bridge is bridge and not bridge.link.graph().nodes:
+            bridge.note(f'alone {self._settings.domain} {self._settings.discovery_range}')
+
+    def _safely(self, act: Callable[[], object]) -> None:
+        """A mistake of ours must not end the machine: what happened is in its log, and after some the network is off."""
+        try:
+            act()
+        except Exception:
+            traceback.print_exc(file=sys.__stderr__)
+            self._mistakes += 1
+            if self._mistakes >= MOST_MISTAKES:
+                self.off()
+                self._tell('the network is off: edulaunch made mistakes with what came from there, see the log of the machine')
+
+    def off(self) -> bool:
+        """Leave; whether it was on."""
+        bridge, self.bridge = self.bridge, None
+        if bridge is None:
+            return False
+        if self._clock is not None:
+            self._clock.stop()
+        self._selector.unregister(bridge.link.fileno())
+        bridge.close()
+        self._no_more()
+        return True
+
+    def _no_more(self) -> None:
+        self._time.is_wall, self._session.follow = False, None
+
+    def follow(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
+        """Let time pass with the clock on the wall, for who waits for it: as :meth:`Simulation.run`."""
+        sim, wait_s = self._session.sim, 0.0
+        while self.bridge is not None and not is_over():
+            self.listen(wait_s)
+            due_s = self._time.advance()
+            self.after_turn()
+            if sim.was_stopped or (until_ns is not None and sim.now_ns >= until_ns):
+                break
+            wait_s = LONGEST_WAIT_S if due_s is None else min(due_s, LONGEST_WAIT_S)
+
+    def join(
+        self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object], say: Callable[[str], object]
+    ) -> Callable[[], object]:
+        """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
+
+        :param say: told where it has joined, and that it has left.
+        :raises EdulaunchError: when that cannot be.
+        """
+        if self.bridge is not None:
+            is_same = (settings_of(env), wish) == (self._settings, self._wish)
+            other = '' if is_same else ', with other settings than asked for here (edulaunch network off, and launch again)'
+            say(f'this machine is on the real ROS 2 network already{other}: {self.where()}')
+            return lambda: None
+        self.on(env, wish, tell)
+        joined = self.bridge
+        say(f'joined the real ROS 2 network: {self.where()}')
+
+        def leave() -> None:
+            if self.bridge is joined:
+                self.off()
+                say('left the real ROS 2 network')
+
+        return leave
+
+    def listen(self, seconds: float) -> None:
+        """Take what has come, and wait for it at most so long."""
+        for key, events in self._selector.select(seconds):
+            key.data(events)
+
+    def after_turn(self) -> None:
+        """Called after each turn of the machine."""
+        if self.bridge is not None:
+            self._safely(self.bridge.after_turn)
+
+    def where(self) -> str:
+        """Which network it is on, and by what."""
+        assert self.bridge is not None
+        settings = self._settings
+        peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
+        return f'domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {self.bridge.link.title}'
+
+    def status(self) -> str:
+        """What crosses, in words."""
+        bridge = self.bridge
+        if bridge is None:
+            return 'the network is off\n'
+        far = bridge.link.graph()
+        simulated = sum(node.is_simulated for node in far.nodes)
+        others = f' and {simulated} simulated by other machines' if simulated else ''
+        lines = [
+            f'network: {self.where()}',
+            f'crossing: {" ".join(self._wish.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
+            f'real nodes: {len(far.nodes) - simulated}{others}, with {len(far.endpoints)} endpoints',
+            *(f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}' for node in far.nodes),
+            *(f'warning: {line}' for line in bridge.troubles.lines()),
+        ]
+        if not far.nodes and self._session.sim.now_ns > self._joined_ns + SETTLED_NS:
+            lines.append(f'help: {nobody_found(self._settings)}')
+        return '\n'.join(lines) + '\n'
+
+
+def run_network(
+    switch: Switch, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
+) -> int:
+    """`edulaunch network on LINK CLOCK TOPICS...`, `off` or `status`, as the command hands them on; returns the exit code."""
+    word = words[0] if words else 'status'
+    if word == 'off':
+        say('the network is off\n' if switch.off() else 'the network was off\n')
+        return 0
+    if word == 'on':
+        link, clock, *topics = [*words[1:], DEFAULT, ''][: max(2, len(words) - 1)]
+        try:
+            switch.on(env, Wish(link, clock == 'clock', topics), tell)
+        except EdulaunchError as error:
+            say(f'error: {error}\n')
+            return 1
+    say(switch.status())
+    return 0

@@ -1,0 +1,158 @@
+"""What a run of pytest gets that has ROS tests: launch tests, those of launch_pytest, and plain tests of a package.
+
+The last two run on the simulated machine of the test run, a launch test in a simulation of its own; tests of tests run pytest
+inside pytest, by its plugin `pytester`.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib.machinery
+import os
+import pkgutil
+import sys
+from collections.abc import Iterable
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from edulaunch.engine.underlay_place import underlay_python
+from edulaunch.extras.testing import absent_linter, is_of_own_package
+from edulaunch.extras.testing.machine_plugin import ConftestImports, put_on_machine
+from edulaunch.ros.sourcing import source
+
+SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
+"""Of a run: whether any of its test files has launch tests, or texts of some."""
+LAZY_PACKAGES = (
+    'edulaunch.engine.sim',
+    'edulaunch.engine.graph',
+    'edulaunch.engine.packages',
+    'edulaunch.engine.processes',
+    'launch',
+    'launch_ros',
+    'launch_testing',
+    'launch_pytest',
+)
+
+
+def start(config: pytest.Config) -> None:
+    """Take part in this run, unless a real ROS 2 is on the path: its own plugins have the same options and tests."""
+    if _is_installed_elsewhere('launch_testing', str(config.invocation_params.dir)):
+        return
+    source()
+    from launch_testing.pytest import hooks
+
+    for name, plugin in (('edulaunch_asked', sys.modules[__name__]), ('launch_testing', hooks)):
+        if not config.pluginmanager.is_registered(plugin):
+            config.pluginmanager.register(plugin, name)
+    ConftestImports(config).install()
+
+
+def _is_installed_elsewhere(name: str, here: str) -> bool:
+    """Whether somebody else's module of that name would be imported; sources of ROS 2 in the folder of the run do not count."""
+    spec = importlib.machinery.PathFinder.find_spec(name)
+    origin = None if spec is None else spec.origin
+    return origin is not None and not origin.startswith((underlay_python(), here + os.sep))
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Prepare for inner runs of pytest that have launch tests."""
+    if session.config.stash.get(SPEAKS_OF_LAUNCH_TESTS, False) and session.config.pluginmanager.has_plugin('pytester'):
+        load_everything()
+
+
+def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Prepare for a file of launch_pytest, or for a plain test file of a ROS package."""
+    text = module_path.read_bytes()
+    if b'launch_pytest' in text or b'generate_test_description' in text:
+        parent.config.stash[SPEAKS_OF_LAUNCH_TESTS] = True
+    if uses_launch_pytest(text):
+        _prepare_launch_pytest(parent.config, module_path)
+        return None
+    linter = absent_linter(text) if is_of_own_package(str(module_path)) else None
+    if linter is not None:
+        module: StyleTestModule = StyleTestModule.from_parent(parent, path=module_path)
+        module.linter = linter
+        return module
+    if is_of_own_package(str(module_path)) and b'def generate_test_description' not in text:
+        put_on_machine(parent.config, module_path)
+    return None
+
+
+class StyleTestModule(pytest.File):
+    """A test file that asks one of ROS 2's style checkers, which is not here."""
+
+    linter = ''
+
+    def collect(self) -> Iterable[pytest.Item]:
+        """One item, which is skipped and tells why."""
+        yield StyleTestItem.from_parent(self, name=self.path.stem)
+
+
+class StyleTestItem(pytest.Item):
+    """What such a file would have checked."""
+
+    parent: StyleTestModule
+
+    def runtest(self) -> None:
+        """Say what is missing, as of the test file."""
+        text = f'{self.parent.linter} is not here: style is checked where ROS 2 is installed'
+        raise pytest.skip.Exception(text, _use_item_location=True)
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        """Where it is, and what it is called."""
+        return self.path, 0, self.name
+
+
+def uses_launch_pytest(source: bytes) -> bool:
+    """Whether a test file imports launch_pytest, or has tests whose launch fixtures a conftest.py has made with it.
+
+    A file that only speaks of it (tests of tests have other files as texts) does not; nor is every mark `launch` ours.
+    """
+    marked = b'mark.launch(' in source and 'launch_pytest' in sys.modules
+    if b'launch_pytest' not in source and not marked:
+        return False
+    try:
+        nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError):
+        return False
+    return any(_imports_launch_pytest(node) or (marked and _is_mark_launch(node)) for node in nodes)
+
+
+def _imports_launch_pytest(node: ast.AST) -> bool:
+    names = (
+        [alias.name for alias in node.names]
+        if isinstance(node, ast.Import)
+        else [node.module or '']
+        if isinstance(node, ast.ImportFrom)
+        else []
+    )
+    return any(name.partition('.')[0] == 'launch_pytest' for name in names)
+
+
+def _is_mark_launch(node: ast.AST) -> bool:
+    return isinstance(node, ast.Attribute) and node.attr == 'launch' and ast.unparse(node.value).endswith('mark')
+
+
+def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
+    """Let launch_pytest take part in this run, and let the file see simulated time."""
+    put_on_machine(config, module_path)
+    from launch_pytest import plugin
+
+    if not config.pluginmanager.is_registered(plugin):
+        config.pluginmanager.register(plugin, 'launch_pytest')
+
+
+def load_everything() -> None:
+    """Import what is else imported when it is first used.
+
+    `pytester` forgets after each inner run the modules that were imported in it, but the packages that refer to them do not:
+    without this there would be two of many a class.
+    """
+    from edulaunch.ros.sourcing import source
+
+    source()
+    for package in LAZY_PACKAGES:
+        for found in pkgutil.walk_packages(import_module(package).__path__, f'{package}.'):
+            import_module(found.name)

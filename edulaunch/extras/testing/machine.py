@@ -1,0 +1,173 @@
+"""The simulated machine on which the tests of a pytest run live that use launch_pytest.
+
+pytest itself is a plain script on it: fixtures, tests and launches share one ROS graph and one simulated time, as they share the
+machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing. Whoever imports
+modules of the packages past the test files (`unittest.mock.patch('my_package.node.x')`, conftest files) gets the same ones.
+"""
+
+from __future__ import annotations
+
+import builtins
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib.abc import Loader as ImportLoader
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from greenlet import getcurrent
+
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.ambient import ambient_process_on
+from edulaunch.engine.processes.loader import Loader
+from edulaunch.engine.processes.views import PRIVATE_COPIES
+from edulaunch.engine.sim.task import AmbientTask
+from edulaunch.errors import SimulationError
+from edulaunch.extras.testing import workspaces_of
+from edulaunch.runtime.session import Session, index_for
+
+SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
+"""Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
+LIMIT_S = 900
+"""How long a test may take, in simulated seconds; longer than any wait of a launch test, which ends after 600 s by itself."""
+
+
+class TestImports(ImportLoader):
+    """The first finder that Python asks: gives the one module that the test files have, too."""
+
+    __test__ = False  # pytest is not to take this class for a test case
+
+    def __init__(self, loader: Loader) -> None:
+        self._loader = loader
+        self._names: set[str] = set()
+        self._given: dict[str, ModuleSpec | None] = {}
+
+    def install(self) -> None:
+        """Begin to be asked."""
+        sys.meta_path.insert(0, self)
+
+    def remove(self) -> None:
+        """Leave things as they were."""
+        sys.meta_path.remove(self)
+        for name in self._given:
+            sys.modules.pop(name, None)
+
+    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        """Where the module is, if it is of a package under test."""
+        return ModuleSpec(name, self) if name.partition('.')[0] in self._names else None
+
+    def look_again(self) -> None:
+        """The program sees other packages now."""
+        overlay = self._loader.process.overlay
+        self._names = {*overlay.interface_packages, *overlay.modules} - sys.stdlib_module_names
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """The module of the test files; it is executed when it is not there yet."""
+        module = self._loader.import_module(spec.name)
+        self._given[spec.name] = module.__spec__
+        return module
+
+    def exec_module(self, module: ModuleType) -> None:
+        """It has been executed; it keeps the description that it had."""
+        module.__spec__ = self._given[module.__name__]
+
+
+class TestMachine:
+    """A machine whose ambient process is pytest.
+
+    :param seed: of all randomness.
+    :param workspaces: folders with packages; None: for each test file the workspace in which it lies.
+    """
+
+    __test__ = False  # pytest is not to take this class for a test case
+
+    def __init__(self, seed: int = 0, workspaces: Sequence[str] | None = None) -> None:
+        self.session = Session(seed=seed)
+        self.session.recorder.stop()
+        self._workspaces = workspaces
+        self._task = AmbientTask(self.session.sim)
+        self.process = self._task.owner = ambient_process_on(self.session.host, self._task)
+        self._files: set[str] = set()
+        self._folders: dict[Path, tuple[str, ...]] = {}
+        self._indexes: dict[tuple[str, ...], Index] = {}
+        self._imports = TestImports(self.process.loader)
+        self._outer: Any = None
+        self._import: Any = None
+
+    def open(self) -> None:
+        """Be the machine of the code that runs now, until :meth:`close`."""
+        here = getcurrent()
+        self._outer, here.task = getattr(here, 'task', None), self._task
+        self._import, builtins.__import__ = builtins.__import__, self._import_for_tests
+        self._imports.install()
+        watchdog = self.session.host.watchdog
+        if watchdog is not None:
+            import threading
+
+            watchdog.thread = threading.get_ident()
+
+    def close(self) -> None:
+        """End everything that still runs, and leave things as they were."""
+        builtins.__import__ = self._import
+        self._imports.remove()
+        self.session.close()
+        getcurrent().task = self._outer or AmbientTask(type(self.session.sim)())
+
+    def add(self, path: Path) -> None:
+        """A test file is to be imported: its clocks, threads and commands are to be simulated ones."""
+        self._files.add(str(path))
+
+    def enter(self, path: Path) -> None:
+        """Code of a test file is to run: it sees the packages around it."""
+        folders = self._folders.get(path.parent)
+        if folders is None:
+            folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
+            self._folders[path.parent] = folders
+        if folders not in self._indexes:
+            self._indexes[folders] = index_for(folders)
+        index = self._indexes[folders]
+        if self.process.index is index:
+            return
+        self.process.index = self.session.host.index = index
+        roots = self.process.loader.roots
+        roots += [root for root in index.python_roots() if root not in roots]
+        self._imports.look_again()
+
+    @contextmanager
+    def limited(self) -> Iterator[None]:
+        """For the length of a test: a wait that takes longer than `LIMIT_S` of simulated time fails, wherever the test stands."""
+        sim = self.session.sim
+
+        def give_up() -> None:
+            raise SimulationError(
+                f'this test has waited for {LIMIT_S} s of simulated time, and what it waits for has not come',
+                help='give the wait a timeout (timeout_sec=5.0), and assert on what must have come by then',
+            )
+
+        end = sim.schedule(sim.now_ns + LIMIT_S * 10**9, lambda: self._task.interrupt(give_up))
+        try:
+            yield
+        finally:
+            sim.cancel(end)
+
+    def let_debug(self, person_is_here: bool) -> None:
+        """While a person is in a debugger, a program may keep its turn for as long as it likes."""
+        if self.session.host.watchdog is not None:
+            self.session.host.watchdog.asleep = person_is_here
+
+    def _import_for_tests(
+        self,
+        name: str,
+        globals: Mapping[str, Any] | None = None,
+        locals: Mapping[str, Any] | None = None,
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
+        """What `import` statements call: those of test files get what a simulated program gets."""
+        here = None if globals is None else globals.get('__file__')
+        if here is None or here not in self._files or name.partition('.')[0] in SHARED:
+            module: ModuleType = self._import(name, globals, locals, fromlist, level)
+            return module
+        return self.process.loader.import_(name, globals, locals, fromlist, level)

@@ -1,0 +1,107 @@
+"""The pytest plugin that keeps the machine of a test run. Ours registers it for the first test file that needs it.
+
+Which test files those are, and the `conftest.py` files, which pytest imports before any test file.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Generator, Sequence
+from importlib.machinery import ModuleSpec
+from importlib.util import find_spec
+from pathlib import Path
+from types import FrameType, ModuleType
+from typing import Any
+
+import pytest
+
+from edulaunch.extras.testing import is_of_own_package
+from edulaunch.extras.testing.machine import TestMachine
+
+MACHINE = pytest.StashKey[TestMachine]()
+
+
+def machine_of(config: pytest.Config) -> TestMachine:
+    """The machine of this run of pytest; it is opened when it is first asked for."""
+    if MACHINE not in config.stash:
+        import sys
+
+        from edulaunch.ros.sourcing import source
+
+        source()
+        option = {**vars(config.known_args_namespace), **vars(config.option)}  # the second comes after the conftest files
+        machine = config.stash[MACHINE] = TestMachine(option.get('launch_seed', 0), option.get('launch_workspace'))
+        machine.open()
+        config.add_cleanup(machine.close)
+        config.pluginmanager.register(sys.modules[__name__], 'edulaunch_test_machine')
+    return config.stash[MACHINE]
+
+
+def put_on_machine(config: pytest.Config, path: Path) -> None:
+    """Let a test file that is to be imported see simulated time and the packages around it."""
+    machine = machine_of(config)
+    machine.add(path)
+    machine.enter(path)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
+    """A file that is imported sees the packages around it."""
+    if isinstance(collector, pytest.Module):
+        collector.config.stash[MACHINE].enter(collector.path)
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
+    """So does a test, and it does not wait for ever."""
+    machine = item.config.stash[MACHINE]
+    machine.enter(item.path)
+    with machine.limited():
+        return (yield)
+
+
+def pytest_enter_pdb(config: pytest.Config) -> None:
+    """Nobody is stopped for taking long while a person looks."""
+    config.stash[MACHINE].let_debug(True)
+
+
+def pytest_leave_pdb(config: pytest.Config) -> None:
+    """From now on they are again."""
+    config.stash[MACHINE].let_debug(False)
+
+
+class ConftestImports:
+    """The first finder that Python asks: puts a `conftest.py` inside a package of the user on the machine of the tests.
+
+    So it finds that package and its interfaces too. What it imports before anything is looked for stays as it is.
+    """
+
+    def __init__(self, config: pytest.Config) -> None:
+        self._config = config
+        self._seen: set[str] = set()
+
+    def install(self) -> None:
+        """Be asked until the end of the run."""
+        sys.meta_path.insert(0, self)
+        self._config.add_cleanup(lambda: sys.meta_path.remove(self))
+
+    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        """Where the module is, if the machine of the tests knows it and this import is the first of a conftest.py."""
+        conftest = _importing_conftest(sys._getframe(1))
+        if conftest is None or conftest in self._seen:
+            return None
+        self._seen.add(conftest)
+        if not is_of_own_package(conftest):
+            return None
+        put_on_machine(self._config, Path(conftest))
+        return find_spec(name)
+
+
+def _importing_conftest(frame: FrameType | None) -> str | None:
+    """The conftest.py in which the import statement stands that is being executed."""
+    while frame is not None and 'importlib' in frame.f_code.co_filename:
+        frame = frame.f_back
+    file = '' if frame is None else frame.f_code.co_filename
+    return file if os.path.basename(file) == 'conftest.py' else None

@@ -1,0 +1,8 @@
+"""ROS's own packages at ROS's own names: `launch`, `rclpy`, `tf2_ros`, `turtlesim`, the message packages and their data.
+
+The folder is laid out like an install prefix: `python/` has the import packages, `share/` their launch files, interfaces and
+`package.xml`, `programs/` the programs that are written as students write theirs.
+A package here is a face over `edulaunch.engine`, with ROS 2's names, defaults and error texts; it may import the engine only.
+Nothing here is a top-level name of an installation: `edulaunch.source()` (in `sourcing.py`) puts `python/` on the path.
+Start reading with `python/rclpy/node.py` and `python/launch/launch_service.py`.
+"""

@@ -1,0 +1,38 @@
+"""The index that a program's AMENT_PREFIX_PATH calls for."""
+
+from __future__ import annotations
+
+import os
+
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes import current_process
+from edulaunch.engine.underlay_place import underlay_prefix
+
+from .constants import AMENT_PREFIX_PATH_ENV_VAR
+
+
+def own_path() -> str | None:
+    """What the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it."""
+    process = current_process()
+    path = process.env.get(AMENT_PREFIX_PATH_ENV_VAR, '')
+    return None if path == process.sourced_path else path
+
+
+def index_in_force() -> Index:
+    """The simulation's index; or that of just the prefixes which the program has put into the variable."""
+    path, sourced = own_path(), current_process().index
+    return sourced if path is None else _index_of(path, sourced)
+
+
+def existing(path: str) -> list[str]:
+    """The folders of such a variable that there are."""
+    return [folder for folder in path.split(os.pathsep) if folder and os.path.exists(folder)]
+
+
+def _index_of(path: str, sourced: Index) -> Index:
+    """With the built-in packages and the workspaces that were sourced, as far as they are still named."""
+    underlay, named = underlay_prefix(), path.split(os.pathsep)
+    folders = [workspace.folder for workspace in sourced.workspaces if workspace.path in named]
+    generated = {workspace.path for workspace in sourced.workspaces}
+    prefixes = [prefix for prefix in existing(path) if prefix not in generated]
+    return Index(prefixes, folders, underlay=underlay if underlay in named else None)

@@ -1,0 +1,86 @@
+"""Packages by name."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import TYPE_CHECKING
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.processes import current_process
+
+from ._index import index_in_force
+from .search_paths import get_search_paths
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+_NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
+
+
+class PackageNotFoundError(KeyError):
+    """No prefix of the search path holds a package of that name."""
+
+
+def get_package_prefix(package_name: str) -> str:
+    """The install prefix of a package.
+
+    :raises ValueError: when this cannot be a package name.
+    :raises PackageNotFoundError: when there is no such package.
+    """
+    if not _NAME.fullmatch(package_name):
+        raise ValueError(f"'{package_name}' is not a valid package name")
+    prefix = index_in_force().prefix(package_name) or _left_out_by_launch(package_name)
+    if prefix is None:
+        raise _not_found(package_name)
+    return prefix
+
+
+def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
+    """`<prefix>/share/<package>`; when that folder is missing there is only a warning.
+
+    :raises ValueError: when this cannot be a package name.
+    :raises PackageNotFoundError: when there is no such package.
+    """
+    return _share(package_name, 'directory' if print_warning else None)
+
+
+def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
+    """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
+    import pathlib  # 4 ms, which no start need wait for
+
+    of_program = current_process().loader.modules.get('pathlib', pathlib)
+    path: Path = of_program.Path(_share(package_name, 'path' if print_warning else None))
+    return path
+
+
+def get_packages_with_prefixes() -> dict[str, str]:
+    """All packages: name -> prefix."""
+    get_search_paths()
+    return index_in_force().packages()
+
+
+def _share(package_name: str, called: str | None) -> str:
+    """The share folder; unless it is `called` nothing, a warning says that it is missing."""
+    path = os.path.join(get_package_prefix(package_name), 'share', package_name)
+    if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
+        import warnings
+
+        warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)
+    return path
+
+
+def _left_out_by_launch(package_name: str) -> str | None:
+    """Where a well-known package would be that is not here: a launch file goes on without it, a program gets the error."""
+    process = current_process()
+    if 'launch.process_counter' not in process.state:
+        return None
+    is_known = 'launch.assumptions' not in process.state and process.index.absent(package_name) is not None
+    return process.index.absent_prefix if is_known else None
+
+
+def _not_found(package_name: str) -> PackageNotFoundError:
+    from edulaunch.advice.workspace.missing import missing_package
+
+    error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
+    return with_facts(error, **missing_package(index_in_force(), package_name))

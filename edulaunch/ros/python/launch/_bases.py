@@ -1,0 +1,53 @@
+"""What the classes of launch are made with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+from edulaunch.engine.read_only import ReadOnly as ReadOnly
+
+
+class StableRepr:
+    """Python's default `repr` without the address.
+
+    Some of launch's error messages contain the `repr` of substitutions and actions. An address would make two
+    equal runs print different texts, so only its `0x` is left of it.
+    """
+
+    def __repr__(self) -> str:
+        cls = type(self)
+        return f'<{cls.__module__}.{cls.__qualname__} object at 0x>'
+
+
+Parse = Callable[..., tuple[type, dict[str, Any]]]
+
+
+class ParsedByFrontend:
+    """Descriptor for `parse`: reads as the nearest class that the frontend knows, and answers with the class it was asked of.
+
+    So `super().parse(entity, parser)` in a student's sub-class gives the keyword arguments of the base class.
+
+    :param kind: 'action' or 'substitution'.
+    :param otherwise: for classes that it does not know; without one they have no `parse`.
+    """
+
+    def __init__(self, kind: str, otherwise: Parse | None = None) -> None:
+        self._kind = kind
+        self._otherwise = otherwise
+
+    def __get__(self, instance: object, owner: type | None = None) -> Parse:
+        made = owner if owner is not None else type(instance)
+        methods: dict[str, Any] = getattr(import_module(f'{__package__}.frontend.expose'), f'{self._kind}_parse_methods')
+        makers = {(getattr(one, 'module', ''), getattr(one, 'class_name', '')): one for one in methods.values()}
+        read = next((makers[key] for key in ((base.__module__, base.__name__) for base in made.__mro__) if key in makers), None)
+        parse = read or self._otherwise
+        if parse is None:
+            raise AttributeError(f"type object {made.__name__!r} has no attribute 'parse'")
+        found: Parse = parse
+
+        def parse_as(*args: Any) -> tuple[type, dict[str, Any]]:
+            return made, found(*args)[1]
+
+        return parse_as

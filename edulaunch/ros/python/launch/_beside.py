@@ -1,0 +1,111 @@
+"""A launch that a plain script runs, beside what else goes on there: real threads, other tasks of an asyncio loop.
+
+Alone, a launch lets simulated time run as fast as it can. Beside something that lives in real time and may call in (a
+`threading.Timer` that shuts the launch down, say) its time keeps pace with real time, a slice at a time.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ._engine import is_plain_script
+
+if TYPE_CHECKING:
+    import asyncio
+
+SLICE_S = 0.01
+
+
+class Company:
+    """Tells whether the script has started threads since this was made, and they still run."""
+
+    def __init__(self) -> None:
+        self._before = {thread.ident for thread in threading.enumerate()} if is_plain_script() else None
+
+    def has_come(self) -> bool:
+        """Whether there is such a thread."""
+        before = self._before
+        if before is None:
+            return False
+        new = [thread for thread in threading.enumerate() if thread.ident not in before]
+        if not new:
+            return False
+        from edulaunch.engine.processes.real import READER_NAME
+
+        return any(not thread.name.startswith(READER_NAME) for thread in new)
+
+
+def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], company: Company) -> int:
+    """Run the loop until the task is done.
+
+    :raises SimulationError: when the task waits for something that nobody can bring about any more.
+    """
+    while not task.done():
+        if not _has_run_alone(loop, task, company.has_come):
+            time.sleep(_run_slice(loop))
+    return task.result()
+
+
+async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], company: Company) -> int:
+    """Run a simulated loop until its task is done, while the loop that awaits this runs what else it has.
+
+    In a notebook the simulation is alone: what other tasks a kernel has is not the student's.
+
+    :raises SimulationError: as above.
+    """
+    import asyncio
+
+    outer: Any = asyncio.get_running_loop()
+
+    def has_company() -> bool:
+        others = len(asyncio.all_tasks(outer)) > 1 or bool(getattr(outer, '_scheduled', False))
+        return (others and not _is_notebook()) or company.has_come()
+
+    try:
+        while not task.done():
+            if not _has_run_alone(loop, task, has_company):
+                await asyncio.sleep(_run_slice(loop))
+    except asyncio.CancelledError:
+        task.cancel()
+        loop.run_until_complete(task)
+    return task.result()
+
+
+def _is_notebook() -> bool:
+    """Whether a kernel runs the cells: an IPython that somebody in this program has made without one is no notebook."""
+    shell: Any = sys.modules.get('IPython')
+    return shell is not None and hasattr(shell.get_ipython(), 'kernel')
+
+
+def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_company: Callable[[], bool]) -> bool:
+    """Run to the end in one go, when nobody else is there; False when somebody is."""
+    from edulaunch.errors import SimulationError
+
+    if has_company():
+        return False
+    try:
+        loop.run_until_complete(task)
+    except SimulationError:
+        if task.done() or not has_company():
+            raise
+        return False
+    except BaseException:
+        if task.done() and not task.cancelled():
+            task.exception()  # who ends the program tells it; asyncio need not tell it again
+        raise
+    return True
+
+
+def _run_slice(loop: asyncio.AbstractEventLoop) -> float:
+    """Run the loop for a slice of simulated time; returns how many seconds of real time the slice has left."""
+    began = time.monotonic()
+    end = loop.call_later(SLICE_S, loop.stop)
+    try:
+        loop.run_forever()
+    finally:
+        end.cancel()
+    return max(0.0, SLICE_S - (time.monotonic() - began))

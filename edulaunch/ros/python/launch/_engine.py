@@ -1,0 +1,171 @@
+"""The seam between launch and the engine: the only module of launch that knows edulaunch's processes.
+
+Everything is looked up through the running process, so that two simulations in one interpreter never meet.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, MutableMapping, Sequence
+from functools import lru_cache
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop
+
+    from edulaunch.engine.processes import Process, ProcessSpec
+
+    from .launch_context import LaunchContext
+
+T = TypeVar('T')
+
+
+def running_process() -> Process:
+    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
+    return _current_process()()
+
+
+@lru_cache(maxsize=1)
+def _current_process() -> Callable[[], Process]:
+    # An import statement takes as long as the question, which every action asks.
+    from edulaunch.engine.processes.current import current_process
+
+    return current_process
+
+
+def is_plain_script() -> bool:
+    """Whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
+    from edulaunch.engine.sim.task import AmbientTask, current_task
+
+    return isinstance(current_task(), AmbientTask)
+
+
+def environment() -> MutableMapping[str, str]:
+    """The environment variables of the running process, live; what upstream means by `os.environ`."""
+    return running_process().env
+
+
+def inside(path: str | os.PathLike[str]) -> str:
+    """A path as the running process means it: each terminal of a machine has a folder of its own."""
+    return running_process().path(os.fspath(path))
+
+
+def process_state(key: str, make: Callable[[], T]) -> T:
+    """What would be a global of launch's process: made at first use, one for each process."""
+    state = running_process().state
+    if key not in state:
+        state[key] = make()
+    value: T = state[key]
+    return value
+
+
+def state_of(context: LaunchContext) -> dict[str, Any]:
+    """The state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
+    try:
+        return context.process_state
+    except AttributeError:
+        return running_process().state
+
+
+def process_counter(context: LaunchContext) -> list[int]:
+    """The number of the process that was numbered last, as the only item of a list; for any context, as above."""
+    try:
+        return context.process_counter
+    except AttributeError:
+        return process_state('launch.process_counter', lambda: [0])
+
+
+def generated_files() -> dict[str, Any]:
+    """Path -> file, of the files that launch made for the programs of this simulation; see `Host.generated_files`."""
+    return running_process().host.generated_files
+
+
+def new_event_loop() -> AbstractEventLoop:
+    """An asyncio loop on simulated time for the running task."""
+    from edulaunch.engine.sim.aio import new_event_loop
+
+    return new_event_loop()
+
+
+def load_module(path: str, module_name: str) -> ModuleType:
+    """Execute a Python file with the private modules of the running process."""
+    return running_process().loader.run_file(path, module_name)
+
+
+def import_for_expression(name: str) -> ModuleType:
+    """A module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it
+    has one.
+    """
+    return running_process().loader.import_(name, fromlist=('*',))
+
+
+def assumptions() -> Any:
+    """What a dry run with missing packages pretends (`edulaunch.advice.plan.assumptions.Assumptions`), else None."""
+    return running_process().state.get('launch.assumptions')
+
+
+def absent_package(package: str) -> str | None:
+    """What a well-known package that is not here belongs to ('Gazebo'), where launch is to go on without it; else None.
+
+    A dry run does not go on: it is to find what is missing.
+    """
+    process = running_process()
+    return None if 'launch.assumptions' in process.state else process.index.absent(package)
+
+
+def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
+    """Run a command to its end; returns its exit code, standard output and standard error.
+
+    A dry run with missing packages may know better; see :func:`assumptions`.
+    A command that the simulation knows (`ros2 ...`) runs in it, while launch waits in simulated time. Any
+    other is a real program and takes no simulated time, so that the run repeats.
+
+    :raises FileNotFoundError: when there is no such command.
+    """
+    from edulaunch.engine.processes import ProcessSpec
+
+    process = running_process()
+    assumed = assumptions()
+    text = None if assumed is None else assumed.output_of(argv, process.env.get('PATH'))
+    if text is not None:
+        return 0, text, ''
+    spec = ProcessSpec(argv=tuple(argv), name=os.path.basename(argv[0]), cwd=process.cwd, env=dict(process.env))
+    if not process.host.knows(spec):
+        return _run_real_command(argv, spec, stderr_to_stdout)
+    return _run_known_command(process, spec, stderr_to_stdout)
+
+
+def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> tuple[int, str, str]:
+    from edulaunch.engine.sim.task import current_task
+
+    task = current_task()
+    texts = {'stdout': '', 'stderr': ''}
+    codes: list[int] = []
+
+    def on_output(stream: str, text: str) -> None:
+        texts['stdout' if stderr_to_stdout else stream] += text
+
+    def on_exit(code: int) -> None:
+        codes.append(code)
+        task.wake()
+
+    process.host.start_command(spec, on_output, on_exit)
+    while not codes:
+        task.park()
+    return codes[0], texts['stdout'], texts['stderr']
+
+
+def _run_real_command(argv: Sequence[str], spec: ProcessSpec, stderr_to_stdout: bool) -> tuple[int, str, str]:
+    import subprocess
+
+    done = subprocess.run(
+        list(argv),
+        cwd=spec.cwd,
+        env=spec.env,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT if stderr_to_stdout else subprocess.PIPE,
+    )
+    return done.returncode, done.stdout, done.stderr or ''

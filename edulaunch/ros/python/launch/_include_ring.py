@@ -1,0 +1,61 @@
+"""Launch files that include themselves."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.facts import with_facts
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes import Origin
+
+    from .launch_context import LaunchContext
+
+DEEPEST = 50
+"""So many times a file may be inside itself, when the launch configurations are different each time."""
+
+
+class Include(NamedTuple):
+    """A launch file that is visited.
+
+    :ivar origin: of the action that includes it.
+    :ivar configurations: as they were before its arguments were set.
+    """
+
+    file: str
+    origin: Origin | None
+    configurations: dict[str, Any]
+
+
+def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> None:
+    """Note that `file` is visited from now on, until the walk leaves the action that includes it.
+
+    Outside a walk nothing is noted, as nobody says when a file is left. A file may include itself as long as this comes
+    to an end: under a condition, say, with an argument that counts down.
+
+    :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
+    """
+    if context.open_includes is None:
+        return
+    entered = Include(file, origin, dict(context.launch_configurations))
+    before = [number for number, include in enumerate(context.open_includes) if include.file == file]
+    if before and (len(before) >= DEEPEST or context.open_includes[before[-1]].configurations == entered.configurations):
+        raise _ring_error([*context.open_includes[before[-1] :], entered])
+    context.open_includes.append(entered)
+
+
+def _ring_error(ring: list[Include]) -> RecursionError:
+    steps = [f'{_shown(include)} includes {os.path.basename(inner.file)}' for include, inner in zip(ring, ring[1:], strict=False)]
+    error = RecursionError(
+        f"launch file '{ring[0].file}' includes itself without end: "
+        + ', '.join(
+            f'{step} (line {inner.origin.line})' if inner.origin is not None else step
+            for step, inner in zip(steps, ring[1:], strict=True)
+        )
+    )
+    return with_facts(error, 'launch.include-ring', ring=[_shown(include) for include in ring])
+
+
+def _shown(include: Include) -> str:
+    return os.path.basename(include.file)

@@ -1,0 +1,87 @@
+"""Which line of which launch file made an action.
+
+ROS 2 does not know this; errors, `edulaunch doctor` and grades point there. It must cost next to nothing,
+because every action pays for it: two numbers are kept, and made readable only when somebody asks.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from types import CodeType, FrameType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes import Origin
+
+FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
+Place = tuple[str, int] | tuple[CodeType, int]
+"""File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
+
+MAKERS: dict[int, CodeType] = {}
+"""Code of ours where the search ends: the frontends' parser, which says itself where its actions come from, and a visit.
+
+By identity: the hash of a code object covers everything in it, so that of a launch file with thousands of nodes takes longer
+than to make an action.
+"""
+_KEPT_TABLES = 64
+_TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
+"""Line tables by the identity of their code, which they keep alive."""
+
+
+def caller_outside_launch(made: object) -> Place | None:
+    """The place in the innermost running code that is neither ours nor the constructor of `made` itself.
+
+    What an action of ours makes while it is visited comes from where that action comes from.
+    """
+    frame: FrameType | None = sys._getframe(2)
+    while frame is not None:
+        code = frame.f_code
+        if code.co_filename.startswith(FACES):
+            if id(code) in MAKERS:
+                place: Place | None = getattr(frame.f_locals['self'], '_Action__origin', None)
+                return place
+        elif code.co_name != '__init__' or not _makes(code, frame, made):
+            return code, frame.f_lasti
+        frame = frame.f_back
+    return None
+
+
+def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
+    """Whether the frame is the constructor, in a student's subclass, of the very object."""
+    return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
+
+
+def origin_of(place: Place | None) -> Origin | None:
+    """The engine's `Origin` for a place."""
+    if place is None:
+        return None
+    from edulaunch.engine.processes import Origin
+
+    where, position = place
+    return Origin(where, position) if isinstance(where, str) else Origin(where.co_filename, _line_at(where, position))
+
+
+def _line_at(code: CodeType, position: int) -> int:
+    from bisect import bisect_right
+
+    _, starts, lines = _TABLES.get(id(code)) or _line_table(code)
+    return lines[bisect_right(starts, position) - 1]
+
+
+def _line_table(code: CodeType) -> tuple[CodeType, list[int], list[int]]:
+    rows = [(start, line) for start, _, line in code.co_lines() if line is not None]
+    table = code, [start for start, _ in rows], [line for _, line in rows]
+    if len(_TABLES) >= _KEPT_TABLES:
+        _TABLES.clear()
+    _TABLES[id(code)] = table
+    return table
+
+
+def note_origin(error: BaseException, entity: Any) -> None:
+    """Remember on `error` (as `edulaunch_origin` and `edulaunch_entity`) which action raised it; the
+    innermost stays.
+    """
+    if not hasattr(error, 'edulaunch_origin'):
+        error.edulaunch_origin = entity.origin  # type: ignore[attr-defined]
+        error.edulaunch_entity = type(entity).__name__  # type: ignore[attr-defined]

@@ -1,0 +1,59 @@
+"""What a recording keeps of a launch besides its processes, in the state of the process that runs launch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from types import FunctionType
+from typing import TYPE_CHECKING, Any
+
+from ._engine import process_state
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes import Origin
+
+    from .actions.declare_launch_argument import DeclareLaunchArgument
+
+
+def note_declared(argument: DeclareLaunchArgument) -> None:
+    """A launch argument was declared; the first declaration of a name is kept, in `launch.declared`."""
+    declared: list[DeclareLaunchArgument] = process_state('launch.declared', list)
+    if all(argument.name != known.name for known in declared):
+        declared.append(argument)
+
+
+def note_include(path: str) -> None:
+    """A launch file was included; its path goes to `launch.includes`."""
+    includes: list[str] = process_state('launch.includes', list)
+    includes.append(path)
+
+
+def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
+    """Arguments were given to an included file that declares no such argument; ROS 2 sets them in silence.
+
+    They are kept in `launch.undeclared`.
+    """
+    known = list(declared)
+    noted: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
+    noted += [(name, known, file, origin) for name in names if name not in known]
+
+
+def names_read() -> dict[str, bool]:
+    """The names of launch configurations that substitutions asked for (`launch.read`), in order."""
+    return process_state('launch.read', dict)
+
+
+_KEY = 'launch.wrong_return'
+
+
+def note_wrong_return(function: Any) -> None:
+    """Remember the function for :func:`tell_wrong_return`."""
+    remembered: list[Any] = process_state(_KEY, list)
+    remembered[:] = [function] if isinstance(function, FunctionType) else []
+
+
+def tell_wrong_return(error: Any) -> None:
+    """Put the place of the function that was remembered last on the error."""
+    remembered: list[Any] = process_state(_KEY, list)
+    for function in remembered:
+        code = function.__code__
+        error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno

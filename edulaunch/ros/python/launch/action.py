@@ -1,0 +1,107 @@
+"""The base class of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from ._bases import ParsedByFrontend, ReadOnly
+from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
+from .conditions import Condition
+from .events import ExecutionComplete
+from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes import Origin
+
+    from .frontend.entity import Entity
+    from .frontend.parser import Parser
+    from .launch_context import LaunchContext
+
+
+def _only_a_condition(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
+    """What every action element may have: `if` and `unless`."""
+    from .frontend.elements import condition_of
+
+    return Action, condition_of(entity, parser)
+
+
+class Action(LaunchDescriptionEntity):
+    """Something a launch file asks for: start a program, set a value, include a file.
+
+    Making one does nothing yet; :meth:`visit` executes it when its condition holds.
+
+    :param condition: without one the action is always executed.
+    """
+
+    def __init__(self, *, condition: Condition | None = None) -> None:
+        self.__condition = condition
+        self.__origin: Any = caller_outside_launch(self)
+
+    @property
+    def origin(self) -> Origin | None:
+        """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
+        place: Any = self.__dict__.get('_Action__origin')
+        if type(place) is tuple:
+            place = self.__origin = origin_of(place)
+        return place  # type: ignore[no-any-return]
+
+    def set_origin(self, file: str, line: int) -> None:
+        """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
+        self.__origin = (file, line)
+
+    parse = ParsedByFrontend('action', _only_a_condition)
+    """Class method: the class, and the keyword arguments that an element of an XML or YAML file stands for."""
+
+    condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
+
+    def describe(self) -> str:
+        """Python's `repr`, for people who read a plan or an error."""
+        return repr(self)
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities this action leads to, known without executing it. For subclasses to override."""
+        return []
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """:meth:`get_sub_entities` when there is no condition."""
+        return self.get_sub_entities() if self.__condition is None else []
+
+    def describe_conditional_sub_entities(self) -> ConditionalEntities:
+        """:meth:`get_sub_entities` when there is a condition."""
+        if self.__condition is None:
+            return []
+        return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
+
+    def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
+        """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would
+        handle it.
+
+        An exception on its way out is told where this action was made, for the message that people see.
+        """
+        try:
+            if self.__condition is not None and not self.__condition.evaluate(context):
+                return None
+            try:
+                return self.execute(context)
+            finally:
+                self.__announce_completion(context)
+        except Exception as error:
+            note_origin(error, self)
+            raise
+
+    MAKERS[id(visit.__code__)] = visit.__code__
+
+    def __announce_completion(self, context: LaunchContext) -> None:
+        event = ExecutionComplete(action=self)
+        if not context.would_handle_event(event):
+            return
+        future = self.get_asyncio_future()
+        if future is None:
+            context.emit_event_sync(event)
+        else:
+            future.add_done_callback(lambda _: context.emit_event_sync(event))
+
+    def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
+        """What the action does; here nothing. For subclasses to override; called by :meth:`visit`."""
+        return None

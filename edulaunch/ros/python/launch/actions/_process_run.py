@@ -1,0 +1,131 @@
+"""One run of a program, from launch's side: what it prints and how it ends arrive on launch's own loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from .._engine import running_process
+
+if TYPE_CHECKING:
+    import asyncio
+
+    from edulaunch.engine.processes import ProcessSpec
+
+
+class ProcessRun:
+    """A program that was started through the simulation's host.
+
+    :param on_output: called on the loop as on_output('stdout' | 'stderr', text). Pieces that were written
+        without a pause arrive as one, as they would from a pipe.
+    :raises OSError: when the program cannot be started.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop, spec: ProcessSpec, on_output: Callable[[str, str], object]) -> None:
+        self._loop = loop
+        self._on_output = on_output
+        self._pending: list[tuple[str, str]] = []
+        self.complete: asyncio.Future[int] = loop.create_future()
+        self._process: Any = running_process().host.start_launched(spec, self._take, self._end)
+
+    @property
+    def pid(self) -> int:
+        """The process number."""
+        pid: int = self._process.pid
+        return pid
+
+    def send_signal(self, signum: int) -> None:
+        """Send a signal."""
+        self._process.send_signal(signum)
+
+    def _take(self, stream: str, text: str) -> None:
+        """Called by the program, on its own turn."""
+        if self._loop.is_closed():
+            return
+        self._pending.append((stream, text))
+        if len(self._pending) == 1:
+            self._loop.call_soon_threadsafe(self._deliver)
+
+    def _deliver(self) -> None:
+        pending, self._pending = self._pending, []
+        start = 0
+        for position, (stream, _) in enumerate(pending):
+            if position + 1 == len(pending) or pending[position + 1][0] != stream:
+                self._on_output(stream, ''.join([text for _, text in pending[start : position + 1]]))
+                start = position + 1
+
+    def _end(self, returncode: int) -> None:
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self._complete, returncode)
+
+    def _complete(self, returncode: int) -> None:
+        if not self.complete.done():
+            self.complete.set_result(returncode)
+
+
+class OutputLines:
+    """Cuts text that comes in pieces into lines; a line is passed on when it is complete.
+
+    :param emit: called with each line, without its end.
+    :param cached: keep everything, for :attr:`text`.
+    """
+
+    def __init__(self, emit: Callable[[str], object], cached: bool) -> None:
+        self._emit = emit
+        self._rest = ''
+        self._pieces: list[str] | None = [] if cached else None
+
+    @property
+    def text(self) -> str:
+        """Everything that came so far."""
+        return ''.join(self._pieces or ())
+
+    def write(self, data: bytes) -> None:
+        """Take the next piece. Bytes that are not UTF-8 are replaced."""
+        text = data.decode('utf-8', errors='replace')
+        if self._pieces is not None:
+            self._pieces.append(text)
+        lines = (self._rest + text).split('\n')
+        self._rest = lines.pop()
+        for line in lines:
+            self._emit(line)
+
+    def flush(self) -> None:
+        """Pass on what is left of a line that was never completed."""
+        rest, self._rest = self._rest, ''
+        if rest:
+            self._emit(rest)
+
+
+DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
+
+
+class ProcessOptions(NamedTuple):
+    """As in :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions, until the action is prepared: as upstream
+    the others are used as they are given.
+    """
+
+    shell: Any = False
+    emulate_tty: Any = False
+    output_format: str = DEFAULT_OUTPUT_FORMAT
+    cached_output: bool = False
+    log_cmd: bool = False
+    respawn: Any = False
+    respawn_delay: Any = None
+    respawn_max_retries: Any = -1
+
+    def wants_respawn(self, retries: int) -> bool:
+        """Whether a process that has ended is to be started again.
+
+        :param retries: how often it was already.
+        :raises TypeError: when the number of retries is none.
+        """
+        return bool(self.respawn) and (self.respawn_max_retries < 0 or retries < self.respawn_max_retries)
+
+    @property
+    def has_delay(self) -> bool:
+        """Whether that is to be later.
+
+        :raises TypeError: when the delay is no number.
+        """
+        return self.respawn_delay is not None and bool(self.respawn_delay > 0.0)

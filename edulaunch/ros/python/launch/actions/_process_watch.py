@@ -1,0 +1,300 @@
+"""What happens to a process after its action was executed: start, output, signals, respawn, end."""
+
+from __future__ import annotations
+
+import os
+import signal
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from .._engine import running_process
+from ..conditions import evaluate_condition_expression
+from ..event_handler import BaseEventHandler
+from ..events import Event, Shutdown
+from ..events.process import (
+    ProcessExited,
+    ProcessIO,
+    ProcessStarted,
+    ProcessStderr,
+    ProcessStdout,
+    ProcessTargetedEvent,
+    RunningProcessEvent,
+    ShutdownProcess,
+    SignalProcess,
+)
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..logging import get_logger, get_output_loggers
+from ..logging._output import normalize_output_configuration
+from ..utilities.texts import normalize_to_list_of_substitutions
+from ._process_run import DEFAULT_OUTPUT_FORMAT, OutputLines
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Callable
+
+    from ..launch_context import LaunchContext
+    from ._process_run import ProcessOptions, ProcessRun
+    from .execute_local import ExecuteLocal
+
+Entities = list[LaunchDescriptionEntity]
+PATIENCE = 1000
+
+
+class ProcessWatch(BaseEventHandler):
+    """Runs the program of one action, and handles all events that concern it.
+
+    :param details: the action's `process_details`; gets `pid` when the process runs.
+    :ivar completed: done when the process has ended for good.
+    :ivar return_code: of the last run, None before its end.
+    """
+
+    def __init__(
+        self, action: ExecuteLocal, details: dict[str, Any], options: ProcessOptions, output: Any, loop: asyncio.AbstractEventLoop
+    ) -> None:
+        super().__init__(matcher=self._concerns)
+        self.only_action = action
+        self._action = action
+        self._details = details
+        self._options = options
+        self._run: ProcessRun | None = None
+        self._retries = 0
+        self._loop = loop
+        self._is_asked_to_end = False
+        self._respawn: asyncio.TimerHandle | None = None
+        self._ends_on_start: bool | None = None
+        self._timers: list[Any] = []
+        self.completed: asyncio.Future[None] = loop.create_future()
+        self.return_code: int | None = None
+        self._output = output
+        if output != 'log':
+            normalize_output_configuration(output)
+        self._lines: dict[str, OutputLines] = {}
+        self._unshown = 0
+
+    @cached_property
+    def _logger(self) -> Any:
+        return get_logger(self._details['name'])
+
+    def text_of(self, stream: str) -> str:
+        """What was written to 'stdout' or 'stderr' so far."""
+        lines = self._lines.get(stream)
+        return '' if lines is None else lines.text
+
+    def _lines_of(self, stream: str) -> OutputLines:
+        """Made when the first text comes: many programs never print."""
+        lines = self._lines.get(stream)
+        if lines is None:
+            stdout, stderr = get_output_loggers(self._details['name'], self._output)
+            printer = self._line_printer(stdout if stream == 'stdout' else stderr)
+            lines = self._lines[stream] = OutputLines(printer, self._options.cached_output)
+        return lines
+
+    def _line_printer(self, logger: Any) -> Callable[[str], object]:
+        info, template, action = logger.info, self._options.output_format, self._action
+        if template == DEFAULT_OUTPUT_FORMAT:
+            prefix = f'[{self._details["name"]}] '
+            return lambda line: info(prefix + line)
+        return lambda line: info(template.format(line=line, this=action))
+
+    # -- running
+
+    def begin(self, context: LaunchContext) -> None:
+        """Start the program, unless launch has given up meanwhile. Called on launch's loop.
+
+        A mistake that comes up here ends the action; the launch service reports it.
+        """
+        self._respawn = None
+        if context.starts_are_abandoned:
+            self._finish()
+            return
+        try:
+            self._begin(context)
+        except Exception as error:
+            self._finish(error)
+
+    def _begin(self, context: LaunchContext) -> None:
+        details = self._details
+        if self._options.log_cmd:
+            self._logger.info(
+                f"process details: cmd='{self._shown_command()}', cwd='{details['cwd']}', "
+                f'custom_env?={details["env"] is not None}'
+            )
+        emulate_tty = _wants_terminal(context, self._options)
+        try:
+            self._run = self._start(context, emulate_tty)
+        except Exception as error:
+            self._logger.error(f'exception occurred while executing process:\n{start_failure(error, self._action, details)}')
+            self._finish()
+            return
+        pid = details['pid'] = self._run.pid
+        self._logger.info(f'process started with pid [{pid}]')
+        context.emit_event_sync(ProcessStarted(**details))
+        self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
+
+    def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
+        """The program has ended: when its output is shown say so, and start it again when that is wanted.
+
+        :param patience: how many more rounds of the loop to wait for events of output (after its end launch handles none).
+        """
+        if self._unshown and patience:
+            self._loop.call_soon(self._end, context, returncode, patience - 1)
+            return
+        self.return_code = returncode
+        pid = self._details['pid']
+        if returncode == 0:
+            self._logger.info(f'process has finished cleanly [pid {pid}]')
+        else:
+            self._logger.error(f"process has died [pid {pid}, exit code {returncode}, cmd '{self._shown_command()}'].")
+        context.emit_event_sync(ProcessExited(returncode=returncode, **self._details))
+        try:
+            self._start_again_or_finish(context)
+        except TypeError as error:  # a delay or a number of retries that is no number
+            self._finish(error)
+
+    def _start_again_or_finish(self, context: LaunchContext) -> None:
+        options = self._options
+        if context.is_shutdown or self._is_asked_to_end or not options.wants_respawn(self._retries):
+            self._finish()
+            return
+        self._retries += 1
+        if options.has_delay:
+            self._respawn = self._loop.call_later(options.respawn_delay, self.begin, context)
+        else:
+            self.begin(context)
+
+    def _finish(self, error: Exception | None = None) -> None:
+        """The action is over."""
+        if not self.completed.done():
+            if error is None:
+                self.completed.set_result(None)
+            else:
+                self.completed.set_exception(error)
+        for timer in self._timers:
+            timer.cancel()
+
+    def _shown_command(self) -> str:
+        return ' '.join(part for part in self._details['cmd'] if part.strip())
+
+    def _start(self, context: LaunchContext, emulate_tty: bool) -> ProcessRun:
+        from edulaunch.engine.processes import ProcessSpec
+
+        from ._process_run import ProcessRun
+
+        details = self._details
+        details['cmd'] = self._action.process_description.command
+        spec = ProcessSpec(
+            argv=tuple(details['cmd']),
+            name=details['name'],
+            cwd=details['cwd'],
+            env=details['env'],
+            shell=self._options.shell,
+            emulate_tty=emulate_tty,
+            origin=self._action.origin,
+            has_pipe=True,
+            **self._action.process_spec_details(),
+        )
+
+        def on_output(stream: str, text: str) -> None:
+            self._unshown += 1
+            event_type = ProcessStdout if stream == 'stdout' else ProcessStderr
+            context.emit_event_sync(event_type(text=text.encode('utf-8', 'surrogateescape'), **details))
+
+        return ProcessRun(context.asyncio_loop, spec, on_output)
+
+    # -- events
+
+    def _concerns(self, event: Event) -> bool:
+        if isinstance(event, ProcessTargetedEvent):
+            return event.process_matcher(self._action)
+        # Not any event of the action: who waits for ExecutionComplete lets it be emitted and handled, once for each process.
+        return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
+
+    def handle(self, event: Event, context: LaunchContext) -> Entities | None:
+        """React to an event of this process, or to one that is meant for it."""
+        super().handle(event, context)
+        if isinstance(event, ProcessIO):
+            self._unshown -= 1
+            self._on_io(event)
+        elif isinstance(event, ProcessExited):
+            for stream in sorted(self._lines, reverse=True):
+                self._lines[stream].flush()
+        elif isinstance(event, SignalProcess):
+            self._on_signal(event)
+        elif isinstance(event, ShutdownProcess):
+            return self._shut_down(context, send_sigint=True)
+        elif isinstance(event, Shutdown):
+            # After ctrl-c in a terminal the terminal has sent SIGINT to the process already.
+            return self._shut_down(context, send_sigint=not event.due_to_sigint or context.noninteractive)
+        elif isinstance(event, ProcessStarted) and self._ends_on_start is not None:
+            return self._shut_down(context, send_sigint=self._ends_on_start)
+        return None
+
+    def _on_io(self, event: ProcessIO) -> None:
+        if event.from_stdin:
+            self._logger.warning(f"in ExecuteProcess('{self._details['name']}').__on_process_stdin_event()")
+        else:
+            self._lines_of('stdout' if event.from_stdout else 'stderr').write(event.text)
+
+    def _on_signal(self, event: SignalProcess) -> None:
+        if self._run is None:
+            raise RuntimeError('Signal event received before subprocess transport available.')
+        name = self._details['name']
+        if self._run.complete.done():
+            self._logger.debug(f"signal '{event.signal_name}' not sent to '{name}' because it is already closing")
+            return
+        self._logger.info(f"sending signal '{event.signal_name}' to process[{name}]")
+        self._run.send_signal(event.signal)
+
+    def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
+        """Begin to end the process: timers for stronger signals to visit, and the first signal."""
+        if self._is_asked_to_end or self.completed.done():
+            return None
+        if self._run is None:
+            self._ends_on_start = send_sigint
+            return None
+        from ._escalation import escalation_timers, request_signal
+
+        self._is_asked_to_end = True
+        if self._respawn is not None:
+            self._respawn.cancel()
+            self._loop.call_soon(self._finish)
+        context.extend_locals({'process_name': self._details['name']})
+        self._timers = escalation_timers(self._action, self._logger)
+        return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]
+
+
+def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
+    """What the action says, unless there is a launch configuration `emulate_tty`, which must be a condition."""
+    wanted = context.launch_configurations.get('emulate_tty')
+    if wanted is None:
+        return bool(options.emulate_tty)
+    return evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))
+
+
+def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
+    """Python's own last line about `error`, and a line of help with the place of the action.
+
+    ROS 2 shows a traceback of launch instead, in which nothing is the student's.
+    """
+    from traceback import format_exception_only
+
+    said = ''.join(format_exception_only(error)).rstrip()
+    origin = action.origin
+    place = '' if origin is None else f'{running_process().index.source_path(origin.file)}:{origin.line}: '
+    advice = _advice(error, details)
+    return f'{said}\n  help: {place}{advice}' if place or advice else said
+
+
+def _advice(error: Exception, details: dict[str, Any]) -> str:
+    program, folder = details['cmd'][0], details['cwd']
+    if folder and not os.path.isdir(folder):
+        return f'cwd={folder!r} is no folder'
+    if isinstance(error, FileNotFoundError):
+        if len(details['cmd']) > 1 and all(len(word) == 1 for word in details['cmd']):
+            return 'cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True'
+        blank = '; write each argument as an item of cmd of its own, or shell=True' if ' ' in program else ''
+        where = 'there is no such file' if os.sep in program else f'there is no program {program!r} on the PATH'
+        return where + blank
+    if isinstance(error, PermissionError):
+        return f'{program!r} is not executable: chmod +x it'
+    return 'this program could not be started'

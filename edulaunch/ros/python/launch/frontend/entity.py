@@ -1,0 +1,134 @@
+"""What a parse function sees of one element of a launch file, whatever the format."""
+
+from __future__ import annotations
+
+import typing
+from abc import ABC, abstractmethod
+from collections.abc import Collection
+from typing import Any
+
+from edulaunch.engine.nearest import nearest
+
+from .._lazy import has_ros_paths
+from . import places
+
+Pair = tuple[str, Any, int]
+"""Two attributes of an element, and its line."""
+
+
+class Entity(ABC):
+    """One element: its name, its attributes and the elements inside it.
+
+    Attributes and children that no parse function asks for are errors: as a rule they are misspelt.
+    """
+
+    __slots__ = ('asked',)
+
+    asked: set[str]
+    """The names that a parse function asked for so far; in XML those of attributes only."""
+
+    @property
+    @abstractmethod
+    def type_name(self) -> str:
+        """Name of the element, such as `node`."""
+
+    @property
+    @abstractmethod
+    def parent(self) -> Entity | None:
+        """The element around this one, or None."""
+
+    @property
+    @abstractmethod
+    def children(self) -> list[Entity]:
+        """The elements inside, which count as asked for from now on."""
+
+    @property
+    def line(self) -> int:
+        """Line in the file, from 1; 0 when it is unknown. (edulaunch only.)"""
+        return 0
+
+    @property
+    def shown(self) -> str:
+        """The element's name as people know it. (edulaunch only.)"""
+        return f"'{self.type_name}'"
+
+    @abstractmethod
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
+        """The attribute `name`.
+
+        :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
+        :param optional: give None when it is missing.
+        :param can_be_str: a text is also fine (it may hold a substitution).
+        :raises AttributeError: when it is missing.
+        :raises TypeError: when it is of another type.
+        """
+
+    def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
+        """Those of the `attributes`, then those of the `children` that the element has; all count as asked for.
+
+        (edulaunch only.) Much quicker than asking for each, where the format overrides it.
+        """
+        return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
+
+    def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
+        """(first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
+
+        (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
+        and no entities need be made of them.
+
+        :param is_typed: the second one is a scalar by YAML's rules; else both are texts.
+        """
+        return None
+
+    def _has(self, name: str, data_type: Any) -> bool:
+        try:
+            return self.get_attr(name, data_type=data_type, optional=True) is not None
+        except (TypeError, ValueError):
+            return True
+
+    @abstractmethod
+    def assert_entity_completely_parsed(self) -> None:
+        """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
+
+    def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
+        """The error for names nobody asked for; formatted as Python writes a set, but in order.
+
+        :param kind: 'attribute' or 'element', if the element knows the first of them as that.
+        """
+        listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
+        error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
+        name = str(names[0])
+        return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
+
+    def _missing(self, error: AttributeError, name: str) -> AttributeError:
+        """The error for a name that is needed, with what the element has instead."""
+        kind, _, wanted = name.rpartition(' ')
+        given = [str(one) for one in self._names if one not in self.asked]
+        return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=given)
+
+    @property
+    def _known(self) -> Collection[str]:
+        """The names that the element could have, as far as they were asked for."""
+        return self.asked
+
+    @property
+    def _names(self) -> Collection[str]:
+        """The names of all attributes or keys that the file gives."""
+        return ()
+
+
+Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)
+"""The data type with which a parse function asks for child elements."""
+
+
+def check_is_list_entity(data_type: Any) -> bool:
+    """Whether the data type is `List[Entity]` (or of a kind of entity)."""
+    if data_type is Entities:
+        return True
+    if getattr(data_type, '__origin__', None) is not list:
+        return False
+    item_type = (data_type.__args__ or (None,))[0]
+    return isinstance(item_type, type) and issubclass(item_type, Entity)
+
+
+has_ros_paths(__name__)

@@ -1,0 +1,290 @@
+"""From the text of an attribute to substitutions."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.nearest import nearest
+
+from ..substitution import Substitution
+from ..substitutions.text_substitution import TextSubstitution
+from .expose import ParseMethod, substitution_parse_methods
+from .extensions import load_launch_extensions
+from .substitution_parsers import LateSubstitution
+
+MAX_DEPTH = 50
+"""How deep `$(...)` may stand inside each other."""
+
+
+class Call(NamedTuple):
+    """One `$(name argument...)`."""
+
+    name: str
+    arguments: tuple[Template, ...]
+
+
+Template = tuple[str | Call, ...]
+
+_NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
+_OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
+_BARE = {'': re.compile(r'[^ \'"\\$()]+'), "'": re.compile(r"[^ '\\$()]+"), '"': re.compile(r'[^ "\\$()]+')}
+"""By the quotes around the call."""
+_QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\$"]+|\$(?!\())+')}
+
+
+@lru_cache(maxsize=4096)
+def parse_template(text: str) -> Template:
+    """The pieces of a text, in order; equal texts share one (immutable) result.
+
+    :raises UnexpectedCharacters: for a character that the grammar does not allow.
+    :raises UnexpectedEOF: when a `$(` or a quote in it is not closed.
+    """
+    reader = _Reader(text)
+    pieces = reader.pieces(_OUTSIDE)
+    if reader.position < len(text):
+        raise UnexpectedCharacters(text, reader.position, 'a character after the backslash')
+    return pieces
+
+
+class _Reader:
+    """A recursive-descent parser over one text."""
+
+    __slots__ = ('text', 'position', 'depth', 'quote')
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.position = 0
+        self.depth = 0
+        self.quote = ''
+
+    def pieces(self, literal: re.Pattern[str]) -> Template:
+        """Calls, escapes and runs of `literal`, up to the first character that is neither."""
+        text = self.text
+        pieces: list[str | Call] = []
+        run: list[str] = []
+        while True:
+            match = literal.match(text, self.position)
+            if match:
+                run.append(match.group())
+                self.position = match.end()
+            elif text.startswith('$(', self.position):
+                if run:
+                    pieces.append(''.join(run))
+                    run = []
+                pieces.append(self.call())
+            elif text.startswith('\\', self.position) and self.position + 1 < len(text):
+                run.append(text[self.position + 1])
+                self.position += 2
+            else:
+                break
+        if run:
+            pieces.append(''.join(run))
+        return tuple(pieces)
+
+    def call(self) -> Call:
+        """One `$(...)`, starting at its dollar sign."""
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise SubstitutionSyntaxError(f'more than {MAX_DEPTH} substitutions stand inside each other')
+        self.position += 2
+        name = _NAME.match(self.text, self.position)
+        if name is None:
+            raise self.unexpected('the name of a substitution, such as var')
+        self.position = name.end()
+        arguments = []
+        while self.text.startswith(' ', self.position):
+            self.position += 1
+            arguments.append(self.argument())
+        if not self.text.startswith(')', self.position):
+            raise self.unexpected("one space and an argument, or ')'")
+        self.position += 1
+        self.depth -= 1
+        return Call(name.group(), tuple(arguments))
+
+    def argument(self) -> Template:
+        """One argument, bare or in quotes."""
+        quote = self.text[self.position : self.position + 1]
+        if self.quote or quote not in ("'", '"'):
+            pieces = self.pieces(_BARE[self.quote])
+            if not pieces:
+                raise self.unexpected('an argument (after exactly one space)')
+            return pieces
+        self.position += 1
+        self.quote = quote
+        pieces = self.pieces(_QUOTED[quote])
+        self.quote = ''
+        if not self.text.startswith(quote, self.position):
+            raise self.unexpected(f'the closing quote {quote}')
+        self.position += 1
+        return pieces
+
+    def unexpected(self, expected: str) -> SubstitutionSyntaxError:
+        """The error for what stands (or does not stand) at the position."""
+        if self.position >= len(self.text):
+            return UnexpectedEOF(self.text, self.position, expected)
+        return UnexpectedCharacters(self.text, self.position, expected)
+
+
+CONTEXT_WIDTH = 40
+LONGEST_SHOWN = 60
+
+
+class SubstitutionSyntaxError(Exception):
+    """Base of the errors in the text of a `$(...)`."""
+
+
+class UnexpectedInput(SubstitutionSyntaxError):
+    """The text does not follow the grammar.
+
+    :param position: index of the offending character.
+    :param expected: what would have been allowed there, in words.
+    :ivar line: line of that character within the text, from 1.
+    :ivar column: its column, from 1.
+    """
+
+    def __init__(self, text: str, position: int, expected: str) -> None:
+        self.pos_in_stream = position
+        self.line = text.count('\n', 0, position) + 1
+        self.column = position - text.rfind('\n', 0, position)
+        shown = text if len(text) <= LONGEST_SHOWN else f'{text[:LONGEST_SHOWN]}...'
+        with_facts(self, 'launch.call-syntax', expected_there=expected, column=self.column, text=shown)
+        super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
+
+    def first_line(self, text: str) -> str:
+        """What lark says before it lists what it expected."""
+        return 'Unexpected input. '
+
+
+class UnexpectedCharacters(UnexpectedInput):
+    """A character stands where the grammar does not allow it; the message shows it with a caret."""
+
+    def first_line(self, text: str) -> str:
+        """Names the character and its place, and shows both."""
+        found = text[self.pos_in_stream]
+        place = f'at line {self.line} col {self.column}'
+        return f"No terminal matches '{found}' in the current parser context, {place}\n\n{_pointing_at(text, self.pos_in_stream)}"
+
+
+class UnexpectedEOF(UnexpectedInput):
+    """The text ends inside a `$(...)`."""
+
+    def first_line(self, text: str) -> str:
+        """There is nothing to show."""
+        return 'Unexpected end-of-input. '
+
+
+class VisitError(SubstitutionSyntaxError):
+    """A `$(...)` is well-formed but cannot be made: unknown name, or wrong number of arguments.
+
+    :ivar rule: the grammar rule, 'substitution'.
+    :ivar orig_exc: the error behind it, which is also the `__cause__`.
+    """
+
+    def __init__(self, rule: str, error: Exception) -> None:
+        super().__init__(f'Error trying to process rule "{rule}":\n\n{error}')
+        self.rule = rule
+        self.orig_exc = error
+
+
+def _pointing_at(text: str, position: int) -> str:
+    before = text[max(position - CONTEXT_WIDTH, 0) : position].rsplit('\n', 1)[-1]
+    after = text[position : position + CONTEXT_WIDTH].split('\n', 1)[0]
+    return f'{before}{after}\n{" " * len(before.expandtabs())}^\n'
+
+
+_ESCAPE = re.compile(r'\\(.)', re.DOTALL)
+
+
+def parse_substitution(string: str) -> list[Substitution]:
+    """The substitutions that a text like `a$(var b)c` stands for, literal pieces as TextSubstitution.
+
+    Built-in substitutions never change, so equal texts share them; those of extensions are made anew.
+
+    :raises SubstitutionSyntaxError: see its subclasses; facts of the error say what was expected.
+    """
+    if '$(' not in string and '\\' not in string:
+        return [_literal(string)]
+    template = parse_template(string)
+    return list(_shared(template) if _is_built_in(template) else _built(template))
+
+
+def parse_if_substitutions(value: Any) -> Any:
+    """As :func:`parse_substitution` for a text that contains `$(...)`; a plain text stays a (unescaped) text.
+
+    Other scalars are returned as they are; a list is treated item by item.
+
+    :raises ValueError: when the items of a list, but for those with substitutions, are not all of one type.
+    """
+    if isinstance(value, str):
+        if '$(' not in value and '\\' not in value:
+            return value
+        parsed = parse_substitution(value)
+        if len(parsed) == 1 and isinstance(parsed[0], TextSubstitution):
+            return parsed[0].text
+        return parsed
+    if isinstance(value, list):
+        items = [parse_if_substitutions(item) for item in value]
+        if len({type(item) for item in items if not isinstance(item, list)}) > 1:
+            raise ValueError(f'the items of a list must be of one type, got {value}')
+        return items
+    return value
+
+
+def replace_escaped_characters(data: str) -> str:
+    """Take each backslash away and keep the character after it."""
+    return _ESCAPE.sub(r'\1', data) if '\\' in data else data
+
+
+@lru_cache(maxsize=4096)
+def _literal(text: str) -> TextSubstitution:
+    return TextSubstitution(text=text)
+
+
+def _built(template: Template) -> tuple[Substitution, ...]:
+    # A text of nothing is still a value: the empty one.
+    return tuple([_piece(piece) for piece in template]) or (_literal(''),)
+
+
+_shared = lru_cache(maxsize=4096)(_built)
+
+
+@lru_cache(maxsize=4096)
+def _is_built_in(template: Template) -> bool:
+    """Whether all calls are of built-in substitutions, whose names nothing else can take."""
+    return all(
+        isinstance(substitution_parse_methods.get(piece.name), LateSubstitution) and all(map(_is_built_in, piece.arguments))
+        for piece in template
+        if isinstance(piece, Call)
+    )
+
+
+def _piece(piece: str | Call) -> Substitution:
+    if isinstance(piece, str):
+        return _literal(piece)
+    name, arguments = piece
+    made = [[_piece(part) for part in argument] for argument in arguments]
+    try:
+        made_by, kwargs = (substitution_parse_methods.get(name) or _parse_method_of_extension(name))(made)
+        substitution: Substitution = made_by(**kwargs)
+    except Exception as error:
+        # Like lark, of which upstream's users see the outer error only.
+        near = nearest(name, substitution_parse_methods)
+        known = name in substitution_parse_methods
+        raise with_facts(VisitError('substitution', error), 'launch.call', call=name, near=near, is_known=known) from error
+    return substitution
+
+
+def _parse_method_of_extension(name: str) -> ParseMethod:
+    _load_extensions_once()
+    parse = substitution_parse_methods.get(name)
+    if parse is None:
+        raise RuntimeError(f'Unknown substitution: {name}')
+    return parse
+
+
+@lru_cache(maxsize=1)
+def _load_extensions_once() -> None:
+    load_launch_extensions()

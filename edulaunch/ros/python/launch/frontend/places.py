@@ -1,0 +1,58 @@
+"""What hangs on an error in an XML or YAML launch file besides ROS's type and text: where it is, and facts about it.
+
+Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`), of which
+`edulaunch.advice` makes words.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from edulaunch.engine.facts import facts_of, with_facts
+
+from .._origin import origin_of
+
+if TYPE_CHECKING:
+    from .entity import Entity
+
+Error = TypeVar('Error', bound=BaseException)
+
+
+def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any) -> Error:
+    """The error, which now knows its element, and facts about it."""
+    error.edulaunch_line = entity.line  # type: ignore[attr-defined]
+    return with_facts(error, about, element=str(entity.type_name), shown=entity.shown, **facts)
+
+
+def complete(error: BaseException, file: str, entity: Entity) -> None:
+    """For an `error` on its way out of `entity`: add what is still missing; the innermost element wins."""
+    if hasattr(error, 'edulaunch_file'):
+        return
+    if not hasattr(error, 'edulaunch_line'):
+        known = facts_of(error)
+        at(error, entity)
+        if known:
+            with_facts(error, **known)
+    _point_to(error, file, error.edulaunch_line)  # type: ignore[attr-defined]
+
+
+def complete_unreadable(error: Any, file: str) -> None:
+    """For the error of a text that is not in its format: add the place and the problem."""
+    mark = getattr(error, 'problem_mark', None)
+    line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
+    if not facts_of(error) and not isinstance(error, UnicodeDecodeError):
+        problem = getattr(error, 'problem', None) or str(error)
+        with_facts(error, 'launch.unreadable', problem=problem.split('\n', 1)[0])
+    _point_to(error, file, line)
+
+
+def _first_or_bad_line(error: Exception) -> int:
+    """Where a byte is that is no UTF-8; any other problem is one of the whole text, which begins at line 1."""
+    return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
+
+
+def _point_to(error: Any, file: str, line: int) -> None:
+    """The same place as an error of a Python launch file has it (see `launch._origin`)."""
+    error.edulaunch_file, error.edulaunch_line = file, line
+    if file and not hasattr(error, 'edulaunch_origin'):
+        error.edulaunch_origin = origin_of((file, line))

@@ -1,0 +1,213 @@
+"""What a running launch knows."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, MutableMapping
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from edulaunch.engine.read_only import ReadOnly
+
+from ._engine import environment, process_state, running_process
+from ._run_notes import names_read
+from .event_handler import BaseEventHandler, HandlerTable
+from .events import Event
+from .substitution import Substitution
+
+if TYPE_CHECKING:
+    import asyncio
+    from logging import Logger
+
+    from ._event_queue import EventQueue
+    from ._include_ring import Include
+
+
+class LocalsView:
+    """Reads a dictionary through attributes.
+
+    :raises AttributeError: for a name that is not in it, listing those that are; and on every attempt to set
+        one.
+    """
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        object.__setattr__(self, '_values', values)
+
+    def __getattr__(self, name: str) -> Any:
+        values: dict[str, Any] = object.__getattribute__(self, '_values')
+        if name not in values:
+            raise AttributeError(f"context.locals does not contain attribute '{name}', it contains: [{', '.join(values)}]")
+        return values[name]
+
+    def __setattr__(self, name: str, value: Any) -> NoReturn:
+        raise AttributeError("can't set attribute, locals are read-only")
+
+
+class LaunchContext:
+    """Launch configurations, locals, environment, event handlers and waiting events of one launch.
+
+    :param argv: the command line arguments, for those who look at `argv`.
+    :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
+    """
+
+    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
+        self.__argv = list(argv) if argv is not None else []
+        self.__noninteractive = noninteractive
+        self.__handlers = HandlerTable()
+        self.__event_queue: EventQueue | None = None
+        self.__completion_futures: list[asyncio.Future[Any]] = []
+        self.__globals: dict[str, Any] = {}
+        self.__locals: dict[str, Any] = {}
+        self.__locals_stack: list[dict[str, Any]] = []
+        self.__environment = environment()
+        self.__environment_at_start = dict(self.__environment)
+        self.__environment_stack: list[dict[str, str]] = []
+        self.__launch_configurations: dict[str, Any] = {}
+        self.__launch_configurations_stack: list[dict[str, Any]] = []
+        self.open_includes: list[Include] | None = None
+        """The launch files that are visited just now, outermost first; None outside any walk."""
+        self._names_read = names_read()
+        self.process_state = running_process().state
+        self.process_counter = process_state('launch.process_counter', lambda: [0])
+        self.__is_shutdown = False
+        self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
+        self.__logger: Logger | None = None
+        self.hears_timers = False
+        """Whether the handler is registered by which timers run out."""
+        self.starts_are_abandoned = False
+        """Set after an exception: processes that are scheduled but not started yet must not start."""
+
+    argv: ReadOnly[list[str]] = ReadOnly('The command line arguments.')
+
+    noninteractive: ReadOnly[bool] = ReadOnly('Whether no terminal is attached.')
+
+    is_shutdown: ReadOnly[bool] = ReadOnly('Whether the launch is ending: nothing new is started any more.')
+
+    def _set_is_shutdown(self, state: bool) -> None:
+        self.__is_shutdown = state
+
+    asyncio_loop: ReadOnly[Any] = ReadOnly('The loop that launch runs on, None while it does not run.')
+
+    def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
+        self.__asyncio_loop = loop
+
+    # -- values
+
+    launch_configurations: ReadOnly[dict[str, Any]] = ReadOnly('Name -> value of all launch configurations, live.')
+
+    def _push_launch_configurations(self) -> None:
+        self.__launch_configurations_stack.append(dict(self.__launch_configurations))
+
+    def _pop_launch_configurations(self) -> None:
+        if not self.__launch_configurations_stack:
+            raise RuntimeError('launch_configurations stack unexpectedly empty')
+        self.__launch_configurations = self.__launch_configurations_stack.pop()
+
+    environment: ReadOnly[MutableMapping[str, str]] = ReadOnly("The environment variables of launch's process, live.")
+
+    def _push_environment(self) -> None:
+        self.__environment_stack.append(dict(self.__environment))
+
+    def _pop_environment(self) -> None:
+        if not self.__environment_stack:
+            raise RuntimeError('environment stack unexpectedly empty')
+        self.__set_environment(self.__environment_stack.pop())
+
+    def _reset_environment(self) -> None:
+        self.__set_environment(self.__environment_at_start)
+
+    def __set_environment(self, wanted: dict[str, str]) -> None:
+        if self.__environment != wanted:
+            self.__environment.clear()
+            self.__environment.update(wanted)
+
+    @property
+    def locals(self) -> LocalsView:
+        """The locals (and behind them the globals) as attributes, to read only."""
+        return LocalsView(self.get_locals_as_dict())
+
+    def get_locals_as_dict(self) -> dict[str, Any]:
+        """The globals, overridden by the locals."""
+        return {**self.__globals, **self.__locals}
+
+    def local(self, name: str) -> Any:
+        """One local or global, None when there is none."""
+        return self.__locals[name] if name in self.__locals else self.__globals.get(name)
+
+    def extend_globals(self, extensions: dict[str, Any]) -> None:
+        """Add globals, which no pop takes away."""
+        self.__globals.update(extensions)
+
+    def extend_locals(self, extensions: dict[str, Any]) -> None:
+        """Add locals, which the end of the running event handler takes away."""
+        self.__locals.update(extensions)
+
+    def _push_locals(self) -> None:
+        self.__locals_stack.append(dict(self.__locals))
+
+    def _pop_locals(self) -> None:
+        if not self.__locals_stack:
+            raise RuntimeError('locals stack unexpectedly empty')
+        self.__locals = self.__locals_stack.pop()
+
+    def perform_substitution(self, sub: Substitution) -> str:
+        """Evaluate a substitution in this context."""
+        return sub.perform(self)
+
+    # -- events
+
+    @property
+    def _event_queue(self) -> EventQueue:
+        if self.__event_queue is None:
+            from ._event_queue import EventQueue
+
+            self.__event_queue = EventQueue()
+        return self.__event_queue
+
+    @property
+    def _event_handlers(self) -> deque[BaseEventHandler]:
+        return self.__handlers.as_deque()
+
+    @property
+    def _completion_futures(self) -> list[asyncio.Future[Any]]:
+        return self.__completion_futures
+
+    def add_completion_future(self, completion_future: asyncio.Future[Any]) -> None:
+        """Let launch not be idle before this future is done."""
+        self.__completion_futures.append(completion_future)
+
+    def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
+        """Ask this handler about later events: before all others, or with `append` after them."""
+        self.__handlers.add(event_handler, append=append)
+
+    def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
+        """Forget a handler.
+
+        :raises ValueError: when it is not registered.
+        """
+        self.__handlers.remove(event_handler)
+
+    def handlers_that_match(self, event: Event) -> list[BaseEventHandler]:
+        """The handlers to ask about the event, as registered now, first asked first."""
+        return self.__handlers.candidates(event)
+
+    def would_handle_event(self, event: Event) -> bool:
+        """Whether any registered handler matches the event."""
+        return self.__handlers.matches(event)
+
+    def emit_event_sync(self, event: Event) -> None:
+        """Put an event into the queue."""
+        self.__log_emission('synchronously', event)
+        self._event_queue.put_nowait(event)
+
+    async def emit_event(self, event: Event) -> None:
+        """Put an event into the queue."""
+        self.__log_emission('asynchronously', event)
+        await self._event_queue.put(event)
+
+    def __log_emission(self, how: str, event: Event) -> None:
+        if self.__logger is None:
+            from .logging import get_logger
+
+            self.__logger = get_logger(__name__)
+        if self.__logger.isEnabledFor(10):
+            self.__logger.debug(f"emitting event {how}: '{event.name}'")

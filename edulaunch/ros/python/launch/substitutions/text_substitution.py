@@ -1,0 +1,48 @@
+"""A literal text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from edulaunch.engine.read_only import ReadOnly
+
+from .._lazy import has_ros_paths
+from ..substitution import Substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class TextSubstitution(Substitution):
+    """A text that is known already; plain strings become one of these wherever substitutions are allowed.
+
+    :raises TypeError: when `text` is not a string.
+    """
+
+    def __init__(self, *, text: str) -> None:
+        if not isinstance(text, str):
+            raise TypeError(f"TextSubstitution expected Text object got '{type(text)}' instead.")
+        self._text = text
+
+    text: ReadOnly[str] = ReadOnly('The text.', '_text')
+
+    def describe(self) -> str:
+        """The text in quotes."""
+        return f"'{self._text}'"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
+        return self._text
+
+
+class SubstitutionFailure(RuntimeError):
+    """A substitution could not be evaluated."""
+
+
+def describe_all(substitutions: Iterable[Substitution]) -> str:
+    """Several substitutions that are joined: `'a' + LaunchConfig('b')`."""
+    return ' + '.join([substitution.describe() for substitution in substitutions])
+
+
+has_ros_paths(__name__)

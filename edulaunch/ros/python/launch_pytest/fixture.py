@@ -1,0 +1,112 @@
+"""Fixtures that describe what to launch, and those that they bring with them."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from ._running import run_until_complete
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+    from launch.launch_service import LaunchService
+
+SCOPES = ('function', 'class', 'module', 'package', 'session')
+OPTIONS = 'launch_pytest_options'
+"""Attribute of a launch fixture: its name, scope, and how its launch ends."""
+SCOPE = 'launch_pytest_scope'
+"""Attribute of the fixtures that it brings with it."""
+
+
+def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', auto_shutdown: bool = True) -> None:
+    """Wait until a launch has ended; nothing happens when it has already.
+
+    :param eprefix: how the failure's text begins.
+    :param auto_shutdown: ask it to end first.
+    :raises AssertionError: when it ended with a return code that is not 0.
+    """
+    if auto_shutdown:
+        launch_service.shutdown(force_sync=True)
+    loop, task = launch_service.event_loop, launch_service.task
+    if loop is not None and task is not None and not loop.is_closed():
+        code = run_until_complete(loop, task, 'the launch did not come to its end')
+        assert code == 0, f"{eprefix} launch service failed when finishing, return code '{code}'"
+
+
+def companions(scope: Any) -> dict[str, Any]:
+    """The fixtures `event_loop`, `launch_service` and `launch_context`, of one scope."""
+
+    @pytest.fixture(scope=scope)
+    def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
+        """The asyncio loop on which launch and coroutines run, in simulated time."""
+        from edulaunch.engine.processes.current import current_process
+        from edulaunch.engine.processes.views.asyncio_view import ProcessEventLoop
+
+        process = current_process()
+        loop = ProcessEventLoop(process, process.task)
+        yield loop
+        loop.close()
+
+    @pytest.fixture(scope=scope)
+    def launch_service(event_loop: asyncio.AbstractEventLoop) -> Iterator[LaunchService]:
+        """What executes the launch descriptions."""
+        from launch.launch_service import LaunchService
+
+        service = LaunchService()
+        yield service
+        finalize_launch_service(service, eprefix='When tearing down launch_service fixture')
+
+    @pytest.fixture(scope=scope)
+    def launch_context(launch_service: LaunchService) -> LaunchContext:
+        """The context of the launch."""
+        return launch_service.context
+
+    return {'event_loop': event_loop, 'launch_service': launch_service, 'launch_context': launch_context}
+
+
+def fixture(
+    decorated: Callable[..., Any] | None = None,
+    *args: Any,
+    shutdown_when_idle: bool = True,
+    auto_shutdown: bool = True,
+    **kwargs: Any,
+) -> Any:
+    """Make a fixture whose launch description is launched before the tests that use it.
+
+    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture, and
+    its module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own,
+    or some that live longer.
+
+    :param shutdown_when_idle: launch ends when nothing is left to do.
+    :param auto_shutdown: after the tests the launch is asked to end; else its end is waited for.
+    :param kwargs: those of `pytest.fixture`.
+    """
+    scope = kwargs.get('scope', 'function')
+    module = sys._getframe(1).f_globals
+    for name, made in companions(scope).items():
+        before = getattr(module.get(name), SCOPE, None)
+        if name not in module or (before is not None and _lifetime(scope) > _lifetime(before)):
+            setattr(made, SCOPE, scope)
+            module[name] = made
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        options = {
+            'name': kwargs.get('name') or function.__name__,
+            'scope': scope,
+            'auto_shutdown': auto_shutdown,
+            'shutdown_when_idle': shutdown_when_idle,
+        }
+        setattr(function, OPTIONS, options)
+        made: Any = pytest.fixture(*args, **kwargs)(function)
+        setattr(made, OPTIONS, options)
+        return made
+
+    return decorate if decorated is None else decorate(decorated)
+
+
+def _lifetime(scope: Any) -> int:
+    return SCOPES.index(scope) if scope in SCOPES else -1

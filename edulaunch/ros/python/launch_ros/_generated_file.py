@@ -1,0 +1,158 @@
+"""Parameter files that launch makes: named on command lines, and on the disk only while a real program may read them."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import weakref
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.parameter_files import PARAMETERS_KEY, Entry, read_parameter_file
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+# What YAML writes without quotes, and on one line: it cannot be taken for anything but a text.
+_WORD = re.compile(r'[A-Za-z_/](?:[A-Za-z0-9_/.*-]|[A-Za-z0-9_/.*-] (?=[A-Za-z0-9_/.*-])){0,59}')
+_MEANINGS = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null', 'y', 'n', 'nan', 'inf', 'infinity'))
+_LARGEST = 2**63
+_PATHS = 'launch_ros.parameter_files'
+
+
+class GeneratedFile:
+    """A text file that is read by name: simulated programs get what it says, real ones find it on the disk.
+
+    :param path: its name on command lines; see :func:`temporary_path`.
+    """
+
+    def __init__(self, path: str, text: str = '') -> None:
+        self.path = path
+        self._text = text
+
+    _inode: int | None = None
+
+    @property
+    def text(self) -> str:
+        """What stands in it."""
+        return self._text
+
+    @property
+    def content(self) -> Any:
+        """What YAML reads in it."""
+        import yaml
+
+        return yaml.safe_load(self.text)
+
+    def entries(self) -> list[Entry]:
+        """The parameters in it, as rcl reads them.
+
+        :raises ParameterFileError: for what rcl refuses.
+        """
+        return read_parameter_file(self.text)
+
+    def write(self) -> None:
+        """Put it on the disk, whole at once, until it is removed or forgotten, at the latest when Python ends."""
+        if self._inode is not None:
+            return
+        import tempfile
+
+        handle, draft = tempfile.mkstemp(prefix='launch_params_')
+        with open(handle, 'w', encoding='utf-8') as stream:
+            stream.write(self.text)
+        os.replace(draft, self.path)
+        self._inode = os.stat(self.path).st_ino
+        weakref.finalize(self, _remove, self.path, self._inode)
+
+    def remove(self) -> None:
+        """Take it from the disk, if it is there."""
+        if self._inode is not None:
+            _remove(self.path, self._inode)
+            self._inode = None
+
+
+class GeneratedParameters(GeneratedFile):
+    """The file of one dictionary of parameters.
+
+    :param node_key: what stands above the values: the node's full name, or `/**`.
+    """
+
+    def __init__(self, path: str, node_key: str, values: Mapping[str, Any]) -> None:
+        self.path = path
+        self._node_key = node_key
+        self._values = values
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """What YAML reads in it."""
+        plain = {name: list(value) if isinstance(value, tuple) else value for name, value in self._values.items()}
+        return {self._node_key: {PARAMETERS_KEY: plain}}
+
+    @property
+    def text(self) -> str:
+        """As YAML writes it."""
+        import yaml
+
+        dumper: Any = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
+        text: str = yaml.dump(self.content, Dumper=dumper, default_flow_style=False, allow_unicode=True)
+        return text
+
+    def entries(self) -> list[Entry]:
+        """The parameters in it; they take the way through its text only when one is not certain to come through it unchanged."""
+        entries: list[Entry] = []
+        line = 3
+        for name in sorted(self._values):
+            value = self._values[name]
+            items = value if isinstance(value, (list, tuple)) else (value,)
+            if not items or not _is_word(name) or not all(map(_is_kept, items)):
+                return super().entries()
+            is_list = items is value
+            entries.append(Entry(self._node_key, name, list(items) if is_list else value, line + is_list))
+            line += 1 + is_list * len(items)
+        return entries if entries else super().entries()
+
+
+def _is_kept(value: Any) -> bool:
+    """Whether rcl reads this very value in what YAML writes."""
+    kind = type(value)
+    if kind is str:
+        return _is_word(value)
+    return kind is bool or (kind is int and -_LARGEST <= value < _LARGEST) or (kind is float and math.isfinite(value))
+
+
+def _is_word(text: str) -> bool:
+    return _WORD.fullmatch(text) is not None and text.lower() not in _MEANINGS
+
+
+def temporary_path(key: str, state: dict[str, Any]) -> str:
+    """The path `launch_params_XXXXXXXX` in the temporary folder.
+
+    The name is made from `key`, so that command lines (which are recorded) repeat from run to run. Two keys of
+    one launch never get the same path.
+
+    :param state: of the process that runs launch.
+    """
+    import zlib
+
+    folder, keys = state.get(_PATHS) or _first_paths(state)
+    digest = zlib.crc32(key.replace(folder, '').encode())  # workspaces are presented there: another on each machine
+    while keys.setdefault(digest, key) != key:
+        digest = zlib.crc32(b'another', digest)
+    return f'{folder}{os.sep}launch_params_{digest:08x}'
+
+
+def _first_paths(state: dict[str, Any]) -> tuple[str, dict[int, str]]:
+    import tempfile
+
+    paths: tuple[str, dict[int, str]] = tempfile.gettempdir(), {}
+    state[_PATHS] = paths
+    return paths
+
+
+def _remove(path: str, inode: int) -> None:
+    """Remove the file while it is still the one that was written: another run may have put its own there, with equal text."""
+    try:
+        if os.stat(path).st_ino == inode:
+            os.unlink(path)
+    except OSError:
+        return  # gone already

@@ -1,0 +1,60 @@
+"""The name and the namespace of a node: checked, with rclpy's own errors, and as words of its command line."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from launch.substitutions.values import LocalSubstitution
+
+from edulaunch.engine.graph.names import namespace_problem, node_name_problem
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+# Most names are right, which one look tells; the slower checks know what is wrong.
+_GOOD_NAME = re.compile(r'[A-Za-z_][A-Za-z0-9_]{0,99}')
+_GOOD_NAMESPACE = re.compile(r'/|(?:/[A-Za-z_][A-Za-z0-9_]{0,39}){1,5}')
+
+
+def validated_name(name: str) -> str:
+    """The name.
+
+    :raises InvalidNodeNameException: when no node can be called so.
+    """
+    if _GOOD_NAME.fullmatch(name) is None and node_name_problem(name) is not None:
+        from rclpy.validate_node_name import validate_node_name
+
+        validate_node_name(name)
+    return name
+
+
+def validated_namespace(namespace: str) -> str:
+    """The namespace.
+
+    :raises InvalidNamespaceException: when it cannot be one.
+    """
+    if _GOOD_NAMESPACE.fullmatch(namespace) is None and namespace_problem(namespace) is not None:
+        from rclpy.validate_namespace import validate_namespace
+
+        validate_namespace(namespace)
+    return namespace
+
+
+class _SpecificArgument(LocalSubstitution):
+    """One of the context's local `ros_specific_arguments`, which a node sets when it is executed."""
+
+    def __init__(self, key: str, description: str) -> None:
+        super().__init__(f"ros_specific_arguments['{key}']", description=description)
+        self._key = key
+
+    def perform(self, context: LaunchContext) -> str:
+        """As the base class, without compiling an expression."""
+        arguments: dict[str, str] = context.local('ros_specific_arguments')
+        return arguments[self._key]
+
+
+NODE_NAME = _SpecificArgument('name', 'node name')
+
+
+NODE_NAMESPACE = _SpecificArgument('ns', 'node namespace')

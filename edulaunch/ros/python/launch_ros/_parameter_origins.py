@@ -1,0 +1,186 @@
+"""Where the values of a node's parameters were written, for people."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from launch.substitutions.values import LaunchConfiguration
+
+from edulaunch.engine.graph.parameters import pattern_matches
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.parameter_files import Entry
+    from edulaunch.engine.processes import Origin
+
+# A text (with the colon behind it when it is a key; what stands before its quote is not looked at), a comment, a bracket.
+_TOKEN = re.compile(
+    r"""(?P<text>"{3}(?:\\.|(?!"{3}).)*"{3}|\'{3}(?:\\.|(?!\'{3}).)*\'{3}|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')"""  # noqa: Q001
+    r"""(?P<colon>\s*:)?|\#[^\n]*|(?P<open>[(\[{])|(?P<close>[)\]}])""",
+    re.DOTALL,
+)
+LONGEST_CALL = 400
+"""Lines; what stands farther below the beginning of a call is not looked at."""
+SHORT_CALL = 12
+"""Lines; nearly all calls end here, and to read farther for each takes longer than to launch it."""
+
+
+def key_lines(file: str, line: int) -> dict[str, int]:
+    """Text of each dictionary key in the call that begins on `line`, with the line it stands on (the last one,
+    when it is written more than once); empty when the file cannot be read.
+    """
+    import linecache
+
+    lines = linecache.getlines(file)[line - 1 : line - 1 + LONGEST_CALL]
+    beginning = ''.join(lines[:SHORT_CALL])
+    if len(lines) > SHORT_CALL and '"""' not in beginning and "'''" not in beginning:
+        found, is_closed = _keys_in(beginning, line)
+        if is_closed:
+            return found
+    return _keys_in(''.join(lines), line)[0]
+
+
+def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
+    """The keys, and whether the call ends in the text, which begins on `line`."""
+    found: dict[str, int] = {}
+    depth = 0
+    counted, number = 0, line
+    for token in _TOKEN.finditer(text):
+        kind = token.lastgroup
+        if kind == 'open':
+            depth += 1
+        elif kind == 'close':
+            depth -= 1
+            if depth <= 0:
+                return found, True
+        elif kind == 'colon' and depth:
+            number += text.count('\n', counted, token.start())
+            counted = token.start()
+            found[token['text'].strip('"\'')] = number
+    return found, False
+
+
+class Given(NamedTuple):
+    """One value for one parameter.
+
+    :ivar pattern: of the nodes that it is for.
+    :ivar origin: where it was written, in words.
+    :ivar file, line: the same, as far as it is known; '' and 0 when it is not.
+    :ivar is_of_a_file: whether a parameter file says so, rather than the launch file.
+    """
+
+    pattern: str
+    name: str
+    value: Any
+    origin: str
+    file: str = ''
+    line: int = 0
+    is_of_a_file: bool = False
+
+
+def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
+    """What means the node of that name, in rcl's order: of two for one parameter the later one counts.
+
+    All that stands under one pattern comes where that pattern was met first.
+    """
+    ranks: dict[str, int] = {}
+    for one in given:
+        ranks.setdefault(one.pattern, len(ranks))
+    meant = {pattern for pattern in ranks if pattern_matches(pattern, full_name)}
+    return sorted((one for one in given if one.pattern in meant), key=lambda one: ranks[one.pattern])
+
+
+class ParameterOrigins(Mapping[str, str]):
+    """Parameter name -> origin, of the values that count and that no parameter file gives; found out when somebody asks.
+
+    :param in_force: gives everything that is given, as :func:`in_force` orders it.
+    """
+
+    def __init__(self, in_force: Callable[[], Sequence[Given]]) -> None:
+        self._in_force = in_force
+
+    @cached_property
+    def _found(self) -> dict[str, str]:
+        winners = {one.name: one for one in self._in_force()}
+        return {name: one.origin for name, one in winners.items() if not one.is_of_a_file}
+
+    def __getitem__(self, name: str) -> str:
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+
+class GlobalParameter(tuple[str, Any]):
+    """Name and value from a SetParameter action, with the place of that action.
+
+    Upstream keeps a plain pair, and so it looks.
+    """
+
+    origin: Origin | None = None
+
+
+def place_text(file: str, line: int) -> str:
+    """'robot.launch.py line 12'."""
+    return f'{os.path.basename(file)} line {line}'
+
+
+def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
+    """By SetParameter."""
+    name, value = parameter
+    origin = getattr(parameter, 'origin', None)
+    if origin is None:
+        return [Given('/**', name, value, 'SetParameter')]
+    return [Given('/**', name, value, f'SetParameter in {place_text(*origin)}', *origin)]
+
+
+def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> list[Given]:
+    """By a parameter file; nothing when it cannot be read, for then the node says what is wrong."""
+    try:
+        entries = entries_of(path)
+    except (OSError, ValueError):
+        return []
+    return [Given(one.pattern, one.name, one.value, place_text(path, one.line), path, one.line, True) for one in entries]
+
+
+def given_by_launch_file(
+    pattern: str, values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None
+) -> Iterator[Given]:
+    """By one dict: the origin is the launch argument that decides a value, else the line that names it, else that of the node.
+
+    :param values: evaluated.
+    :param written: normalized; in the same order, unless two names came out equal.
+    """
+    if len(values) != len(written) or node is None:
+        origin = 'launch file' if node is None else place_text(*node)
+        for name, value in values.items():
+            yield Given(pattern, name, value, origin, *(node or ()))
+        return
+    lines: dict[str, int] | None = None
+    for (name, value), text in zip(values.items(), written.values(), strict=True):
+        argument = argument_in(text)
+        line = getattr(text, 'line', 0)
+        if not line:
+            lines = key_lines(*node) if lines is None else lines
+            line = lines.get(name) or lines.get(name.rpartition('.')[2]) or node.line
+        yield Given(pattern, name, value, argument or place_text(node.file, line), node.file, line)
+
+
+def argument_in(value: Any) -> str | None:
+    """'launch argument x', when a launch configuration decides the value."""
+    value = getattr(value, 'written', value)
+    for part in value if isinstance(value, (list, tuple)) else (value,):
+        if isinstance(part, LaunchConfiguration):
+            names = [getattr(text, 'text', '') for text in part.variable_name]
+            return f'launch argument {"".join(names)}'
+        if isinstance(part, (list, tuple)):
+            found = argument_in(part)
+            if found is not None:
+                return found
+    return None

@@ -1,0 +1,106 @@
+"""Finding a process by its action, or by its name and arguments; and a process that does nothing."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import Any, Protocol
+
+from launch._lazy import has_ros_paths
+from launch.actions.execute_local import ExecuteLocal
+from launch.actions.execute_process import ExecuteProcess
+
+from edulaunch.engine.underlay_place import underlay_prefix
+
+KEEP_ALIVE_PROGRAM = os.path.join(underlay_prefix(), 'lib', 'launch_testing', 'keep_alive_proc')
+
+
+class KeepAliveProc(ExecuteProcess):
+    """A process that runs until it gets SIGINT, so that launch goes on when all others have ended."""
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(cmd=[KEEP_ALIVE_PROGRAM], **kwargs)
+
+
+class _NoCmdArgs:
+    def __repr__(self) -> str:
+        return 'NO_CMD_ARGS'
+
+
+NO_CMD_ARGS = _NoCmdArgs()
+"""As `cmd_args`: only processes that were started without arguments."""
+
+CmdArgs = str | Sequence[str] | _NoCmdArgs | None
+
+
+class HasProcesses(Protocol):
+    """Something recorded by process."""
+
+    def processes(self) -> Iterable[Any]:
+        """The actions of the processes that have been recorded."""
+
+
+class NoMatchingProcessException(Exception):
+    """Nothing was recorded of such a process."""
+
+
+def process_name(action: ExecuteLocal) -> str:
+    """The launch name, such as 'talker-1'."""
+    details = action.process_details
+    return str(details['name']) if details is not None else type(action).__name__
+
+
+def _name_and_arguments(action: ExecuteLocal) -> str:
+    words = list(action.process_details['cmd'])[1:] if action.process_details is not None else []
+    return ' '.join([process_name(action), *words])
+
+
+def resolveProcesses(
+    info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None, strict_proc_matching: bool = True
+) -> list[Any]:
+    """The actions that `process` means.
+
+    :param process: an action, or part of a launch name; None means all.
+    :param cmd_args: with a name: a text that is one of the arguments, several of them, or NO_CMD_ARGS.
+    :param strict_proc_matching: refuse a name that matches several processes.
+    :raises NoMatchingProcessException: when there is none; a test that waits goes on waiting then.
+    :raises ValueError: when there are several and `strict_proc_matching` is set.
+    :raises TypeError: for anything else as `process`.
+    """
+    known = list(info_obj.processes())
+    if process is None:
+        if not known:
+            raise NoMatchingProcessException('No data recorded for any process')
+        return known
+    if isinstance(process, ExecuteLocal):
+        if process in known:
+            return [process]
+        raise NoMatchingProcessException(f'No data recorded for proc {_name_and_arguments(process)}')
+    if not isinstance(process, str):
+        raise TypeError(f"proc argument must be 'ExecuteProcess' or 'str' not {type(process)}")
+    matching = [action for action in known if process in process_name(action) and _has_arguments(action, cmd_args)]
+    names = ', '.join(sorted(map(_name_and_arguments, matching or known)))
+    if not matching:
+        raise NoMatchingProcessException(
+            f"Did not find any processes matching name '{process}' and args '{cmd_args}'. Procs: {names}"
+        )
+    if strict_proc_matching and len(matching) > 1:
+        raise ValueError(f"Found multiple processes matching name '{process}' and cmd_args '{cmd_args}'. Procs: {names}")
+    return matching
+
+
+def _has_arguments(action: ExecuteLocal, wanted: CmdArgs) -> bool:
+    assert action.process_details is not None
+    given = list(action.process_details['cmd'])[1:]
+    if wanted is None:
+        return True
+    if isinstance(wanted, _NoCmdArgs):
+        return not given
+    if isinstance(wanted, str):
+        return wanted in given
+    return all(argument in given for argument in wanted)
+
+
+has_ros_paths(
+    __name__, 'KeepAliveProc NO_CMD_ARGS=proc_lookup NoMatchingProcessException=proc_lookup resolveProcesses=proc_lookup'
+)

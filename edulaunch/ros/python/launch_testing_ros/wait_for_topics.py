@@ -1,0 +1,92 @@
+"""Waiting until topics have messages."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from edulaunch.engine.sim.sync import Event
+
+from .message_pump import MessagePump
+
+
+class WaitForTopics:
+    """Waits until a message has come on every one of some topics: `with WaitForTopics([('chatter', String)]): ...`.
+
+    :param topic_tuples: (topic, message class), or (topic, message class, QoS profile).
+    :param timeout: simulated seconds to wait.
+    :param messages_received_buffer_length: how many messages of each topic are kept; the newest stay.
+    :param trigger: called as trigger(node, *args, **kwargs) by :meth:`wait`, before it waits.
+    """
+
+    def __init__(
+        self,
+        topic_tuples: Iterable[tuple[Any, ...]],
+        timeout: float = 5.0,
+        messages_received_buffer_length: int = 10,
+        trigger: Callable[..., object] | None = None,
+    ) -> None:
+        import rclpy
+        from rclpy.context import Context
+
+        self.topic_tuples = list(topic_tuples)
+        self.timeout = timeout
+        self.messages_received_buffer_length = messages_received_buffer_length
+        self.trigger = trigger
+        self._all_here = Event()
+        self._messages: dict[str, deque[Any]] = {}
+        self._context: Any = Context()
+        rclpy.init(context=self._context)
+        self._node: Any = rclpy.create_node('wait_for_topics', context=self._context)
+        for topic, message_class, *qos in self.topic_tuples:
+            self._messages[topic] = deque(maxlen=messages_received_buffer_length)
+            self._node.create_subscription(message_class, topic, self._callback(topic), qos[0] if qos else 10)
+        self._pump = MessagePump(self._node, context=self._context)
+        self._pump.start()
+
+    def __enter__(self) -> WaitForTopics:
+        if not self.wait():
+            missing = self.topics_not_received()
+            self.shutdown()
+            raise RuntimeError('Did not receive messages on these topics: ', missing)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.shutdown()
+
+    def wait(self, *args: Any, **kwargs: Any) -> bool:
+        """Wait; False when some topic had no message in time. The arguments are the trigger's."""
+        if self.trigger is not None:
+            self.trigger(self._node, *args, **kwargs)
+        return self._all_here.wait(self.timeout)
+
+    def received_messages(self, topic_name: str) -> list[Any]:
+        """The messages of a topic, oldest first.
+
+        :raises KeyError: for a topic that is not waited for.
+        """
+        return list(self._messages[topic_name])
+
+    def topics_received(self) -> set[str]:
+        """Topics that had a message."""
+        return {topic for topic, messages in self._messages.items() if messages}
+
+    def topics_not_received(self) -> set[str]:
+        """Topics that had none yet."""
+        return set(self._messages) - self.topics_received()
+
+    def shutdown(self) -> None:
+        """End the node."""
+        self._pump.stop()
+        self._node.destroy_node()
+        if self._context.ok():
+            self._context.shutdown()
+
+    def _callback(self, topic: str) -> Callable[[Any], None]:
+        def note(message: Any) -> None:
+            self._messages[topic].append(message)
+            if all(self._messages.values()):
+                self._all_here.set()
+
+        return note

@@ -1,0 +1,225 @@
+"""Filters: where messages enter, a cache of the last ones, and those that pair messages of several topics by their stamps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import product
+from typing import Any
+
+from rclpy.clock import ROSClock
+from rclpy.logging import get_logger
+from rclpy.time import Time
+
+from edulaunch.engine.sim.sync import Lock
+
+
+class SimpleFilter:
+    """Keeps callbacks; `signalMessage` calls them in the order in which they were registered."""
+
+    def __init__(self) -> None:
+        self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
+
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
+        """Call `cb(message ..., *args)` for what passes the filter; gives the number of the registration."""
+        number = len(self.callbacks)
+        self.callbacks[number] = (cb, args)
+        return number
+
+    def signalMessage(self, *msg: Any) -> None:
+        """Let messages pass: one for a filter of one topic, one of each topic for a synchronizer."""
+        for callback, args in list(self.callbacks.values()):
+            callback(*msg, *args)
+
+
+NO_STAMP = (
+    'can not use message filters for messages without timestamp infomation when "allow_headerless" is disabled. '
+    'auto assign ROSTIME to headerless messages once enabling constructor option of "allow_headerless".'
+)
+
+
+def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | None:
+    """The stamp in the header. Without one it is now, where that is allowed; else None, after a warning in ROS 2's words."""
+    stamp = getattr(getattr(message, 'header', None), 'stamp', None)
+    if stamp is None:
+        if allow_headerless:
+            return ROSClock().now()
+        get_logger(logger_name).warning(NO_STAMP)
+        return None
+    return stamp if hasattr(stamp, 'nanoseconds') else Time.from_msg(stamp)
+
+
+class Subscriber(SimpleFilter):
+    """A subscription as a filter: `Subscriber(node, MessageType, 'topic')`.
+
+    Further arguments go to `Node.create_subscription`; `qos_profile` is 10 when left out.
+    """
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__()
+        self.node = args[0]
+        self.topic: str = args[2]
+        kwargs.setdefault('qos_profile', 10)
+        self.sub = self.node.create_subscription(*args[1:], self.callback, **kwargs)
+
+    def callback(self, msg: Any) -> None:
+        """Let a message pass."""
+        self.signalMessage(msg)
+
+    def getTopic(self) -> str:
+        """The topic, as it was given."""
+        return self.topic
+
+    def __getattr__(self, key: str) -> Any:
+        """Everything else is asked of the subscription."""
+        if key == 'sub':
+            raise AttributeError(key)
+        return getattr(self.sub, key)
+
+
+class Cache(SimpleFilter):
+    """Keeps the last `cache_size` messages of the filter `f`, in the order in which they came, and lets all of them pass.
+
+    Questions are asked with rclpy Times of ROS time.
+
+    :param allow_headerless: messages without a header count as made when they come; else they are dropped.
+    """
+
+    def __init__(self, f: SimpleFilter | None = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
+        super().__init__()
+        self.cache_size = cache_size
+        self.allow_headerless = allow_headerless
+        self.cache_msgs: list[Any] = []
+        self.cache_times: list[Time] = []
+        if f is not None:
+            self.connectInput(f)
+
+    def connectInput(self, f: SimpleFilter) -> None:
+        """Take the messages that pass another filter."""
+        self.incoming_connection = f.registerCallback(self.add)
+
+    def add(self, msg: Any) -> None:
+        """Keep one message; the oldest goes when there are too many."""
+        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_cache')
+        if stamp is None:
+            return
+        self.cache_times.append(stamp)
+        self.cache_msgs.append(msg)
+        if len(self.cache_msgs) > self.cache_size:
+            self.cache_times.pop(0)
+            self.cache_msgs.pop(0)
+        self.signalMessage(msg)
+
+    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
+        """The messages from one time to another, both included."""
+        assert from_stamp <= to_stamp
+        return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if from_stamp <= time <= to_stamp]
+
+    def getElemAfterTime(self, stamp: Time) -> Any:
+        """The first message not older than `stamp`, or None."""
+        for msg, time in zip(self.cache_msgs, self.cache_times, strict=True):
+            if time >= stamp:
+                return msg
+        return None
+
+    def getElemBeforeTime(self, stamp: Time) -> Any:
+        """The last message not newer than `stamp`, or None."""
+        older = [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if time <= stamp]
+        return older[-1] if older else None
+
+    def getLastestTime(self) -> Time | None:
+        """The stamp of the message that came last (spelled as ROS 2 spells it), or None."""
+        return self.cache_times[-1] if self.cache_times else None
+
+    def getLatestTime(self) -> Time | None:
+        """The same, under the name that later releases have."""
+        return self.getLastestTime()
+
+    def getOldestTime(self) -> Time | None:
+        """The stamp of the message that came first, or None."""
+        return self.cache_times[0] if self.cache_times else None
+
+    def getLast(self) -> Any:
+        """The first message that is not older than the one that came last, or None."""
+        latest = self.getLastestTime()
+        return None if latest is None else self.getElemAfterTime(latest)
+
+
+Queue = dict[int, Any]
+"""Messages of one topic by their stamp in nanoseconds."""
+
+
+class TimeSynchronizer(SimpleFilter):
+    """Calls back with one message of each topic when all have exactly the same stamp.
+
+    :param fs: the filters (mostly Subscribers), in the order of the callback's arguments.
+    :param queue_size: how many messages of each topic wait for their partners; the oldest is dropped.
+    """
+
+    def __init__(self, fs: Sequence[SimpleFilter], queue_size: int) -> None:
+        super().__init__()
+        self.queue_size = queue_size
+        self.lock = Lock()
+        self.connectInput(fs)
+
+    def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
+        """Take the messages that pass these filters."""
+        self.queues: list[Queue] = [{} for _ in fs]
+        self.input_connections = [
+            f.registerCallback(self.add, queue, index) for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))
+        ]
+
+    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
+        """Let one message wait, and let pass what is complete."""
+        with self.lock:
+            self._keep(msg, Time.from_msg(msg.header.stamp).nanoseconds, my_queue)
+            complete = [stamp for stamp in self.queues[0] if all(stamp in queue for queue in self.queues)]
+            for stamp in sorted(complete):
+                self._pass([stamp] * len(self.queues))
+
+    def _keep(self, msg: Any, stamp_ns: int, queue: Queue) -> None:
+        queue[stamp_ns] = msg
+        while len(queue) > self.queue_size:
+            del queue[min(queue)]
+
+    def _pass(self, stamps: Sequence[int]) -> None:
+        """Give out one message of each queue, by their stamps, and forget them afterwards."""
+        chosen = list(zip(self.queues, stamps, strict=True))
+        self.signalMessage(*(queue[stamp] for queue, stamp in chosen))
+        for queue, stamp in chosen:
+            del queue[stamp]
+
+
+class ApproximateTimeSynchronizer(TimeSynchronizer):
+    """Calls back with one message of each topic when their stamps differ by less than `slop`.
+
+    :param slop: seconds.
+    :param allow_headerless: messages without a header count as made when they come; else they are dropped.
+    """
+
+    def __init__(self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False) -> None:
+        super().__init__(fs, queue_size)
+        self.slop_ns = int(slop * 1e9)
+        self.allow_headerless = allow_headerless
+
+    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
+        """Let one message wait, or pass with the best partners that there are."""
+        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate')
+        if stamp is None:
+            return
+        stamp_ns = stamp.nanoseconds
+        with self.lock:
+            self._keep(msg, stamp_ns, my_queue)
+            for stamps in product(*(self._near(queue, stamp_ns, queue is my_queue) for queue in self.queues)):
+                if max(stamps) - min(stamps) < self.slop_ns and all(
+                    one in queue for queue, one in zip(self.queues, stamps, strict=True)
+                ):
+                    self._pass(stamps)
+                    break
+
+    def _near(self, queue: Queue, stamp_ns: int, is_own: bool) -> list[int]:
+        """The stamps of a queue that are near enough, nearest first; of the message's own queue only its own stamp."""
+        if is_own:
+            return [stamp_ns]
+        return sorted(
+            (stamp for stamp in queue if abs(stamp - stamp_ns) <= self.slop_ns), key=lambda stamp: abs(stamp - stamp_ns)
+        )

@@ -1,0 +1,227 @@
+"""What sets a C++ node and its program apart from Python ones: our ports of C++ programs behave as the originals do."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import rclpy
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.clock import Clock
+from rclpy.clock_type import ClockType
+from rclpy.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+)
+from rclpy.executors import ExternalShutdownException
+from rclpy.logging import get_logger
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.subscription import Subscription
+from rclpy.timer import Timer
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.spec import Signals
+
+_NAMES: tuple[tuple[type[Exception], str], ...] = (
+    (InvalidTopicNameException, 'rclcpp::exceptions::InvalidTopicNameError'),
+    (InvalidServiceNameException, 'rclcpp::exceptions::InvalidServiceNameError'),
+    (InvalidNodeNameException, 'rclcpp::exceptions::InvalidNodeNameError'),
+    (InvalidNamespaceException, 'rclcpp::exceptions::InvalidNamespaceError'),
+)
+
+
+class CppError(Exception):
+    """An exception that a C++ program does not catch.
+
+    :param cpp_name: its class in C++, as the runtime prints it.
+    """
+
+    cpp_name = 'std::runtime_error'
+
+
+class InvalidParameterType(CppError):
+    """A parameter was given, at start-up, a value of another type than the program declares."""
+
+    cpp_name = 'rclcpp::exceptions::InvalidParameterTypeException'
+
+
+class InvalidParameterValue(CppError):
+    """A parameter was given, at start-up, a value outside its range."""
+
+    cpp_name = 'rclcpp::exceptions::InvalidParameterValueException'
+
+
+def cpp_name_of(error: Exception) -> str | None:
+    """The C++ class that stands for `error`; None when the error has no counterpart there."""
+    if isinstance(error, CppError):
+        return error.cpp_name
+    for kind, name in _NAMES:
+        if isinstance(error, kind):
+            return name
+    return None
+
+
+def _type_name(kind: Parameter.Type) -> str:
+    return 'not set' if kind is Parameter.Type.NOT_SET else kind.name.lower()
+
+
+def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
+    """The reason for refusing a value of another type."""
+    return (
+        f'Wrong parameter type, parameter {{{name}}} is of type {{{_type_name(declared)}}}, '
+        f'setting it to {{{_type_name(given)}}} is not allowed.'
+    )
+
+
+def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
+    """The reason for refusing a number outside the descriptor's range or off its steps, or None."""
+    for limits in descriptor.integer_range:
+        if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
+            return f"Parameter {{{name}}} doesn't comply with integer range."
+    for limits in descriptor.floating_point_range:
+        if not _complies(value, limits.from_value, limits.to_value, limits.step, 1e-9):
+            return f"Parameter {{{name}}} doesn't comply with floating point range."
+    return None
+
+
+def _complies(value: float, low: float, high: float, step: float, tolerance: float) -> bool:
+    if value in (low, high):
+        return True
+    if not low <= value <= high:
+        return False
+    return not step or abs((value - low) - round((value - low) / step) * step) <= tolerance
+
+
+_EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
+
+
+class CppNode(Node):
+    """A node that others take for a C++ node.
+
+    It listens to /parameter_events, has the read-only qos_overrides parameters of that topic, and refuses
+    parameter values in rclcpp's words. A bad value given at start-up is an error that ends the program.
+    """
+
+    def __init__(self, node_name: str, **options: Any) -> None:
+        self._tolerant = bool(options.get('allow_undeclared_parameters'))
+        super().__init__(node_name, **options)
+        for policy, value in _EVENT_QOS:
+            name = f'qos_overrides./parameter_events.publisher.{policy}'
+            if not self.has_parameter(name):
+                self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
+        self._steady_clock = Clock(clock_type=ClockType.STEADY_TIME)
+        qos = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
+        self._parameter_events = self.create_subscription(ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
+
+    def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
+        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        return super().create_publisher(msg_type, self._rclpy.resolve(topic, 'topic', only_expand=True), qos_profile, **options)
+
+    def create_subscription(
+        self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, **options: Any
+    ) -> Subscription:
+        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        name = self._rclpy.resolve(topic, 'topic', only_expand=True)
+        return super().create_subscription(msg_type, name, callback, qos_profile, **options)
+
+    def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
+        """A timer that goes by the machine's steady clock, so that it also fires while nobody publishes /clock."""
+        return self.create_timer(period_s, callback, clock=self._steady_clock)
+
+    def on_parameter_event(self, event: ParameterEvent) -> None:
+        """Called for every parameter event of every node; the plain node has no use for it."""
+
+    def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False) -> Parameter:
+        """As rclpy's, with rclcpp's errors.
+
+        :raises InvalidParameterType: the value given at start-up is of another type.
+        :raises InvalidParameterValue: it is out of range.
+        """
+        override = None if ignore_override else self._rclpy.overrides.get(name)
+        descriptor = descriptor or ParameterDescriptor()
+        if override is not None and value is not None and not descriptor.dynamic_typing:
+            declared = Parameter.Type.from_parameter_value(value)
+            given = Parameter.Type.from_parameter_value(override.value)
+            if given != declared:
+                raise InvalidParameterType(f"parameter '{name}' has invalid type: {type_refusal(name, declared, given)}")
+            refusal = range_refusal(name, override.value, descriptor)
+            if refusal:
+                raise InvalidParameterValue(f"parameter '{name}' could not be set: {refusal}")
+        return super().declare_parameter(name, value, descriptor, ignore_override)
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
+        """Set each parameter by itself; refusals are results, not exceptions."""
+        return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all of them or none."""
+        for parameter in parameter_list:
+            refusal = self._refusal(parameter)
+            if refusal is not None:
+                return SetParametersResult(successful=False, reason=refusal)
+        return super().set_parameters_atomically(parameter_list)
+
+    def _refusal(self, parameter: Parameter) -> str | None:
+        name = parameter.name
+        if not self.has_parameter(name):
+            return None if self._tolerant else f"parameter '{name}' cannot be set because it was not declared"
+        descriptor = self.describe_parameter(name)
+        if descriptor.read_only:
+            return f"parameter '{name}' cannot be set because it is read-only"
+        declared = self.get_parameter(name).type_
+        if parameter.type_ is Parameter.Type.NOT_SET:
+            kept = declared is not Parameter.Type.NOT_SET and not descriptor.dynamic_typing
+            return 'cannot undeclare a statically typed parameter' if kept else None
+        free = descriptor.dynamic_typing or declared is Parameter.Type.NOT_SET
+        if not free and parameter.type_ != declared:
+            return type_refusal(name, declared, parameter.type_)
+        return range_refusal(name, parameter.value, descriptor)
+
+
+def run_program(main: Callable[[], int | None]) -> int:
+    """Run `main` between rclpy's init and shutdown, and answer the exit code a C++ program would have.
+
+    Ctrl-C is said in the log and ends the program well. An exception that C++ has too is printed the way its
+    runtime does, and aborts (signal 6).
+    """
+    try:
+        rclpy.init()
+        return _run(main)
+    except KeyboardInterrupt:
+        get_logger('rclcpp').info('signal_handler(signum=2)')
+    finally:
+        rclpy.try_shutdown()
+    return 0
+
+
+def _run(main: Callable[[], int | None]) -> int:
+    try:
+        return main() or 0
+    except ExternalShutdownException:
+        return 0
+    except Exception as error:
+        name = cpp_name_of(error)
+        if name is None:
+            if rclpy.ok():
+                raise
+            raise KeyboardInterrupt from None  # the real rclpy was about to wait or publish; rclcpp ends well then
+        process = current_process()
+        text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
+        process.write('stderr', text)
+        process.exit_now(-Signals.SIGABRT)
+
+
+def program(main: Callable[[], int | None]) -> Callable[[], None]:
+    """The entry point of a C++ program: runs `main` as :func:`run_program` does, and exits with its code."""
+    return lambda: sys.exit(run_program(main))
+
+
+def spinning(make_node: Callable[..., Node], *args: Any, **options: Any) -> Callable[[], None]:
+    """The entry point of a C++ program that makes a node, called with these arguments, and spins it."""
+    return program(lambda: rclpy.spin(make_node(*args, **options)))

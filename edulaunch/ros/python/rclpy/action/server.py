@@ -1,0 +1,318 @@
+"""Serving actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.read_only import ReadOnly
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import after_shutdown, checked_action_name
+from rclpy.node_parts.core import core_of
+from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
+from rclpy.task import Future, await_or_execute
+from rclpy.type_support import check_is_valid_action_type, wrong_class
+from rclpy.waitable import Waitable
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.services import RequestId, ServiceServer
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+
+
+class GoalResponse(Enum):
+    """What a goal callback returns."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """What a cancel callback returns."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
+    """Execute the goal."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Any) -> GoalResponse:
+    """Accept."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:
+    """Reject."""
+    return CancelResponse.REJECT
+
+
+class ActionServer(Waitable):
+    """Serves an action.
+
+    :param execute_callback: does the work of a goal: gets its :class:`ServerGoalHandle`, calls `succeed()`, `abort()` or
+        `canceled()` on it, and returns an `ActionType.Result`. It runs as a task of the executor; one that blocks needs a
+        MultiThreadedExecutor and a ReentrantCallbackGroup, else cancel requests wait for it.
+    :param goal_callback: accepts or rejects a goal (default: accepts).
+    :param handle_accepted_callback: what to do with an accepted goal (default: execute it).
+    :param cancel_callback: accepts or rejects a request to cancel (default: rejects).
+    :param result_timeout: seconds for which the result of an ended goal is kept.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: Any,
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any],
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_callback: Callable[[Any], Any] = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
+        cancel_callback: Callable[[Any], Any] = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile | int = 10,
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 900,
+    ) -> None:
+        super().__init__(callback_group or node.default_callback_group)
+        check_is_valid_action_type(action_type)
+        self._name = checked_action_name(core_of(node), action_name, 'server')
+        self._node = node
+        self._action_type = action_type
+        self._logger = node.get_logger().get_child('action_server')
+        self.register_goal_callback(goal_callback)
+        self.register_cancel_callback(cancel_callback)
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_execute_callback(execute_callback)
+        self._result_timeout_ns = int(result_timeout * 1e9)
+        self._goals: dict[bytes, ServerGoalHandle] = {}
+        self._result_futures: dict[bytes, Future] = {}
+        node.add_waitable(self)
+        self.callback_group.add_entity(self)
+        impl = action_type.Impl
+        self._goal_service = self._serve('send_goal', impl.SendGoalService, goal_service_qos_profile)
+        self._cancel_service = self._serve('cancel_goal', impl.CancelGoalService, cancel_service_qos_profile)
+        self._result_service = self._serve('get_result', impl.GetResultService, result_service_qos_profile)
+        self._feedback = self._advertise('feedback', impl.FeedbackMessage, validate_qos(feedback_pub_qos_profile))
+        self._status = self._advertise('status', impl.GoalStatusMessage, status_pub_qos_profile)
+
+    def _serve(self, part: str, srv_type: Any, qos: QoSProfile) -> ServiceServer:
+        core = core_of(self._node)
+        name = core.resolve(f'{self._name}/_action/{part}', 'service')
+        return core.graph.create_service(core.entry, name, srv_type, engine_qos(qos), self.signal)
+
+    def _advertise(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
+        core = core_of(self._node)
+        name = core.resolve(f'{self._name}/_action/{part}', 'topic')
+        return core.graph.create_publisher(core.entry, name, msg_type, engine_qos(qos))
+
+    action_type: ReadOnly[Any] = ReadOnly('The class of the action.', '_action_type')
+
+    @property
+    def _goal_handles(self) -> dict[bytes, ServerGoalHandle]:
+        """The goals that are not forgotten, by id."""
+        self._forget_old_goals()
+        return self._goals
+
+    def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+        """Say what to do with accepted goals; None executes them."""
+        self._handle_accepted_callback = _callable(handle_accepted_callback, default_handle_accepted_callback, 'handle accepted')
+
+    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
+        """Say which goals to accept; None accepts all."""
+        self._goal_callback = _callable(goal_callback, default_goal_callback, 'goal')
+
+    def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
+        """Say which requests to cancel to accept; None rejects all."""
+        self._cancel_callback = _callable(cancel_callback, default_cancel_callback, 'cancel')
+
+    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
+        """Say how goals are worked on. Raises TypeError unless it is callable."""
+        if not callable(execute_callback):
+            raise TypeError('Failed to register goal execution callback: not callable')
+        self._execute_callback = execute_callback
+
+    def run_callback(self, executor: Executor) -> Any:
+        """At most one goal, one cancel request and one result request in a turn, as rclpy."""
+        self.queued = False
+        taken = [
+            (answer, service.take())
+            for service, answer in (
+                (self._goal_service, self._answer_goal),
+                (self._cancel_service, self._answer_cancel),
+                (self._result_service, self._answer_result),
+            )
+        ]
+        if self._goal_service.queue or self._cancel_service.queue or self._result_service.queue:
+            self.signal()
+        self._forget_old_goals()
+        return self._answer_all(taken)
+
+    async def _answer_all(self, taken: list[tuple[Callable[..., Any], Any]]) -> None:
+        for answer, request in taken:
+            if request is not None:
+                await answer(*request)
+
+    async def _answer_goal(self, wire: Any, request_id: RequestId) -> None:
+        service = self._action_type.Impl.SendGoalService
+        request = service.Request.from_wire(wire)
+        goal_uuid = bytes(request.goal_id.uuid)
+        response = service.Response()
+        if goal_uuid not in self._goal_handles:
+            verdict = await await_or_execute(self._goal_callback, request.goal)
+            if not isinstance(verdict, GoalResponse):
+                self._logger.warning('Goal request callback did not return a GoalResponse type. Rejecting goal.')
+            response.accepted = verdict == GoalResponse.ACCEPT
+        if not response.accepted:
+            self._goal_service.respond(request_id, service.Response.to_wire(response))
+            return
+        response.stamp = self._node.get_clock().now().to_msg()
+        goal_handle = ServerGoalHandle(self, request.goal_id, response.stamp, request.goal)
+        self._goals[goal_uuid] = goal_handle
+        self._result_futures[goal_uuid] = Future()
+        self.goal_changed()
+        self._goal_service.respond(request_id, service.Response.to_wire(response))
+        await await_or_execute(self._handle_accepted_callback, goal_handle)
+
+    async def _answer_cancel(self, wire: Any, request_id: RequestId) -> None:
+        service = self._action_type.Impl.CancelGoalService
+        request = service.Request.from_wire(wire)
+        response = service.Response()
+        for goal_handle in self._goals_to_cancel(request.goal_info, response):
+            verdict = await await_or_execute(self._cancel_callback, goal_handle)
+            if verdict == CancelResponse.ACCEPT and goal_handle.is_active:
+                goal_handle._update_state(GoalEvent.CANCEL_GOAL)
+                response.goals_canceling.append(goal_info(goal_handle))
+        self._cancel_service.respond(request_id, service.Response.to_wire(response))
+
+    def _goals_to_cancel(self, info: Any, response: Any) -> list[ServerGoalHandle]:
+        """Which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
+        goal_uuid = bytes(info.goal_id.uuid)
+        limit = (info.stamp.sec, info.stamp.nanosec)
+        stoppable = [goal for goal in self._goals.values() if goal.status in (GoalState.ACCEPTED, GoalState.EXECUTING)]
+        if any(goal_uuid) and limit == (0, 0):
+            goal = self._goal_handles.get(goal_uuid)
+            if goal is None:
+                response.return_code = response.ERROR_UNKNOWN_GOAL_ID
+            elif goal not in stoppable:
+                response.return_code = response.ERROR_GOAL_TERMINATED
+            return [goal] if goal in stoppable and goal is not None else []
+        return [goal for goal in stoppable if limit == (0, 0) or bytes(goal.goal_id.uuid) == goal_uuid or stamp_of(goal) <= limit]
+
+    async def _answer_result(self, wire: Any, request_id: RequestId) -> None:
+        service = self._action_type.Impl.GetResultService
+        goal_uuid = bytes(service.Request.from_wire(wire).goal_id.uuid)
+        future = self._result_futures.get(goal_uuid)
+        if future is None:
+            self._result_service.respond(request_id, service.Response.to_wire(service.Response()))
+            return
+        future.add_done_callback(lambda done: self._result_service.respond(request_id, service.Response.to_wire(done.result())))
+
+    def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+        """Let the executor work on a goal, by `execute_callback` or the one that was registered."""
+        executor = self._node.executor
+        if executor is not None:
+            executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
+
+    def now_ns(self) -> int:
+        """The time of the node's clock."""
+        return self._node.get_clock().now_ns()
+
+    def send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
+        """Publish feedback of a goal; errors as of :meth:`ServerGoalHandle.publish_feedback`."""
+        if not isinstance(feedback, self._action_type.Feedback):
+            raise wrong_class(feedback, self._action_type, 'Feedback')
+        if not self._node.context.ok():
+            raise after_shutdown('Failed to publish feedback with an action server: publisher')
+        message_class = self._action_type.Impl.FeedbackMessage
+        if goal_handle.status != GoalState.UNKNOWN:
+            self._feedback.publish(message_class.to_wire(message_class(goal_id=goal_handle.goal_id, feedback=feedback)))
+
+    def notify_goal_done(self) -> None:
+        """Tell that a goal has ended: results that were kept for long enough are forgotten.
+
+        :raises RCLError: when the server was destroyed.
+        """
+        if self.destroyed:
+            raise RCLError('Failed to notfiy action server of goal done: action server pointer is invalid')
+        self._forget_old_goals()
+
+    async def _execute_goal(self, execute_callback: Callable[[ServerGoalHandle], Any], goal_handle: ServerGoalHandle) -> None:
+        goal_uuid = goal_handle.goal_id.uuid
+        try:
+            result = await await_or_execute(execute_callback, goal_handle)
+        except Exception as error:
+            result = self._action_type.Result()
+            self._logger.error(f'Error raised in execute callback: {error}')
+            self._print_traceback(error)
+        if goal_handle.is_active:
+            self._logger.warning(f'Goal state not set, assuming aborted. Goal ID: {goal_uuid}')
+            goal_handle.abort()
+        self._give_result(goal_handle, result)
+
+    def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
+        """Answer those who ask for the result of a goal; the first result counts."""
+        future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
+        if future is not None and not future.ended:
+            if not isinstance(result, self._action_type.Result):
+                from edulaunch.engine.facts import kind_of, with_facts
+
+                raise with_facts(
+                    TypeError(),
+                    'programs.no-result',
+                    action=self._name,
+                    wanted=self._action_type.__name__,
+                    returned=kind_of(result),
+                )
+            future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
+
+    @staticmethod
+    def _print_traceback(error: Exception) -> None:
+        from edulaunch.engine.processes.traceback_text import student_traceback
+
+        current_process().write('stderr', student_traceback(error)[0])
+
+    def goal_changed(self) -> None:
+        """Tell everybody of the states of all goals."""
+        from action_msgs.msg import GoalStatus
+
+        message = self._action_type.Impl.GoalStatusMessage()
+        message.status_list = [GoalStatus(goal_info=goal_info(goal), status=goal.status) for goal in self._goals.values()]
+        self._status.publish(type(message).to_wire(message))
+
+    def _forget_old_goals(self) -> None:
+        """Drop ended goals whose result was kept for `result_timeout`."""
+        limit = self.now_ns() - self._result_timeout_ns
+        for goal_uuid, goal in list(self._goals.items()):
+            if has_ended_until(goal, limit):
+                del self._goals[goal_uuid]
+                del self._result_futures[goal_uuid]
+
+    def destroy(self) -> None:
+        """Serve no more."""
+        if self.destroyed:
+            return
+        self._node.remove_waitable(self)
+        for goal in self._goals.values():
+            goal.destroy()
+        for endpoint in (self._goal_service, self._cancel_service, self._result_service, self._feedback, self._status):
+            endpoint.destroy()
+
+
+def _callable(callback: Any, default: Any, kind: str) -> Any:
+    if callback is not None and not callable(callback):
+        raise TypeError(f'Failed to register {kind} callback: not callable')
+    return callback or default
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,158 @@
+"""One goal, as its action server sees it: its states, and what leads from one to another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.read_only import ReadOnly
+from edulaunch.engine.sim.task import current_task
+from rclpy._rclpy_pybind11 import RCLError
+
+if TYPE_CHECKING:
+    from rclpy.action.server import ActionServer
+
+
+class GoalState(IntEnum):
+    """The states, numbered as in action_msgs/GoalStatus."""
+
+    UNKNOWN = 0
+    ACCEPTED = 1
+    EXECUTING = 2
+    CANCELING = 3
+    SUCCEEDED = 4
+    CANCELED = 5
+    ABORTED = 6
+
+
+class GoalEvent(IntEnum):
+    """What happens to a goal."""
+
+    EXECUTE = 0
+    CANCEL_GOAL = 1
+    SUCCEED = 2
+    ABORT = 3
+    CANCELED = 4
+
+
+ACTIVE = (GoalState.ACCEPTED, GoalState.EXECUTING, GoalState.CANCELING)
+
+_TRANSITIONS = {
+    (GoalState.ACCEPTED, GoalEvent.EXECUTE): GoalState.EXECUTING,
+    (GoalState.ACCEPTED, GoalEvent.CANCEL_GOAL): GoalState.CANCELING,
+    (GoalState.EXECUTING, GoalEvent.CANCEL_GOAL): GoalState.CANCELING,
+    (GoalState.EXECUTING, GoalEvent.SUCCEED): GoalState.SUCCEEDED,
+    (GoalState.EXECUTING, GoalEvent.ABORT): GoalState.ABORTED,
+    (GoalState.CANCELING, GoalEvent.SUCCEED): GoalState.SUCCEEDED,
+    (GoalState.CANCELING, GoalEvent.ABORT): GoalState.ABORTED,
+    (GoalState.CANCELING, GoalEvent.CANCELED): GoalState.CANCELED,
+}
+
+
+def state_after(state: GoalState, event: GoalEvent) -> GoalState:
+    """The state that an event leads to. Raises RCLError when it cannot happen in this state."""
+    following = _TRANSITIONS.get((state, event))
+    if following is None:
+        raise RCLError(
+            'Failed to update goal state: goal_handle attempted invalid transition '
+            f'from state {state.name} with event {event.name}'
+        )
+    return following
+
+
+class ServerGoalHandle:
+    """Given to an execute callback: the goal's `request`, feedback, cancelling and how it ends."""
+
+    def __init__(self, action_server: ActionServer, goal_id: Any, stamp: Any, goal_request: Any) -> None:
+        self._action_server = action_server
+        self._goal_id = goal_id
+        self._stamp = stamp
+        self._goal_request = goal_request
+        self._state = GoalState.ACCEPTED
+        self._ended_ns = 0
+        self._destroyed = False
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ServerGoalHandle) and bytes(self._goal_id.uuid) == bytes(other._goal_id.uuid)
+
+    def __hash__(self) -> int:
+        return hash(bytes(self._goal_id.uuid))
+
+    request: ReadOnly[Any] = ReadOnly('The goal message.', '_goal_request')
+
+    goal_id: ReadOnly[Any] = ReadOnly("The goal's id, a unique_identifier_msgs/UUID.", '_goal_id')
+
+    @property
+    def is_active(self) -> bool:
+        """Whether the goal has not ended."""
+        return self._state in ACTIVE and not self._destroyed
+
+    @property
+    def is_cancel_requested(self) -> bool:
+        """Whether a request to cancel was accepted."""
+        current_task().poll()
+        return self._state is GoalState.CANCELING
+
+    @property
+    def status(self) -> int:
+        """The state, as a number of action_msgs/GoalStatus; UNKNOWN once the goal is forgotten."""
+        return int(GoalState.UNKNOWN if self._destroyed else self._state)
+
+    def _update_state(self, event: GoalEvent) -> None:
+        if self._destroyed:
+            return
+        self._state = state_after(self._state, event)
+        if self._state not in ACTIVE:
+            self._ended_ns = self._action_server.now_ns()
+        self._action_server.goal_changed()
+
+    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+        """Let the executor work on the goal."""
+        if not self.is_cancel_requested:
+            self._update_state(GoalEvent.EXECUTE)
+        self._action_server.notify_execute(self, execute_callback)
+
+    def publish_feedback(self, feedback: Any) -> None:
+        """Send feedback.
+
+        :raises TypeError: when it is no `ActionType.Feedback`.
+        :raises RCLError: when ROS 2 is shut down, as by Ctrl-C while the goal is worked on.
+        """
+        self._action_server.send_feedback(self, feedback)
+
+    def succeed(self) -> None:
+        """End the goal as SUCCEEDED; the execute callback returns the result.
+
+        :raises RCLError: in a state that does not allow it.
+        """
+        self._update_state(GoalEvent.SUCCEED)
+
+    def abort(self) -> None:
+        """End the goal as ABORTED, as :meth:`succeed` does."""
+        self._update_state(GoalEvent.ABORT)
+
+    def canceled(self) -> None:
+        """End the goal as CANCELED, as :meth:`succeed` does. Raises RCLError unless a request to cancel was accepted."""
+        self._update_state(GoalEvent.CANCELED)
+
+    def destroy(self) -> None:
+        """Forget the goal."""
+        self._destroyed = True
+
+
+def goal_info(goal: ServerGoalHandle) -> Any:
+    """Its id and stamp as action_msgs/GoalInfo."""
+    from action_msgs.msg import GoalInfo
+
+    return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)
+
+
+def stamp_of(goal: ServerGoalHandle) -> tuple[int, int]:
+    """When it was accepted: seconds and nanoseconds."""
+    return goal._stamp.sec, goal._stamp.nanosec
+
+
+def has_ended_until(goal: ServerGoalHandle, limit_ns: int) -> bool:
+    """Whether it ended, at that time or before."""
+    return goal._state not in ACTIVE and goal._ended_ns <= limit_ns

@@ -1,0 +1,209 @@
+"""Calling services."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.sim.task import current_task
+from rclpy.impl.entity import CLIENT, Entity, ReadyList, ServiceEnd, check_alive, check_endpoint
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import invalid_handle
+from rclpy.task import Future
+from rclpy.type_support import wrong_class
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.services import ServiceClient
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.qos import QoSProfile
+
+POLL_NS = 250_000_000
+"""How often `wait_for_service` looks, as rclpy: each 0.25 s."""
+
+
+class Asker(Entity):
+    """What clients of services and of actions share: they wait for a server and for answers; facts tell of waits in vain."""
+
+    _waited_ns = 0
+
+    def asked(self) -> tuple[ServiceClient, str, str]:
+        """The endpoint whose server is awaited, its name, and whether that is a 'service' or an 'action'."""
+        raise NotImplementedError
+
+    def awaited(self) -> dict[str, str]:
+        """What it waits for, for a fact."""
+        _, name, kind = self.asked()
+        return {'name': name, 'kind': kind}
+
+    def node_name(self) -> str:
+        """Full name of the node that it belongs to."""
+        return self.asked()[0].node.fully_qualified_name
+
+    def note_deadlock(self) -> None:
+        """Note when the code that runs now will wait for an answer that cannot come meanwhile."""
+        executor = self.ready_list.executor
+        if executor is not None and executor.cannot_serve(self):
+            from rclpy.impl.facts import note_wait
+
+            note_wait('call', self)
+
+    def await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
+        """Look each 0.25 s whether a server is there, as rclpy; a wait that becomes long is noted until it ends well."""
+        while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
+
+    def _watch_wait(self, is_ready: Callable[[], bool]) -> None:
+        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
+
+        self._waited_ns += POLL_NS
+        endpoint, name, kind = self.asked()
+        if is_ready():
+            note_server_came(endpoint, name)
+        elif self._waited_ns == LONG_NS:
+            note_long_wait(endpoint, name, kind)
+
+
+def while_looking(
+    context: Context, is_ready: Callable[[], bool], timeout_sec: float | None, looked: Callable[[], object] = lambda: None
+) -> None:
+    """Look each 0.25 s until it is ready, the time is over (None: never) or the context ends; `looked()` after each wait."""
+    left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+    task = current_task()
+    while context.alive and not is_ready() and left > 0.0:
+        task.sleep_until(task.sim.now_ns + POLL_NS)
+        left -= POLL_NS / 1e9
+        looked()
+
+
+def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
+    """Park until a future is done or the time is over (None: never); whether it is done. Some other thread must spin."""
+    task = current_task()
+    future.add_done_callback(lambda _: task.wake())
+    deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
+    while not future.ended:
+        if not task.park(deadline) and not future.ended:
+            return False
+    return True
+
+
+class Client(ServiceEnd, Asker):
+    """Made by `Node.create_client`."""
+
+    category = CLIENT
+    endpoint: ServiceClient
+
+    def __init__(
+        self,
+        context: Context,
+        ready_list: ReadyList,
+        srv_type: Any,
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+        number: int,
+    ) -> None:
+        super().__init__(ready_list, callback_group, number)
+        self.context = context
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.qos_profile = qos_profile
+        self._pending_requests: dict[int, Future] = {}
+        self._lost_noted = False
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
+
+        :param timeout_sec: give up after this many simulated seconds and return None, as Jazzy does.
+        :raises TypeError: for a request of another class.
+        """
+        self._check_request(request)
+        if timeout_sec is None:
+            self.note_deadlock()
+        future = self.call_async(request)
+        if not parked_until_done(future, timeout_sec):
+            self.remove_pending_request(future)
+            return None
+        return future.result()
+
+    def asked(self) -> tuple[ServiceClient, str, str]:
+        """Its endpoint, service name and kind."""
+        return self.endpoint, self.endpoint.service_name, 'service'
+
+    def call_async(self, request: Any) -> Future:
+        """Send a request; the future gets the reply. Without a server the request is lost.
+
+        :raises TypeError: for a request of another class.
+        """
+        self._check_request(request)
+        if self.destroyed:
+            raise invalid_handle()
+        impl = self.endpoint
+        sequence = impl.send(self.srv_type.Request.to_wire(request))
+        if impl.lost and not self._lost_noted:
+            self._note_lost_request()
+        future = Future()
+        future.source = self
+        future.add_done_callback(self.remove_pending_request)
+        self._pending_requests[sequence] = future
+        if self._introspection is not None:
+            self._introspection.request_sent(sequence, request)
+        return future
+
+    def _note_lost_request(self) -> None:
+        self._lost_noted = True
+        from rclpy.impl.facts import note_lost_request
+
+        note_lost_request(self.endpoint, self.endpoint.service_name, 'service')
+
+    def _check_request(self, request: Any) -> None:
+        if not isinstance(request, self.srv_type.Request):
+            raise wrong_class(request, self.srv_type, 'Request')
+
+    def run_callback(self, executor: Executor) -> Any:
+        self.queued = False
+        queue = self.endpoint.queue
+        if not queue:
+            return None
+        sequence, wire = queue.popleft()
+        if queue:
+            self.signal()
+        response = self.srv_type.Response.from_wire(wire)
+        if self._introspection is not None:
+            self._introspection.response_received(sequence, response)
+        future = self._pending_requests.get(sequence)
+        if future is not None:
+            future._set_executor(executor)
+            future.set_result(response)
+        return None
+
+    def get_pending_request(self, sequence_number: int) -> Future:
+        """The future of a request that waits for its reply; requests are numbered from 1. Raises KeyError when none waits."""
+        return self._pending_requests[sequence_number]
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Forget a request: its reply, if one comes, is dropped."""
+        for sequence, pending in self._pending_requests.items():
+            if pending is future:
+                del self._pending_requests[sequence]
+                break
+
+    def service_is_ready(self) -> bool:
+        """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        check_endpoint(self.endpoint, self.context, 'failed to check service availability: rcl node')
+        current_task().poll()
+        return self.endpoint.server_is_ready()
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        check_alive(self.endpoint)
+        self.await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
+        return self.service_is_ready()
+
+    def destroy(self) -> None:
+        """Leave the service. `Node.destroy_client` is the better way."""
+        self.destroyed = True
+        self.endpoint.destroy()
+
+
+__getattr__ = passed_on(__name__)

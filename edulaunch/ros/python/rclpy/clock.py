@@ -1,0 +1,255 @@
+"""Clocks. All of them tell simulated time; ROS time can be taken over by /clock (`use_sim_time`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.read_only import ReadOnly
+from edulaunch.engine.sim.task import current_task
+from rclpy.clock_type import ClockType
+from rclpy.duration import Duration
+from rclpy.exceptions import NotInitializedException
+from rclpy.impl.entity import Handle
+from rclpy.impl.passed_on import passed_on
+from rclpy.time import Time, time_of_clock
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.timer import Timer
+
+__all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
+
+
+class ClockChange(Enum):
+    """How a clock's source changed in a time jump."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+
+class JumpThreshold:
+    """Which time jumps a callback is for.
+
+    :param min_forward: smallest forward jump (a positive Duration), or None.
+    :param min_backward: smallest backward jump (a negative Duration), or None.
+    :param on_clock_change: whether a change of the time source counts.
+    :raises ValueError: for a duration of the wrong sign, or when nothing is left that counts.
+    """
+
+    def __init__(self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True) -> None:
+        self.min_forward = min_forward
+        self.min_backward = min_backward
+        self.on_clock_change = on_clock_change
+        if min_forward is None and min_backward is None and not on_clock_change:
+            raise ValueError('At least one jump threshold must be enabled')
+        if min_forward is not None and min_forward.nanoseconds <= 0:
+            raise ValueError('min_forward must be a positive non-zero duration')
+        if min_backward is not None and min_backward.nanoseconds >= 0:
+            raise ValueError('min_backward must be a negative non-zero duration')
+
+    def reached(self, change: ClockChange, delta_ns: int) -> bool:
+        """Whether a jump of `delta_ns` is one of those."""
+        if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
+            return self.on_clock_change
+        forward, backward = self.min_forward, self.min_backward
+        return bool(
+            (forward is not None and delta_ns >= forward.nanoseconds)
+            or (backward is not None and delta_ns <= backward.nanoseconds)
+        )
+
+
+class TimeJump:
+    """A time jump as a callback is told of it."""
+
+    def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
+        if not isinstance(clock_change, ClockChange):
+            raise TypeError('clock_change must be an instance of rclpy.clock.ClockChange')
+        self._clock_change = clock_change
+        self._delta = delta
+
+    clock_change: ReadOnly[ClockChange] = ReadOnly('How the time source changed.', '_clock_change')
+
+    delta: ReadOnly[Duration] = ReadOnly('How far time jumped.', '_delta')
+
+
+class JumpHandle:
+    """A registered pair of jump callbacks. Keep it: the callbacks end with it."""
+
+    def __init__(
+        self,
+        *,
+        clock: Clock,
+        threshold: JumpThreshold,
+        pre_callback: Callable[[], object] | None,
+        post_callback: Callable[[TimeJump], object] | None,
+    ) -> None:
+        if pre_callback is None and post_callback is None:
+            raise ValueError('One of pre_callback or post_callback must be callable')
+        if pre_callback is not None and not callable(pre_callback):
+            raise ValueError('pre_callback must be callable if given')
+        if post_callback is not None and not callable(post_callback):
+            raise ValueError('One of pre_callback or post_callback must be callable')  # not its own words, in ROS 2, too
+        self.threshold = threshold
+        self.pre_callback = pre_callback
+        self.post_callback = post_callback
+        self._clock: Clock | None = clock
+        clock.jump_handles.append(self)
+
+    def unregister(self) -> None:
+        """Call the callbacks no more."""
+        if self._clock is not None:
+            self._clock.jump_handles.remove(self)
+            self._clock = None
+
+    def __enter__(self) -> JumpHandle:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.unregister()
+
+
+class Clock:
+    """A clock of the given kind; `Clock(clock_type=ClockType.ROS_TIME)` is a :class:`ROSClock`."""
+
+    _clock_type: ClockType
+
+    def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
+        if not isinstance(clock_type, ClockType):
+            raise TypeError('Clock type must be a ClockType enum')
+        self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
+        self._clock_type = clock_type
+        self.sim = current_task().sim
+        self.override_ns = None
+        self._told_ns = 0
+        self.jump_handles = []
+        self.timers = []
+        return self
+
+    sim: Any
+    override_ns: int | None
+    _told_ns: int
+    jump_handles: list[JumpHandle]
+    timers: list[Timer]
+
+    clock_type: ReadOnly[ClockType] = ReadOnly('The kind of this clock.', '_clock_type')
+
+    @property
+    def handle(self) -> Handle:
+        """What holds the clock."""
+        return Handle(self)
+
+    def __repr__(self) -> str:
+        return f'Clock(clock_type={self._clock_type.name})'
+
+    def now(self) -> Time:
+        """The present time."""
+        current_task().poll()
+        override = self.override_ns
+        return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
+
+    def now_ns(self) -> int:
+        """The present time in nanoseconds, without counting as a look at the clock."""
+        override: int | None = self.override_ns
+        now: int = self.sim.now_ns if override is None else override
+        return now
+
+    def create_jump_callback(
+        self,
+        threshold: JumpThreshold,
+        *,
+        pre_callback: Callable[[], object] | None = None,
+        post_callback: Callable[[TimeJump], object] | None = None,
+    ) -> JumpHandle:
+        """Be told before and after time jumps."""
+        return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback)
+
+    def sleep_until(self, until: Time, context: Context | None = None) -> bool:
+        """Wait until this clock tells `until`.
+
+        While /clock rules, it is always a message of /clock that ends the wait, even for a time that is over (as the real one).
+
+        :returns: False when the context ended or the time source changed before that.
+        :raises NotInitializedException: before init.
+        :raises ValueError: when `until` belongs to another kind of clock.
+        """
+        from rclpy.utilities import get_default_context
+
+        context = context or get_default_context()
+        if not context.alive:
+            raise NotInitializedException()
+        if until.clock_type != self._clock_type:
+            raise ValueError("until's clock type does not match this clock's type")
+        active = self.override_ns is not None
+        task = current_task()
+        told: list[TimeJump] = []
+
+        def jumped(jump: TimeJump) -> None:
+            told.append(jump)
+            task.wake()
+
+        handle = self.create_jump_callback(
+            JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1)), post_callback=jumped
+        )
+        with handle:
+            while (
+                context.alive
+                and (self.override_ns is not None) is active
+                and (self.now_ns() < until.nanoseconds or (active and not told))
+            ):
+                context.park(None if active else until.nanoseconds)
+        return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
+
+    def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
+        """Wait for a length of time; as :meth:`sleep_until`."""
+        return self.sleep_until(self.now() + rel_time, context)
+
+
+class ROSClock(Clock):
+    """The clock of nodes: simulated time, or what /clock says while `use_sim_time` is true."""
+
+    def __new__(cls) -> ROSClock:
+        clock = super().__new__(cls, clock_type=ClockType.ROS_TIME)
+        assert isinstance(clock, ROSClock)
+        return clock
+
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Whether /clock rules."""
+        return self.override_ns is not None
+
+    def _set_ros_time_is_active(self, enabled: bool) -> None:
+        """Let /clock rule, from the time told last on (0 at first), or not any more."""
+        if enabled == self.ros_time_is_active:
+            return
+        change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
+        self._jump(change, self._told_ns if enabled else None)
+
+    def set_ros_time_override(self, time: Time) -> None:
+        """Let it be `time`, at once or as soon as /clock rules. Raises TypeError when `time` is none."""
+        if not isinstance(time, Time):
+            raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
+        self._told_ns = time.nanoseconds
+        if self.ros_time_is_active:
+            self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
+
+    def _jump(self, change: ClockChange, override_ns: int | None) -> None:
+        before = self.now_ns()
+        # As in rcl a change of the source is told without how far time jumped.
+        delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
+        handles = [handle for handle in self.jump_handles if handle.threshold.reached(change, delta)]
+        for handle in handles:
+            if handle.pre_callback is not None:
+                handle.pre_callback()
+        self.override_ns = override_ns
+        for timer in list(self.timers):
+            timer.clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
+        for handle in handles:
+            if handle.post_callback is not None:
+                handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,204 @@
+"""The life of ROS 2 in a program: between init and shutdown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts, with_facts_of
+from edulaunch.engine.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.sim.task import Task, current_task
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.impl.entity import Handle
+from rclpy.process_state import process_state
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+
+
+class Context:
+    """Arguments and life time shared by nodes, as `rclpy.context.Context`. Use it once: init, then shutdown.
+
+    A context can be used as a context manager, which initialises it and shuts it down.
+    """
+
+    def __init__(self) -> None:
+        self.alive = False
+        self.used = False
+        self.ended_by_signal = False
+        self._domain_id = 0
+        self.arguments = RosArguments()
+        self._callbacks: list[Callable[[], object]] = []
+        self.executors: list[Executor] = []
+        self.parked: list[Task] = []
+        self._nodes: list[Node] = []
+
+    @property
+    def handle(self) -> Handle:
+        """What holds the context."""
+        return Handle(self)
+
+    def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
+        """Begin, reading `args` (None: the program's own command line).
+
+        :raises RuntimeError: when called a second time.
+        :raises UnknownROSArgsError: for arguments after `--ros-args` that mean nothing.
+        """
+        if self.used:
+            raise RuntimeError('Context.init() must only be called once')
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
+        state = process_state()
+        self.arguments = _global_arguments(list(state.process.argv) if args is None else args)
+        self._domain_id = _default_domain_id(state.process.env.get('ROS_DOMAIN_ID', '')) if domain_id is None else domain_id
+        self.alive = self.used = True
+        state.contexts.append(self)
+        if initialize_logging:
+            from rclpy.impl.logging_state import logging_state
+
+            logging_state().configure(self.arguments)
+
+    def ok(self) -> bool:
+        """Whether the context is between init and shutdown."""
+        current_task().poll()
+        return self.alive
+
+    def shutdown(self) -> None:
+        """End: everything that waits is woken, and the `on_shutdown` callbacks run.
+
+        :raises RuntimeError: when the context was never initialised.
+        :raises RCLError: when it was shut down already, for instance by Ctrl-C.
+        """
+        if not self.used:
+            raise RuntimeError('Context must be initialized before it can be shutdown')
+        self.ended_by_signal = False
+        if not self.alive:
+            raise with_facts(
+                RCLError('failed to shutdown: rcl_shutdown already called on the given context'), 'programs.shutdown-twice'
+            )
+        self._end()
+
+    def try_shutdown(self) -> None:
+        """End if not ended yet; never raises."""
+        self.ended_by_signal = False
+        if self.alive:
+            self._end()
+
+    def end_by_signal(self) -> None:
+        """End as Ctrl-C does it: what needs a context fails from now on with other words than after `shutdown()`."""
+        if self.alive:
+            self.ended_by_signal = True
+            self._end()
+
+    def _end(self) -> None:
+        self.alive = False
+        contexts = process_state().contexts
+        if self in contexts:
+            contexts.remove(self)
+        if not contexts:  # as rcl ends its logging then: a later node of the same name begins anew
+            from rclpy.impl.logging_state import logging_state
+
+            logging_state().rosout.clear()
+        callbacks, self._callbacks = self._callbacks, []
+        for callback in callbacks:
+            callback()
+        for executor in self.executors:
+            executor.wake()
+        for task in self.parked:
+            task.wake()
+
+    def on_shutdown(self, callback: Callable[[], object]) -> None:
+        """Call `callback()` when the context ends, at once when it has ended. Raises TypeError when it is not callable."""
+        if not callable(callback):
+            raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's text has its hole, too
+        if self.used and not self.alive:
+            callback()
+        else:
+            self._callbacks.append(callback)
+
+    def get_domain_id(self) -> int:
+        """The domain. Raises RuntimeError before init."""
+        if not self.used:
+            raise RuntimeError('Context must be initialized before it can have a domain id')
+        return self._domain_id
+
+    def destroy(self) -> None:
+        """End if not ended yet."""
+        self.try_shutdown()
+
+    def track_node(self, node: Node) -> None:
+        """Remember a node of this context."""
+        self._nodes.append(node)
+
+    def untrack_node(self, node: Node) -> None:
+        """Forget a node."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """Park the running task until it is woken, the deadline comes, or this context ends."""
+        task = current_task()
+        self.parked.append(task)
+        try:
+            return task.park(deadline_ns)
+        finally:
+            self.parked.remove(task)
+
+    def __enter__(self) -> Context:
+        self.init()
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.try_shutdown()
+
+
+def _global_arguments(arguments: list[str]) -> RosArguments:
+    """The arguments of a whole program. Raises RCLError, after a line of the log, for what cannot be understood."""
+    if not isinstance(arguments, list):
+        raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
+    try:
+        return parse_or_raise(arguments)
+    except RCLInvalidROSArgsError as error:
+        _log(40, 'Failed to parse global arguments')
+        reason = str(error).removeprefix(_REFUSED)
+        raise with_facts_of(RCLError(f'failed to initialize rcl: {reason}'), error) from None
+
+
+_REFUSED = 'Failed to parse ROS arguments: '
+
+
+def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
+    """Read command-line arguments, raising the C layer's errors for what cannot be understood."""
+    given = list(arguments)
+    if not all(isinstance(argument, str) for argument in given):
+        raise TypeError('bad argument type for built-in operation')
+    for argument in given:
+        argument.encode()  # half a character (a surrogate) cannot go to the C layer: UnicodeEncodeError
+    try:
+        parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
+    except RosArgumentsError as error:
+        raise with_facts_of(RCLInvalidROSArgsError(_REFUSED + error.message), error) from None
+    for rule in parsed.deprecated:
+        _log(30, f"Found remap rule '{rule}'. This syntax is deprecated. Use '--ros-args --remap {rule}' instead.")
+    if parsed.unknown:
+        raise UnknownROSArgsError(repr(parsed.unknown))
+    return parsed
+
+
+def _log(severity: int, words: str) -> None:
+    from rclpy.impl.logging_state import logging_state
+
+    logging_state().output(severity, 'rcl', words)
+
+
+def _default_domain_id(text: str) -> int:
+    """The number at the start of `ROS_DOMAIN_ID`, as C reads it; 0 if it is empty. Raises RCLError when there is none."""
+    words = text.strip()
+    end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
+    if words and not end:
+        raise with_facts(
+            RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'), 'programs.domain-id', value=text
+        )
+    return int(words[:end] or 0)

@@ -1,0 +1,314 @@
+"""Callbacks for what happens to an endpoint: incompatible quality of service, matches, deadlines, liveliness, losses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.graph.qos import incompatible_policy
+from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
+from rclpy.waitable import Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+
+EventCallback = Callable[[Any], object]
+
+
+class QoSPublisherEventType(IntEnum):
+    """What can happen to a publisher."""
+
+    RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
+    RCL_PUBLISHER_LIVELINESS_LOST = 1
+    RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 2
+    RCL_PUBLISHER_INCOMPATIBLE_TYPE = 3
+    RCL_PUBLISHER_MATCHED = 4
+
+
+class QoSSubscriptionEventType(IntEnum):
+    """What can happen to a subscription."""
+
+    RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
+    RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
+    RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2
+    RCL_SUBSCRIPTION_MESSAGE_LOST = 3
+    RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
+    RCL_SUBSCRIPTION_MATCHED = 5
+
+
+class CountInfo(NamedTuple):
+    """How often something has happened, in all and since the last call."""
+
+    total_count: int
+    total_count_change: int
+
+
+QoSOfferedDeadlineMissedInfo = QoSRequestedDeadlineMissedInfo = QoSLivelinessLostInfo = CountInfo
+QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # of what does not happen here
+
+
+class QoSLivelinessChangedInfo(NamedTuple):
+    """How many of a subscription's publishers are alive and how many are not."""
+
+    alive_count: int
+    not_alive_count: int
+    alive_count_change: int
+    not_alive_count_change: int
+
+
+class IncompatibleInfo(NamedTuple):
+    """How many partners want more than this publisher offers, or offer less than this subscription wants."""
+
+    total_count: int
+    total_count_change: int
+    last_policy_kind: IntEnum
+
+
+QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo = IncompatibleInfo
+
+
+class MatchedInfo(NamedTuple):
+    """Endpoints came or went that this one is connected to."""
+
+    total_count: int
+    total_count_change: int
+    current_count: int
+    current_count_change: int
+
+
+PublisherMatchedInfo = QoSPublisherMatchedInfo = MatchedInfo
+QoSSubscriptionMatchedInfo = MatchedInfo
+
+
+class EventHandler(Waitable):
+    """Calls back, on the executor's turn, with what has happened since the last time."""
+
+    def __init__(self, callback_group: CallbackGroup, callback: EventCallback, take: Callable[[], Any]) -> None:
+        super().__init__(callback_group)
+        self.callback = callback
+        self._take_info = take
+
+    def run_callback(self, executor: Executor) -> Any:
+        self.queued = False
+        info = self._take_info()
+        if info is not None and not self.destroyed:
+            self.callback(info)
+        return None
+
+    is_async = False
+
+    def ready_changed(self) -> None:
+        """Something happened: let the executor call back."""
+        if not self.destroyed:
+            self.signal()
+
+    def destroy(self) -> None:
+        """Call back no more."""
+        self.destroyed = True
+
+
+QoSEventHandler = EventHandler
+
+
+class _MatchCount:
+    """Counts matches between two calls of the callback."""
+
+    def __init__(self, current: int) -> None:
+        self.total = self.total_change = self.current = self.current_change = current
+
+    def add(self, change: int) -> None:
+        self.total += max(change, 0)
+        self.total_change += max(change, 0)
+        self.current += change
+        self.current_change += change
+
+    def take(self) -> MatchedInfo | None:
+        info = MatchedInfo(self.total, self.total_change, self.current, self.current_change)
+        changed = self.total_change or self.current_change
+        self.total_change = self.current_change = 0
+        return info if changed else None
+
+
+class _EventCallbacks:
+    """What both kinds of callbacks share. `incompatible_qos` defaults to a warning in the log."""
+
+    _warning: str
+
+    def __init__(
+        self,
+        *,
+        deadline: EventCallback | None = None,
+        liveliness: EventCallback | None = None,
+        incompatible_qos: EventCallback | None = None,
+        incompatible_type: EventCallback | None = None,
+        matched: EventCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
+        """Watch an endpoint that was just made; partners that it found at once count too."""
+        incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
+        if incompatible_qos is not None:
+            self._watch_incompatible(node, entity, impl, group, incompatible_qos)
+        incompatible_type = self.incompatible_type or (_never_called if self.use_default_callbacks else None)
+        for callback in (getattr(self, 'message_lost', None), incompatible_type):
+            if callback is not None:
+                _added(node, entity, EventHandler(group, callback, lambda: None))
+        if self.matched is not None:
+            self._watch_matched(node, entity, impl, group, self.matched)
+        if self.deadline is not None:
+            watch_deadline(impl, _counted(node, entity, group, self.deadline, CountInfo).add)
+        if self.liveliness is not None:
+            self._watch_liveliness(node, entity, impl, group, self.liveliness)
+
+    def _warn_of(self, node: Any, entity: Any) -> EventCallback:
+        """The default callback for incompatible quality of service: a warning in the node's log."""
+
+        def warn_of(info: Any) -> None:
+            from rclpy.qos_compatibility import qos_policy_name_from_kind
+
+            policy = qos_policy_name_from_kind(info.last_policy_kind)
+            node.get_logger().warning(self._warning.format(entity.topic, policy))
+
+        return warn_of
+
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        """Of a publisher or of a subscription's publishers."""
+        raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
+
+    def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        on_incompatible = impl.on_incompatible = _counted(node, entity, group, callback, _incompatible_info).add
+        for policy in _incompatible_partners(impl):
+            on_incompatible(policy)
+
+    def _watch_matched(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        count = _MatchCount(impl.subscription_count if impl.kind == 'publisher' else impl.publisher_count)
+        handler = _added(node, entity, EventHandler(group, callback, count.take))
+
+        def on_matched(change: int) -> None:
+            count.add(change)
+            handler.ready_changed()
+
+        impl.on_matched = on_matched
+        if count.current:
+            handler.ready_changed()
+
+
+def _never_called(info: Any) -> None:
+    """The default callback for another type on the topic, of which Fast DDS does not tell."""
+
+
+def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
+    """A count whose changes are told to the callback, on the executor's turn."""
+    count = Count(make_info, lambda: handler.ready_changed())
+    handler = _added(node, entity, EventHandler(group, callback, count.take))
+    return count
+
+
+def _incompatible_info(total: int, change: int, policy: str) -> IncompatibleInfo:
+    from rclpy.qos_compatibility import PolicyKindOfEvent
+
+    return IncompatibleInfo(total, change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{policy}'])
+
+
+def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
+    entity.event_handlers.append(handler)
+    node.add_waitable(handler)
+    return handler
+
+
+def _incompatible_partners(impl: Any) -> list[str]:
+    """The clashing policies of the partners that were there before this endpoint."""
+    if impl.kind == 'publisher':
+        pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
+    else:
+        pairs = [(other, impl) for other in impl.graph.publishers.get(impl.topic_name, ())]
+    policies = [
+        incompatible_policy(publisher.qos, subscription.qos)
+        for publisher, subscription in pairs
+        if publisher.type_name == subscription.type_name
+    ]
+    return [policy for policy in policies if policy is not None]
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """Callbacks of a publisher, each called with one of the infos of this module.
+
+    :param deadline: nothing was published for as long as the publisher's deadline.
+    :param liveliness: a publisher that must show itself (MANUAL_BY_TOPIC) did not do so for its lease.
+    :param incompatible_qos: a subscription wants more; by default a warning is logged.
+    :param matched: a subscription came or went.
+    """
+
+    _warning = (
+        "New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
+        'Last incompatible policy: {}'
+    )
+
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        watch_lease(impl, _counted(node, entity, group, callback, CountInfo).add)
+
+
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """Callbacks of a subscription, each called with one of the infos of this module.
+
+    :param deadline: nothing was heard for as long as the subscription's deadline, counted from the first message on.
+    :param liveliness: a publisher came to life or ended, or did not show itself for the lease; never without a lease.
+    :param incompatible_qos: a publisher offers less; by default a warning is logged.
+    :param message_lost: never called, since nothing gets lost here.
+    :param matched: a publisher came or went.
+    """
+
+    _warning = (
+        "New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
+        'Last incompatible policy: {}'
+    )
+
+    def __init__(
+        self,
+        *,
+        deadline: EventCallback | None = None,
+        incompatible_qos: EventCallback | None = None,
+        liveliness: EventCallback | None = None,
+        message_lost: EventCallback | None = None,
+        incompatible_type: EventCallback | None = None,
+        matched: EventCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        super().__init__(
+            deadline=deadline,
+            liveliness=liveliness,
+            incompatible_qos=incompatible_qos,
+            incompatible_type=incompatible_type,
+            matched=matched,
+            use_default_callbacks=use_default_callbacks,
+        )
+        self.message_lost = message_lost
+
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
+        handler = _added(node, entity, EventHandler(group, callback, watch.take))
+        if not impl.qos.lease_ns:
+            return  # Fast DDS does not follow the liveliness of publishers that need not show it
+        counted = impl.on_matched
+
+        def on_matched(change: int) -> None:
+            if counted is not None:
+                counted(change)
+            watch.look()
+
+        impl.on_matched = on_matched
+        watch.look()
+
+
+__getattr__ = passed_on(__name__)

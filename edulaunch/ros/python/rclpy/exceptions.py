@@ -1,0 +1,133 @@
+"""Exceptions that rclpy raises, with ROS 2 Jazzy's texts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.graph.names import caret_text
+from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
+
+
+class NotInitializedException(Exception):
+    """ROS 2 is used before `rclpy.init()`."""
+
+    def __init__(self, message: str | None = None) -> None:
+        super().__init__('rclpy.init() has not been called.' + (f' msg:{message}' if message else ''))
+
+
+class NoTypeSupportImportedException(Exception):
+    """An interface class without type support is used."""
+
+    def __init__(self) -> None:
+        super().__init__('no type_support imported')
+
+
+class NameValidationException(Exception):
+    """A name breaks ROS 2's rules. The text shows the reason, the name, and a caret under the offending character."""
+
+    def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__(caret_text(name_type, name, (error_msg, invalid_index)))
+
+
+class InvalidNamespaceException(NameValidationException):
+    """A namespace breaks the rules."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__('namespace', name, error_msg, invalid_index)
+
+
+class InvalidNodeNameException(NameValidationException):
+    """A node name breaks the rules."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__('node name', name, error_msg, invalid_index)
+
+
+class InvalidTopicNameException(NameValidationException):
+    """A topic name breaks the rules."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__('topic name', name, error_msg, invalid_index)
+
+
+class InvalidServiceNameException(NameValidationException):
+    """A service name breaks the rules."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__('service name', name, error_msg, invalid_index)
+
+
+class ParameterException(Exception):
+    """Base of what goes wrong with parameters; the text ends with the names concerned."""
+
+    def __init__(self, error_msg: str, parameters: Any) -> None:
+        super().__init__(f'{error_msg}: {parameters}')
+
+
+class ParameterNotDeclaredException(ParameterException):
+    """A parameter is used that was never declared."""
+
+    def __init__(self, parameters: Any) -> None:
+        super().__init__('Invalid access to undeclared parameter(s)', parameters)
+
+
+class ParameterAlreadyDeclaredException(ParameterException):
+    """A parameter is declared twice."""
+
+    def __init__(self, parameters: Any) -> None:
+        super().__init__('Parameter(s) already declared', parameters)
+
+
+class InvalidParameterException(ParameterException):
+    """A parameter name is empty."""
+
+    def __init__(self, parameter_name: Any) -> None:
+        super().__init__('Invalid parameter name', parameter_name)
+
+
+class InvalidParameterTypeException(ParameterException):
+    """A value has another type than the parameter was declared with."""
+
+    def __init__(self, desired_parameter: Any, expected_type: str) -> None:
+        super().__init__(
+            f"Trying to set parameter '{desired_parameter.name}' to '{desired_parameter.value}' "
+            f"of type '{desired_parameter.type_.name}', expecting type '{expected_type}'",
+            desired_parameter.name,
+        )
+        with_facts(
+            self,
+            'programs.parameter-type',
+            parameter=desired_parameter.name,
+            value=str(desired_parameter.value),
+            given=desired_parameter.type_.name,
+            expected=expected_type,
+        )
+
+
+class InvalidParameterValueException(ParameterException):
+    """A value is refused by the parameter's range or by a callback."""
+
+    def __init__(self, parameter: Any, value: Any, reason: str) -> None:
+        super().__init__(f'Invalid parameter value ({value}) for parameter. Reason: {reason}', parameter)
+
+
+class ParameterImmutableException(ParameterException):
+    """A read-only parameter is changed."""
+
+    def __init__(self, parameter_name: Any) -> None:
+        super().__init__('Attempted to modify read-only parameter', parameter_name)
+
+
+class ParameterUninitializedException(ParameterException):
+    """A parameter that was declared with a type only is read before it has a value."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)
+
+
+class ROSInterruptException(Exception):
+    """ROS 2 was shut down while something waited."""
+
+    def __init__(self) -> None:
+        super().__init__('rclpy.shutdown() has been called')

@@ -1,0 +1,145 @@
+"""Executors: they wait until something is ready, and call the callbacks."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+from warnings import warn
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.sim.task import Task as SimTask
+from edulaunch.engine.sim.task import current_task
+from rclpy.impl.entity import Entity
+from rclpy.impl.executor import Executor, TimeoutObject
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.waiting import ConditionReachedException, ExternalShutdownException, Item, ShutdownException, TimeoutException
+from rclpy.task import Task, await_or_execute
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
+__all__ = [
+    'ConditionReachedException',
+    'Executor',
+    'ExternalShutdownException',
+    'MultiThreadedExecutor',
+    'ShutdownException',
+    'SingleThreadedExecutor',
+    'TimeoutException',
+    'TimeoutObject',
+    'await_or_execute',
+]
+
+DEFAULT_THREADS = 8
+"""Fixed, not the machine's number of processors, so that a program behaves the same everywhere."""
+
+
+class SingleThreadedExecutor(Executor):
+    """Executes one callback after the other, in the thread that spins."""
+
+
+class MultiThreadedExecutor(Executor):
+    """Executes callbacks in up to `num_threads` threads: one that blocks lets those of other groups go on.
+
+    Threads are simulated: nothing is preempted, and the order is the same in every run.
+    """
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        if num_threads == 1:
+            warn('MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.', stacklevel=2)
+        self._num_threads = DEFAULT_THREADS if num_threads is None else num_threads
+        if self._num_threads <= 0:
+            raise ValueError('max_workers must be greater than 0')
+        self._jobs: deque[Callable[[], None]] = deque()
+        self._idle: list[SimTask] = []
+        self._threads: list[SimTask] = []
+        self._running: dict[SimTask, tuple[Entity, int]] = {}
+        self._begun = 0
+        self._failures: list[Exception] = []
+        self._ending: SimTask | None = None
+
+    def _execute(self, item: Item) -> None:
+        """Hand an item to a thread, and let that run until it blocks.
+
+        Raises what a callback has raised until then (as rclpy: when it blocks first, that comes out at the next item).
+        """
+        if isinstance(item, Task):
+            self._submit(item)
+        elif item.callback_group.beginning_execution(item):
+            item.queued = True
+            self._submit(lambda: self._run_in_thread(item))
+        else:
+            self._put_back([item])
+        current_task().sleep_until(self._sim.now_ns)
+        if self._failures:
+            raise self._failures.pop(0)
+
+    def _run_in_thread(self, entity: Entity) -> None:
+        thread = current_task()
+        self._begun += 1
+        self._running[thread] = entity, self._begun
+        try:
+            self._run_begun(entity)
+        finally:
+            del self._running[thread]
+            self.wake()
+
+    def _submit(self, job: Callable[[], None]) -> None:
+        self._jobs.append(job)
+        if self._idle:
+            self._idle.pop(0).wake()
+        elif len(self._threads) < self._num_threads:
+            process = current_process()
+            if not self._threads:
+                process.before_join.append(self._finish)
+            self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
+
+    def _finish(self) -> None:
+        """At the end of the program: wait for the callbacks that are executed, as Python waits for the threads of its pools."""
+        self._ending = current_task()
+        while len(self._idle) < len(self._threads):
+            self._ending.park()
+
+    def _work_off(self) -> None:
+        """What each thread does: take jobs, park when there are none; a real thread, which looks again by itself, ends with the
+        executor.
+        """
+        thread = current_task()
+        while True:
+            while self._jobs:
+                job = self._jobs.popleft()
+                try:
+                    job()
+                    if isinstance(job, Task):
+                        job.raise_if_failed()
+                except Exception as error:
+                    self._failures.append(error)
+            self._idle.append(thread)
+            if self._ending is not None:
+                self._ending.wake()
+            while thread in self._idle:
+                thread.park()
+                if self._is_shutdown and not self._jobs:
+                    self._idle.remove(thread)
+                    self._threads.remove(thread)
+                    return
+
+    def running_entity(self) -> Entity | None:
+        running = self._running.get(current_task())
+        return None if running is None else running[0]
+
+    def turn_mark(self) -> Any:
+        return self._running.get(current_task())
+
+    def cannot_serve(self, entity: Entity) -> bool:
+        running = self.running_entity()
+        return (
+            running is not None
+            and running.callback_group is entity.callback_group
+            and not entity.callback_group.can_execute(entity)
+        )
+
+
+__getattr__ = passed_on(__name__)

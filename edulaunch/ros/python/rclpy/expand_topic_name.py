@@ -1,0 +1,21 @@
+"""From a name as a program writes it to its absolute form."""
+
+from __future__ import annotations
+
+from edulaunch.engine.graph.names import expand_name, namespace_problem, node_name_problem, topic_name_problem
+
+
+def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
+    """The absolute form of a topic or service name in a node; remap rules are not applied.
+
+    :raises ValueError: when one of the three breaks its rules.
+    """
+    for what, name, problem in (
+        ('topic name', topic_name, topic_name_problem),
+        ('node name', node_name, node_name_problem),
+        ('node namespace', node_namespace, namespace_problem),
+    ):
+        found = problem(name)
+        if found is not None:
+            raise ValueError(f"{what} '{name}' is invalid: {found[0]}")
+    return expand_name(topic_name, node_name, node_namespace)

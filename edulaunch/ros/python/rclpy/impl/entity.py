@@ -1,0 +1,189 @@
+"""What publishers, subscriptions, timers, clients and services share: a handle, a place in the graph, and how an executor learns
+that there is something to do: each entity that becomes ready puts itself on its node's list, once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.impl.refusals import after_shutdown, invalid_handle
+
+if TYPE_CHECKING:
+    from edulaunch.engine.sim.task import Task as SimTask
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.qos import QoSProfile
+    from rclpy.service_introspection import ServiceIntrospectionState
+    from rclpy.timer import Timer
+    from rclpy.waitable import Waitable
+
+
+class Handle:
+    """An entity's `handle`. Inside `with entity.handle:` the entity is known to be there; as in ROS 2 `as` gives None.
+
+    Everything else is asked of what is held.
+    """
+
+    def __init__(self, held: Any, is_destroyed: Callable[[], bool] = lambda: False) -> None:
+        self._held = held
+        self._is_destroyed = is_destroyed
+
+    def __enter__(self) -> None:
+        if self._is_destroyed():
+            raise invalid_handle()
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing to let go of."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._held, name)
+
+
+def check_alive(endpoint: Any) -> None:
+    """Raise InvalidHandle when an endpoint was destroyed."""
+    if endpoint.destroyed:
+        raise invalid_handle()
+
+
+def check_endpoint(endpoint: Any, context: Context, what: str) -> None:
+    """Raise what ROS 2 raises when something is asked of an endpoint that is gone, or after shutdown.
+
+    :param what: how the error text begins, up to its colon, and whose context it is: 'failed to ...: publisher'.
+    :raises InvalidHandle: the endpoint was destroyed.
+    :raises RCLError: ROS 2 was shut down.
+    """
+    check_alive(endpoint)
+    if not context.alive:
+        raise after_shutdown(what)
+
+
+WAITABLE, TIMER, SUBSCRIPTION, GUARD, CLIENT, SERVICE = range(6)
+"""The order in which the ready entities of one wait are executed (waitables of all nodes before anything else)."""
+
+NEVER_NS = 1 << 63
+
+
+class ReadyList:
+    """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due.
+
+    :ivar asked: waitables of the program itself, which are asked in each wait.
+    :ivar waiting: the simulated threads that are parked in the executor.
+    """
+
+    __slots__ = ('entities', 'timers', 'asked', 'executor', 'waiting', 'due_ns')
+
+    def __init__(self) -> None:
+        self.entities: list[Entity] = []
+        self.timers: list[Timer] = []
+        self.asked: list[Waitable] = []
+        self.executor: Executor | None = None
+        self.waiting: list[SimTask] = []
+        self.due_ns = NEVER_NS
+
+    def plan(self) -> None:
+        """Work out `due_ns` again."""
+        timers = self.timers
+        if len(timers) == 1:
+            self.due_ns = timers[0].due_ns
+        else:
+            self.due_ns = min([timer.due_ns for timer in timers], default=NEVER_NS)
+
+    def notify(self) -> None:
+        """Something is ready, or a due time has changed: wake whoever waits."""
+        for task in self.waiting:
+            task.wake()
+
+
+class Entity:
+    """Base of what executors run: a callback, its group, and whether something waits for it.
+
+    `_order` sorts the entities of one wait: by category, then by creation. `is_async` tells that running it gives a coroutine.
+    """
+
+    category = WAITABLE
+    is_async = False
+
+    def __init__(self, ready_list: ReadyList, callback_group: CallbackGroup, number: int) -> None:
+        self.callback_group = callback_group
+        self.ready_list = ready_list
+        self.order = self.category << 32 | number
+        self.queued = False
+        self.destroyed = False
+
+    def signal(self) -> None:
+        """Something came: stand on the ready list and wake the executor."""
+        if not self.queued:
+            self.queued = True
+            ready_list = self.ready_list
+            ready_list.entities.append(self)
+            for task in ready_list.waiting:
+                task.wake()
+
+    def run_callback(self, executor: Executor) -> Any:
+        """Take what waits and call the callback with it; it has left the ready list. A coroutine is for the executor to run."""
+        raise TypeError(f'{type(self).__name__} cannot be executed')
+
+
+class GraphEnd:
+    """Has an endpoint in the graph, given by :meth:`connect`."""
+
+    endpoint: Any
+
+    def connect(self, impl: Any) -> None:
+        """Stand for this endpoint of the graph."""
+        self.endpoint = impl
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger. Raises InvalidHandle when destroyed."""
+        check_alive(self.endpoint)
+        name: str = self.endpoint.node.logger_name
+        return name
+
+    @property
+    def handle(self) -> Handle:
+        """What holds the endpoint in the graph."""
+        impl = self.endpoint
+        return Handle(impl, lambda: impl.destroyed)
+
+
+class TopicEnd(GraphEnd):
+    """A publisher or a subscription."""
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self.endpoint)
+        name: str = self.endpoint.topic_name
+        return name
+
+
+class ServiceEnd(GraphEnd):
+    """A client or a service."""
+
+    srv_type: Any
+    _introspection: Any = None
+
+    @property
+    def service_name(self) -> str:
+        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self.endpoint)
+        name: str = self.endpoint.service_name
+        return name
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish what it sends and receives on `<service>/_service_event`."""
+        from rclpy.service_introspection import Introspection
+
+        if self._introspection is not None:
+            self._introspection.stop()
+        self._introspection = None
+        if introspection_state:
+            self._introspection = Introspection(
+                self.endpoint, self.srv_type.Event, clock, service_event_qos_profile, introspection_state
+            )

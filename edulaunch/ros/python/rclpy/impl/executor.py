@@ -1,0 +1,324 @@
+"""The base of executors: nodes, tasks, executing and spinning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.read_only import ReadOnly
+from edulaunch.engine.sim.task import current_task
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.impl.entity import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
+from rclpy.impl.facts import note_sleep
+from rclpy.impl.own_names import TO_SPIN, check_own_names
+from rclpy.impl.refusals import check_future, check_node, stopped
+from rclpy.impl.waiting import ConditionReachedException, Item, ShutdownException, TimeoutException, Waiting, never
+from rclpy.node_parts.core import core_of
+from rclpy.task import Future, Task
+from rclpy.utilities import timeout_sec_to_nsec
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+
+class TimeoutObject:
+    """A timeout that may be shortened while it is used."""
+
+    def __init__(self, timeout: float) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float:
+        """Seconds."""
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float) -> None:
+        self._timeout = timeout
+
+
+class Executor(Waiting):
+    """Base of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
+    subscriptions, guard conditions, clients and services; the next wait comes when all of that was executed.
+
+    An executor can be used as a context manager, which shuts it down.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        self._nodes: list[Node] = []
+        self._nested_noted = False
+        current_process().on_sleep = note_sleep
+        self._context.executors.append(self)
+
+    context: ReadOnly[Context] = ReadOnly('The context that ends the executor with it.', '_context')
+
+    def __enter__(self) -> Executor:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.shutdown()
+
+    def add_node(self, node: Node) -> bool:
+        """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
+        if self._is_shutdown:
+            self._check_open()
+        try:
+            core = core_of(node)
+        except AttributeError:
+            check_node(node)
+            raise
+        ready_list = core.ready_list
+        if ready_list.executor is self:
+            return False
+        ready_list.executor, ready_list.waiting = self, self._waiting
+        self._nodes.append(node)
+        if core.executor is not self:
+            node.executor = self
+        self._lists.append(ready_list)
+        self._nodes_changed()
+        if not core.was_spun:  # once: `rclpy.spin_once(node)` adds the node each time, and took a fifth longer
+            core.was_spun = True
+            try:
+                check_own_names(node, TO_SPIN)
+            except (TypeError, AttributeError) as error:
+                self.create_task(_fail, error)  # who spins is told
+        return True
+
+    def remove_node(self, node: Node) -> None:
+        """Execute this node's callbacks no more."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+            ready_list = core_of(node).ready_list
+            self._lists.remove(ready_list)
+            if ready_list.executor is self:
+                ready_list.executor, ready_list.waiting = None, []
+            self._nodes_changed()
+
+    def _nodes_changed(self) -> None:
+        """Whoever waits looks again; who executes a callback now does so when that has ended."""
+        if self.spinner is not None:
+            self._woken = True
+        if self._waiting:
+            self._look_again()
+
+    def get_nodes(self) -> list[Node]:
+        """The nodes, in the order in which they came."""
+        return list(self._nodes)
+
+    def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
+        """Run a function or coroutine in the next turn."""
+        self._check_open()
+        task = Task(callback, args, kwargs, executor=self)
+        self._tasks.append(task)
+        self._new_tasks = True
+        self._look_again()
+        return task
+
+    def _check_open(self) -> None:
+        """Raise what rclpy raises when an executor that was shut down is given something to do."""
+        if self._is_shutdown:
+            raise with_facts(AttributeError("'NoneType' object has no attribute 'trigger'"), 'programs.ended-executor')
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Execute nothing more; a wait ends."""
+        self._is_shutdown = True
+        self.wake()
+        for node in self.get_nodes():
+            self.remove_node(node)
+        if self in self._context.executors:
+            self._context.executors.remove(self)
+        return True
+
+    def wait_for_ready_callbacks(
+        self,
+        timeout_sec: float | TimeoutObject | None = None,
+        nodes: list[Node] | None = None,
+        condition: Callable[[], bool] = never,
+    ) -> tuple[Task, Any, Any]:
+        """For executors of one's own: the next (task, entity, node); call the task to execute it.
+
+        :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
+        """
+        timeout_ns = _nanoseconds(timeout_sec)
+        deadline_ns = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
+        item = self._next_item((timeout_ns, condition), deadline_ns, timeout_ns == 0, condition)
+        if isinstance(item, Task):
+            return item, None, None
+        node = next((node for node in self._nodes if core_of(node).ready_list is item.ready_list), None)
+        return Task(lambda: self._run_entity(item), executor=self), item, node
+
+    def can_execute(self, entity: Entity) -> bool:
+        """Whether the callback of an entity could begin now, by the rules of its group."""
+        return entity.callback_group.can_execute(entity)
+
+    def _execute(self, item: Item) -> None:
+        """Execute one item in place. Raises what its callback raises."""
+        if isinstance(item, Task):
+            item()
+            item.raise_if_failed()
+        else:
+            self._run_entity(item)
+
+    def _run_entity(self, entity: Entity) -> None:
+        """Execute an entity, if its group lets it begin now.
+
+        Nearly all callbacks are plain functions in one of the two common groups: for those the groups' rules are spelled out
+        here (a service round trip takes 4 % less).
+        """
+        group = entity.callback_group
+        kind = None if entity.is_async else group.__class__
+        if kind is MutuallyExclusiveCallbackGroup and group.busy_with is None:
+            group.busy_with = entity
+            try:
+                entity.run_callback(self)
+            finally:
+                group.busy_with = None
+        elif kind is ReentrantCallbackGroup:
+            entity.run_callback(self)
+        elif group.beginning_execution(entity):
+            self._run_begun(entity)
+        else:
+            self._put_back([entity])
+
+    def _run_begun(self, entity: Entity) -> None:
+        """Execute an entity whose group has let it begin."""
+        coroutine = None
+        try:
+            coroutine = entity.run_callback(self)
+        finally:
+            if coroutine is None or not entity.is_async:
+                entity.callback_group.ending_execution(entity)
+        if coroutine is not None and entity.is_async:
+            self._run_coroutine(entity, coroutine)
+
+    def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
+        """Run a callback's coroutine as far as it goes; when it waits it goes on as a task, with its group held."""
+
+        async def guarded() -> None:
+            try:
+                await coroutine
+            finally:
+                entity.callback_group.ending_execution(entity)
+
+        task = Task(guarded, executor=self, entity=entity)
+        task()
+        if task.ended:
+            task.result()
+        else:
+            self._tasks.append(task)
+
+    def note_nested_spin(self) -> bool:
+        """Whether this thread executes a callback here and nobody has heard of that yet."""
+        if self._nested_noted or self.spinner is not current_task():
+            return False
+        self._nested_noted = True
+        return True
+
+    def cannot_serve(self, entity: Entity) -> bool:
+        """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""
+        return self.spinner is current_task()
+
+    def running_entity(self) -> Entity | None:
+        """The entity whose callback the running thread executes, where its group tells."""
+        cores = [core_of(node) for node in self._nodes]
+        entities: list[Entity] = [
+            entity
+            for core in cores
+            for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards, core.waitables)
+            for entity in kind
+        ]
+        return next((entity for entity in entities if entity.callback_group.busy_with is entity), None)
+
+    def turn_mark(self) -> Any:
+        """Something that stays equal while one callback of the running thread goes on."""
+        return self._seen_ns
+
+    def spin(self) -> None:
+        """Execute callbacks until ROS 2 or the executor is shut down.
+
+        :raises ExternalShutdownException: when ROS 2 is shut down from outside while nothing is executed.
+        :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
+        """
+        context = self._context
+        if type(self).spin_once is Executor.spin_once:
+            self._spin(-1, lambda: not context.alive, (-1, never), once=False)
+            return
+        while context.alive and not self._is_shutdown:  # an executor of one's own
+            self.spin_once()
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        if not timeout_ns:
+            current_task().poll()
+        self._spin(timeout_ns, never, (timeout_ns, never), once=True)
+
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        over = self._is_over(future)
+        self._spin(timeout_sec_to_nsec(timeout_sec), over, over, once=False)
+
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
+        """Execute one callback, unless the future is done before."""
+        over = self._is_over(future)
+        self._spin(_nanoseconds(timeout_sec), over, over, once=True)
+
+    def _is_over(self, future: Future) -> Callable[[], bool]:
+        """The condition of a wait for a future, which wakes this executor when it is done."""
+        check_future(future)
+        future.wake_when_done(self)
+        context = self._context
+        return lambda: future.ended or not context.alive
+
+    def _spin(self, timeout_ns: int, over: Callable[[], bool], key: Any, once: bool) -> None:
+        """Execute items of the wait with that key: one, or until `over()` holds or the timeout has passed."""
+        sim, poll = self._sim, timeout_ns == 0
+        deadline_ns = None if timeout_ns < 0 else sim.now_ns + timeout_ns
+        outer, self.spinner = self.spinner, current_task()
+        try:
+            while not (over() or self._is_shutdown):
+                self._execute(self._next_item(key, deadline_ns, poll, over))
+                if once or (deadline_ns is not None and sim.now_ns >= deadline_ns):
+                    return
+        except (ShutdownException, TimeoutException, ConditionReachedException):
+            return
+        except StopIteration as stop:
+            raise stopped(stop) from stop
+        finally:
+            self.spinner = outer
+
+    def spin_ready(self) -> None:
+        """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
+        self._run_tasks()
+        batch = self._collect()
+        if batch:
+            for entity in sorted(batch, key=_rclcpp_order):
+                if not entity.destroyed:
+                    self._run_entity(entity)
+            self._run_tasks()
+
+    def _run_tasks(self) -> None:
+        """Execute the pending tasks, newest first."""
+        if self._tasks:
+            for task in self._tasks_to_run():
+                self._execute(task)
+            self._forget_tasks()
+
+
+_RCLCPP_ORDER = {TIMER: 0, SUBSCRIPTION: 1, SERVICE: 2, CLIENT: 3, GUARD: 4, WAITABLE: 5}
+
+
+def _fail(error: Exception) -> None:
+    raise error
+
+
+def _rclcpp_order(entity: Entity) -> int:
+    return _RCLCPP_ORDER[entity.category]
+
+
+def _nanoseconds(timeout_sec: float | TimeoutObject | None) -> int:
+    return timeout_sec_to_nsec(timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec)

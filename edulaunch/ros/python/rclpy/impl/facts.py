@@ -1,0 +1,229 @@
+"""What is odd in a program that runs, as plain facts of which advice is made; ROS 2 itself keeps silent or only hangs.
+
+Waits that can never end, sleeps in callbacks, requests that nobody will answer; and what is odd about a node when it leaves, or
+at the end of a record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.parameters import pattern_matches
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.whose_code import student_line, waiting_line
+from edulaunch.engine.sim.task import current_task, running_task
+from rclpy.node_parts.core import core_of
+from rclpy.process_state import process_state
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.impl.entity import Entity
+    from rclpy.node import Node
+    from rclpy.node_parts.core import NodeCore
+
+
+def callback_name(entity: Any) -> str | None:
+    """The name of an entity's callback; None when it has none."""
+    callback: Any = getattr(entity, 'callback', None)
+    while isinstance(callback, partial):
+        callback = callback.func
+    name: str | None = getattr(callback, '__name__', None)
+    return name
+
+
+def node_name(entity: Entity) -> str | None:
+    """The full name of the node whose entity it is; None when nobody spins that."""
+    executor = entity.ready_list.executor
+    nodes = [] if executor is None else executor.get_nodes()
+    return next((core_of(node).full_name for node in nodes if core_of(node).ready_list is entity.ready_list), None)
+
+
+POLLS = 5
+"""How often one callback looks at a future, with simulated time passing in between, until that counts as waiting for it."""
+
+
+def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
+    """Code that runs in a callback waits for what only `entity` can bring, which cannot while the callback goes on.
+
+    :param waiting: how: 'call', 'look' (in a loop), 'await', or the function that spins.
+    """
+    _note('callback waits', entity, {'waiting': waiting, **entity.awaited()}, line)
+
+
+def note_rate(entity: Entity) -> None:
+    """`rate.sleep()` where nobody is left to call the rate's timer."""
+    _note('rate in callback', entity, {})
+
+
+def _note(kind: str, entity: Entity, data: dict[str, Any], line: dict[str, Any] | None = None) -> None:
+    data = {'node': node_name(entity), 'callback': callback_name(_running_entity(entity)), **data}
+    _keep(kind, {**data, **(student_line() if line is None else line)})
+
+
+def note_spin(function: str, node: Node, executor: Executor) -> None:
+    """A node is spun inside one of its callbacks; that brings nothing when all that could come is shut out by it."""
+    core = core_of(node)
+    others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
+    in_vain = not any(entity.callback_group.can_execute(entity) for entity in others)
+    _note_spin('spin in callback in vain' if in_vain else 'spin in callback', function, node, executor)
+
+
+def note_lost_node(function: str, node: Node, executor: Executor) -> None:
+    """A callback gives its node to another executor: the one that runs the callback will not spin it any more."""
+    _note_spin('node taken away', function, node, executor)
+
+
+def _note_spin(kind: str, function: str, node: Node, executor: Executor) -> None:
+    data = {'node': core_of(node).full_name, 'callback': callback_name(executor.running_entity()), 'spins': function}
+    _keep(kind, {**data, **student_line()})
+
+
+def note_foreign_future(node: Node, entity: Any) -> None:
+    """A node is spun until the client of another one, which nobody spins, gets its answer."""
+    data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
+    _keep('other node spun', {**data, **student_line()})
+
+
+def _keep(kind: str, data: dict[str, Any]) -> None:
+    current_process().fact(kind, (data.get('file'), data.get('line')), data)
+
+
+def _running_entity(entity: Entity) -> Any:
+    executor = entity.ready_list.executor
+    busy = entity.callback_group.busy_with
+    return busy if busy is not None or executor is None else executor.running_entity()
+
+
+SHORT_S = 0.01
+"""A sleep that nobody notices."""
+
+
+def note_sleep(seconds: float) -> None:
+    """Told of each `time.sleep` of a program that has an executor; when the task that spins sleeps, it does so in a callback."""
+    if not isinstance(seconds, (int, float)) or seconds < SHORT_S:
+        return
+    task, state = current_task(), process_state()
+    for executor in (executor for context in state.contexts for executor in context.executors):
+        if executor.spinner is task and (entity := executor.running_entity()) is not None:
+            data = {'callback': callback_name(entity), 'node': node_name(entity), 'seconds': seconds}
+            line = student_line()
+            state.process.fact('sleep in callback', (line.get('file'), line.get('line')), {**data, **line})
+            return
+
+
+LONG_NS = 1_000_000_000
+"""How long a client waits for a server until that is worth a fact."""
+
+
+def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
+    """A request to a service or action (`kind`) that has no server.
+
+    :param endpoint: the client in the graph; of an action, the one that sends goals.
+    """
+    _note_endpoint('request lost', endpoint, name, kind)
+
+
+def note_long_wait(endpoint: Any, name: str, kind: str) -> None:
+    """A client waits and waits."""
+    _note_endpoint('server awaited', endpoint, name, kind)
+
+
+def note_server_came(endpoint: Any, name: str) -> None:
+    """The server that a client has waited for is there after all."""
+    current_process().fact_over('server awaited', (endpoint.node.index, name))
+
+
+def _note_endpoint(what: str, endpoint: Any, name: str, kind: str) -> None:
+    data = {'node': endpoint.node.fully_qualified_name, 'name': name, 'kind': kind, **student_line()}
+    current_process().fact(what, (endpoint.node.index, name), data)
+
+
+Facts = Iterator[tuple[str, dict[str, Any]]]
+WAITING_NS = 500_000_000
+"""How long something waits for a callback until that is odd."""
+VERY_LONG_NS = 3_000_000_000
+"""A callback that holds up a timer for so long does not end."""
+DEEP = 5
+"""A queue of so many messages that is full: the next one throws one away. Smaller ones are often full for a moment."""
+GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
+
+
+def odd_facts(core: NodeCore) -> Facts:
+    """What a node was given and does not take; messages and replies that nobody takes; a node that nobody spins."""
+    yield from _undeclared(core)
+    yield from _passed_over(core)
+    waiting = [*_waiting(core)]
+    yield from waiting
+    yield from _going_on(core, bool(waiting))
+    if not core.was_spun:
+        yield from _never_spun(core)
+
+
+def _undeclared(core: NodeCore) -> Facts:
+    store = getattr(core, 'parameters', None)
+    if store is None:  # the constructor did not come so far
+        return
+    for name, override in core.overrides.items():
+        if name not in core.declared and not name.startswith(GIVEN_BY_ROS):
+            data = {'node': core.full_name, 'parameter': name, 'value': repr(override.value), 'origin': override.origin}
+            yield 'parameter not declared', {**data, 'declared': sorted(set(store.values))}
+
+
+def _passed_over(core: NodeCore) -> Facts:
+    """Parameter files all of whose keys name other nodes."""
+    keys: dict[str, dict[str, str]] = {}
+    for parsed in core.arguments:
+        for pattern, given in parsed.parameters.items():
+            for override in given.values():
+                file, separator, line = override.origin.rpartition(' line ')
+                if separator:
+                    keys.setdefault(file, {}).setdefault(pattern, line)
+    for file, lines in keys.items():
+        if not any(pattern_matches(pattern, core.full_name) for pattern in lines):
+            yield (
+                'keys for no node',
+                {'node': core.full_name, 'file': file, 'keys': [*lines], 'line': int(min(lines.values(), key=int))},
+            )
+
+
+def _waiting(core: NodeCore) -> Facts:
+    now_ns = core.graph.sim.now_ns
+    for subscription in core.subscriptions:
+        queue = subscription.endpoint.queue
+        if queue and (now_ns - queue[0][1] >= WAITING_NS or DEEP <= len(queue) == queue.maxlen):
+            data = {'node': core.full_name, 'topic': subscription.endpoint.topic_name, 'messages': len(queue)}
+            yield 'messages wait', {**data, 'depth': queue.maxlen, 'since_s': _elapsed_s(core, queue[0][1])}
+    for client in core.clients:
+        if client.endpoint.queue:
+            yield 'reply waits', {'node': core.full_name, 'service': client.endpoint.service_name}
+
+
+def _going_on(core: NodeCore, something_waits: bool) -> Facts:
+    """A callback that does not end: it waits without a time limit while something else waits, or timers are due since long."""
+    executor = core.ready_list.executor
+    task = None if executor is None else executor.spinner
+    if executor is None or task is None or task is running_task():
+        return
+    entity, late_ns = executor.running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
+    due = [timer for timer in core.timers if timer.due_ns <= late_ns and timer is not entity]
+    if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and task.waits_for_ever())):
+        timers = [callback_name(timer) or 'timer' for timer in due]
+        data = {'node': core.full_name, 'callback': callback_name(entity), 'timers': timers}
+        yield 'callback goes on', {**data, **waiting_line(task)}
+
+
+def _never_spun(core: NodeCore) -> Facts:
+    topics = [subscription.endpoint.topic_name for subscription in core.subscriptions]
+    services = [service.endpoint.service_name for service in core.services]
+    own = [name for name in services if not name.startswith(f'{core.full_name}/')]
+    if core.timers or topics or own:
+        task = core.process.task
+        line = {} if task is running_task() or task.finished else waiting_line(task)
+        data = {'node': core.full_name, 'timers': len(core.timers), 'topics': topics, 'services': own}
+        yield 'node not spun', {**data, **line}
+
+
+def _elapsed_s(core: NodeCore, at_ns: int) -> float:
+    return (at_ns - core.graph.sim.start_ns) / 1e9

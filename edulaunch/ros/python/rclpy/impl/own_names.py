@@ -1,0 +1,72 @@
+"""Names of a node that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles, or
+told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from linecache import getlines
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+AT_START = ('handle', 'default_callback_group', 'executor')
+"""What a node needs when it is made."""
+FOR_TIMERS = ('context',)
+TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitables')
+"""What an executor asks each node for."""
+
+
+def check_own_names(node: Node, names: tuple[str, ...]) -> None:
+    """Use what a node has under these names as rclpy does.
+
+    :raises TypeError, AttributeError: of something else under that name, in Python's words.
+    """
+    for name in names:
+        held = getattr(node, name)
+        try:
+            _USES.get(name, iter)(held)
+        except (TypeError, AttributeError) as error:
+            raise with_facts(error, 'programs.own-name', node=type(node).__name__, attribute=name) from None
+
+
+def private_names(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
+    """What a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
+    own = vars(node)
+    for name in sorted(_PRIVATE_USES.keys() & own.keys()):
+        if not hasattr(own[name], _PRIVATE_USES[name]):
+            data = {'node': node.get_fully_qualified_name(), 'attribute': name}
+            yield 'private name', {**data, **_line_of(node, name)}
+
+
+def _line_of(node: Node, name: str) -> dict[str, Any]:
+    """Where the student's class gives it a value first; nothing where the class has no constructor of its own."""
+    code = getattr(type(node).__init__, '__code__', None)
+    if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':
+        return {}
+    lines = enumerate(getlines(code.co_filename), 1)
+    return {'file': code.co_filename, 'line': next((number for number, text in lines if f'self.{name}' in text), None)}
+
+
+def _enter(held: Any) -> None:
+    if not hasattr(type(held), '__enter__'):  # in the words of Python 3.11 and later, whichever runs
+        raise TypeError(f"'{type(held).__name__}' object does not support the context manager protocol")
+
+
+_PRIVATE_USES = {
+    **dict.fromkeys(('_publishers', '_subscriptions', '_clients', '_services', '_timers'), 'append'),
+    **dict.fromkeys(('_parameters', '_descriptors'), 'keys'),
+    **dict.fromkeys(('_clock', '_context'), 'handle'),
+    '_default_callback_group': 'add_entity',
+    '_logger': 'debug',
+}
+"""Private names of the real rclpy's node, and what it asks of what it keeps there."""
+_USES: dict[str, Callable[[Any], object]] = {
+    'handle': _enter,
+    'default_callback_group': lambda group: group.add_entity,
+    'executor': lambda executor: executor and executor.wake,
+    'context': lambda context: context.handle,
+}

@@ -1,0 +1,140 @@
+"""Deadlines and liveliness of endpoints, in simulated time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.qos import MANUAL_BY_TOPIC
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.topics import Publisher, Subscription, WatchedPublisher
+
+
+class Countdown:
+    """Calls back when nothing was seen for a while. It runs from the first sign on; `repeat`: and calls again each period."""
+
+    def __init__(self, endpoint: Any, period_ns: int, expired: Callable[[], object], *, repeat: bool = False) -> None:
+        self._endpoint = endpoint
+        self._period_ns = period_ns
+        self._expired = expired
+        self._repeat = repeat
+        self.due_ns = 0
+        self._item: Any = None
+
+    def seen(self) -> None:
+        """A sign came: count from now."""
+        sim = self._endpoint.graph.sim
+        self.due_ns = sim.now_ns + self._period_ns
+        if self._item is None:
+            self._item = sim.schedule(self.due_ns, self._check)
+
+    def _check(self) -> None:
+        self._item = None
+        if self._endpoint.destroyed:
+            return
+        sim = self._endpoint.graph.sim
+        if sim.now_ns < self.due_ns:
+            self._item = sim.schedule(self.due_ns, self._check)
+            return
+        self._expired()
+        if self._repeat:
+            self.seen()
+
+
+class Count:
+    """Counts what happens between two calls of the callback.
+
+    :param make_info: makes what the callback is told of the total, what is new, and what the last `add` was given.
+    :param tell: called at each change.
+    """
+
+    def __init__(self, make_info: Callable[..., Any], tell: Callable[[], object]) -> None:
+        self._make_info = make_info
+        self._tell = tell
+        self._total = self._change = 0
+        self._last: tuple[Any, ...] = ()
+
+    def add(self, *last: Any) -> None:
+        """Once more."""
+        self._total += 1
+        self._change += 1
+        self._last = last
+        self._tell()
+
+    def take(self) -> Any:
+        """The info, or None when the callback knows it already."""
+        info = self._make_info(self._total, self._change, *self._last) if self._change else None
+        self._change = 0
+        return info
+
+
+def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
+    """Call `missed` whenever an endpoint with a deadline sees no message in time."""
+    if not endpoint.qos.deadline_ns:
+        return
+    countdown = Countdown(endpoint, endpoint.qos.deadline_ns, missed, repeat=True)
+    if endpoint.kind == 'publisher':
+        endpoint.on_publish.append(countdown.seen)
+        return
+    heard = endpoint.on_ready
+
+    def on_ready() -> None:
+        heard()
+        countdown.seen()
+
+    endpoint.on_ready = on_ready
+
+
+def watch_lease(publisher: WatchedPublisher, lost: Callable[[], object]) -> None:
+    """Call `lost` when a publisher that must show itself does not do so for its lease."""
+    if publisher.qos.liveliness == MANUAL_BY_TOPIC and publisher.qos.lease_ns:
+        publisher.on_life.append(Countdown(publisher, publisher.qos.lease_ns, lost).seen)
+
+
+class LivelinessWatch:
+    """Which of a subscription's publishers are alive: those that must show themselves, from their first sign to the end of the
+    lease; all others as long as they are there.
+    """
+
+    def __init__(self, subscription: Subscription, info_class: Any, tell: Callable[[], object]) -> None:
+        self._subscription = subscription
+        self._info_class = info_class
+        self._tell = tell
+        self._alive: dict[Publisher, bool] = {}
+        self._told = (0, 0)
+
+    def look(self) -> None:
+        """Publishers may have come or gone."""
+        present = self._subscription.publishers
+        for publisher in [known for known in self._alive if known not in present]:
+            del self._alive[publisher]
+            self._changed()
+        for publisher in present:
+            if publisher not in self._alive:
+                self._alive[publisher] = False
+                self._meet(publisher)
+
+    def _meet(self, publisher: Any) -> None:
+        if publisher.qos.liveliness != MANUAL_BY_TOPIC:
+            self._set(publisher, True)
+            return
+        countdown = Countdown(publisher, self._subscription.qos.lease_ns, lambda: self._set(publisher, False))
+        publisher.on_life.append(countdown.seen)
+        publisher.on_life.append(lambda: self._set(publisher, True))
+
+    def _set(self, publisher: Publisher, alive: bool) -> None:
+        if self._alive.get(publisher, alive) is not alive:
+            self._alive[publisher] = alive
+            self._changed()
+
+    def _changed(self) -> None:
+        if not self._subscription.destroyed:
+            self._tell()
+
+    def take(self) -> Any:
+        """How many are alive and how many are not, and what changed, or None when the callback knows it already."""
+        alive = sum(self._alive.values())
+        lost = len(self._alive) - alive
+        before, self._told = self._told, (alive, lost)
+        return None if before == self._told else self._info_class(alive, lost, alive - before[0], lost - before[1])

@@ -1,0 +1,265 @@
+"""The life of a managed node: its states, the transitions between them, and how others see and steer it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.engine.facts import with_facts
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.logging import get_logger
+from rclpy.node_parts.core import core_of
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.lifecycle.managed_entity import ManagedEntity
+    from rclpy.lifecycle.node import LifecycleNode
+
+
+class TransitionCallbackReturnType(Enum):
+    """What a transition's callback returns; students know it as `TransitionCallbackReturn`."""
+
+    SUCCESS = 97
+    FAILURE = 98
+    ERROR = 99
+
+
+TransitionCallbackReturn = TransitionCallbackReturnType
+
+
+class LifecycleState(NamedTuple):
+    """A state, as callbacks are told of it."""
+
+    label: str
+    state_id: int
+
+
+class Transition(NamedTuple):
+    """A transition: what starts it (`label`), where from, through which state, and what its callback is called."""
+
+    number: int
+    label: str
+    start: str
+    during: str
+    callback: str
+
+
+STATES = {
+    label: LifecycleState(label, number)
+    for label, number in (
+        ('unknown', 0),
+        ('unconfigured', 1),
+        ('inactive', 2),
+        ('active', 3),
+        ('finalized', 4),
+        ('configuring', 10),
+        ('cleaningup', 11),
+        ('shuttingdown', 12),
+        ('activating', 13),
+        ('deactivating', 14),
+        ('errorprocessing', 15),
+    )
+}
+
+TRANSITIONS = (
+    Transition(1, 'configure', 'unconfigured', 'configuring', 'on_configure'),
+    Transition(2, 'cleanup', 'inactive', 'cleaningup', 'on_cleanup'),
+    Transition(3, 'activate', 'inactive', 'activating', 'on_activate'),
+    Transition(4, 'deactivate', 'active', 'deactivating', 'on_deactivate'),
+    Transition(5, 'shutdown', 'unconfigured', 'shuttingdown', 'on_shutdown'),
+    Transition(6, 'shutdown', 'inactive', 'shuttingdown', 'on_shutdown'),
+    Transition(7, 'shutdown', 'active', 'shuttingdown', 'on_shutdown'),
+)
+
+
+class Outcome(NamedTuple):
+    """How a state of passage ends: its number, its label, and the state that follows."""
+
+    number: int
+    label: str
+    goal: str
+
+
+def _outcomes(first: int, success: str, failure: str, error: str = 'errorprocessing') -> dict[TransitionCallbackReturn, Outcome]:
+    return {
+        TransitionCallbackReturn.SUCCESS: Outcome(first, 'transition_success', success),
+        TransitionCallbackReturn.FAILURE: Outcome(first + 1, 'transition_failure', failure),
+        TransitionCallbackReturn.ERROR: Outcome(first + 2, 'transition_error', error),
+    }
+
+
+OUTCOMES = {
+    'configuring': _outcomes(10, 'inactive', 'unconfigured'),
+    'cleaningup': _outcomes(20, 'unconfigured', 'inactive'),
+    'activating': _outcomes(30, 'active', 'inactive'),
+    'deactivating': _outcomes(40, 'inactive', 'active'),
+    'shuttingdown': _outcomes(50, 'finalized', 'finalized'),
+    'errorprocessing': _outcomes(60, 'unconfigured', 'finalized', 'finalized'),
+}
+
+
+def transition_from(state: str, wanted: int | str) -> Transition | None:
+    """The transition of that number or label which starts in a state, or None."""
+    for transition in TRANSITIONS:
+        if transition.start == state and wanted in (transition.number, transition.label):
+            return transition
+    return None
+
+
+def all_transitions() -> list[tuple[int, str, str, str]]:
+    """(number, label, start, goal) of all transitions, each followed by those that end its state of passage."""
+    found = []
+    for state, outcomes in OUTCOMES.items():
+        found += [(one.number, one.label, one.start, one.during) for one in TRANSITIONS if one.during == state]
+        found += [(outcome.number, outcome.label, state, outcome.goal) for outcome in outcomes.values()]
+    return found
+
+
+OnTransition = Callable[[LifecycleState], TransitionCallbackReturn]
+
+
+class Life:
+    """Kept with the node's other state, so that a student's own attributes cannot collide with it.
+
+    :ivar entities: what follows the node through its states.
+    :ivar callbacks: what was registered in place of the node's methods, by the method's name.
+    """
+
+    def __init__(self, node: LifecycleNode) -> None:
+        self.node = node
+        self.state = STATES['unconfigured']
+        self.entities: list[ManagedEntity] = []
+        self.callbacks: dict[str, OnTransition] = {}
+        self.services: LifecycleServices | None = None
+
+    def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
+        """Call a method of all entities, until one does not succeed."""
+        for entity in self.entities:
+            result: TransitionCallbackReturn = getattr(entity, callback)(state)
+            if result is not TransitionCallbackReturn.SUCCESS:
+                return result
+        return TransitionCallbackReturn.SUCCESS
+
+    def trigger(self, wanted: int | str) -> TransitionCallbackReturn:
+        """Do a transition, by number or label, with its callback and what follows from that callback's answer.
+
+        :raises RCLError: in a state that does not allow it.
+        """
+        start = self.state
+        transition = transition_from(start.label, wanted)
+        if transition is None:
+            get_logger('rcl_lifecycle').warning(f'No transition matching {wanted} found for current state {start.label}')
+            raise with_facts(
+                RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
+                'programs.no-transition',
+                node=self.node.get_fully_qualified_name(),
+                state=start.label,
+                possible=[f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label],
+            )
+        self._enter(transition.during)
+        result = self._call(transition.callback, start)
+        self._leave(result)
+        if self.state.label == 'errorprocessing':
+            self._leave(self._call('on_error', start))
+        return result
+
+    def trigger_shutdown(self) -> TransitionCallbackReturn:
+        """Do the shutdown of the present state. Raises RCLError in a state that has none."""
+        for transition in TRANSITIONS:
+            if transition.start == self.state.label and transition.label == 'shutdown':
+                return self.trigger(transition.number)
+        raise RCLError('Shutdown transtion not possible')  # [sic]: ROS 2's own text
+
+    def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
+        function = self.callbacks.get(callback) or getattr(self.node, callback)
+        try:
+            result = function(start)
+        except Exception as error:
+            return self._mistaken(callback, {'raised': f'{type(error).__name__}: {error}'})
+        if not isinstance(result, TransitionCallbackReturn):
+            return self._mistaken(callback, {'returned': repr(result)})
+        return result
+
+    def _mistaken(self, callback: str, how: dict[str, str]) -> TransitionCallbackReturn:
+        """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing: a fact."""
+        core = core_of(self.node)
+        core.process.fact(
+            'transition failed', (core.entry.index, callback), {'node': core.full_name, 'callback': callback, **how}
+        )
+        return TransitionCallbackReturn.ERROR
+
+    def _leave(self, result: TransitionCallbackReturn) -> None:
+        self._enter(OUTCOMES[self.state.label][result].goal)
+
+    def _enter(self, goal: str) -> None:
+        start, self.state = self.state, STATES[goal]
+        if self.services is not None:
+            self.services.publish_event(start, self.state)
+
+
+class LifecycleServices:
+    """The five services and the topic of a managed node."""
+
+    def __init__(self, node: LifecycleNode, life: Life, group: CallbackGroup | None = None) -> None:
+        from lifecycle_msgs import srv
+        from lifecycle_msgs.msg import TransitionEvent
+
+        self._life = life
+        self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
+        for kind, name, answer in (
+            (srv.ChangeState, 'change_state', self._on_change_state),
+            (srv.GetState, 'get_state', self._on_get_state),
+            (srv.GetAvailableStates, 'get_available_states', self._on_get_available_states),
+            (srv.GetAvailableTransitions, 'get_available_transitions', self._on_get_available_transitions),
+            (srv.GetAvailableTransitions, 'get_transition_graph', self._on_get_transition_graph),
+        ):
+            node.create_service(kind, f'{node.get_fully_qualified_name()}/{name}', answer, callback_group=group)
+
+    def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
+        """Tell of a step. As in ROS 2 the event names the two states and leaves its time and its transition empty."""
+        from lifecycle_msgs.msg import TransitionEvent
+
+        self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
+
+    def _on_change_state(self, request: Any, response: Any) -> Any:
+        """A label that does not suit is refused; a number that does not suit is an error of the node, as in rclpy."""
+        label = request.transition.label
+        try:
+            response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS
+        except RCLError:
+            if not label:
+                raise
+            response.success = False
+        return response
+
+    def _on_get_state(self, request: Any, response: Any) -> Any:
+        response.current_state = _state(self._life.state)
+        return response
+
+    def _on_get_available_states(self, request: Any, response: Any) -> Any:
+        response.available_states = [_state(state) for state in STATES.values()]
+        return response
+
+    def _on_get_available_transitions(self, request: Any, response: Any) -> Any:
+        here = self._life.state.label
+        response.available_transitions = [_description(*one) for one in all_transitions() if one[2] == here]
+        return response
+
+    def _on_get_transition_graph(self, request: Any, response: Any) -> Any:
+        response.available_transitions = [_description(*one) for one in all_transitions()]
+        return response
+
+
+def _state(state: LifecycleState) -> Any:
+    from lifecycle_msgs.msg import State
+
+    return State(id=state.state_id, label=state.label)
+
+
+def _description(number: int, label: str, start: str, goal: str) -> Any:
+    from lifecycle_msgs.msg import Transition, TransitionDescription
+
+    return TransitionDescription(
+        transition=Transition(id=number, label=label), start_state=_state(STATES[start]), goal_state=_state(STATES[goal])
+    )

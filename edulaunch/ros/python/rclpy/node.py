@@ -1,0 +1,252 @@
+"""Nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import FunctionType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.read_only import ReadOnly
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from rclpy.clock import ROSClock
+from rclpy.context import Context, parse_or_raise
+from rclpy.exceptions import NotInitializedException
+from rclpy.impl.entity import Handle
+from rclpy.impl.logging_state import logging_state
+from rclpy.impl.own_names import AT_START, check_own_names
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.rcutils_logger import RcutilsLogger
+from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.entities import NodeEntities
+from rclpy.node_parts.graph_queries import NodeGraphQueries
+from rclpy.node_parts.parameter_store import ParameterEvents, ParameterStore
+from rclpy.node_parts.parameters import NodeParameters
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from rclpy.qos import engine_qos, qos_profile_rosout_default
+from rclpy.time_source import TimeSource
+from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+
+__all__ = ['Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
+
+
+_PRIVATE = {
+    '_logger': lambda core: core.logger,
+    '_clock': lambda core: core.clock,
+    '_context': lambda core: core.context,
+    '_default_callback_group': lambda core: core.default_callback_group,
+    '_parameters': lambda core: core.parameters.values,
+}
+"""What programs use of a node though it is not meant for them, where they have nothing of that name themselves."""
+
+
+class Node(NodeEntities, NodeParameters, NodeGraphQueries):
+    """A node of the ROS graph.
+
+    :param node_name: its own name; remap rules may change it.
+    :param context: the context it lives in; the default one if None.
+    :param cli_args: arguments for this node only, `--ros-args` first; they come before those of the program.
+    :param namespace: where its relative names begin.
+    :param use_global_arguments: whether the program's own `--ros-args` count.
+    :param parameter_overrides: Parameters whose values take the place of declared defaults.
+    :param allow_undeclared_parameters: whether parameters may be set without being declared.
+    :param automatically_declare_parameters_from_overrides: whether every parameter given from outside is declared at once.
+    :raises NotInitializedException: before `rclpy.init()`.
+    :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+    """
+
+    _rclpy: NodeCore
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Context | None = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
+        context = context or get_default_context()
+        if not context.alive:
+            raise NotInitializedException('cannot create node')
+        arguments = [parse_or_raise(cli_args)] if cli_args else []
+        if use_global_arguments:
+            arguments.append(context.arguments)
+        core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
+        core.graph.tracer.watch(core.entry, lambda: _odd_facts(self))
+        core.logger = RcutilsLogger(core.logger_name)
+        core.default_callback_group = MutuallyExclusiveCallbackGroup()
+        core.clock = ROSClock()
+        if enable_rosout:
+            _create_rosout(core)
+        core.overrides = core.given_parameters()
+        events = ParameterEvents(self)
+        core.overrides.update(events.from_arguments(parameter_overrides or ()))
+        core.parameters = ParameterStore(allow_undeclared_parameters, core.check_alive, events.publish)
+        context.track_node(self)
+        check_own_names(self, AT_START)
+        core.time_source = TimeSource()
+        core.time_source.attach_clock(core.clock)
+        if automatically_declare_parameters_from_overrides:
+            from rcl_interfaces.msg import ParameterDescriptor
+
+            self.declare_parameters(
+                '',
+                [(name, override.value, ParameterDescriptor()) for name, override in core.overrides.items()],
+                ignore_override=True,
+            )
+        core.time_source.attach_node(self)
+        _start_services(self, start_parameter_services, enable_logger_service)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == '_rclpy':
+            raise with_facts(
+                AttributeError(f"'{type(self).__name__}' object has no attribute '_default_callback_group'"),
+                'programs.no-super-init',
+                node=type(self).__name__,
+            )
+        private = _PRIVATE.get(name)
+        if private is None:
+            raise AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}', name=name, obj=self)
+        return private(self._rclpy)
+
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that calls the callbacks; setting it moves the node there."""
+        return self._rclpy.executor
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None:
+        core = self._rclpy
+        current = core.executor
+        if current is new_executor:
+            return
+        if current is not None:
+            current.remove_node(self)
+            current.forget_work()
+        core.executor = None
+        if new_executor is not None:
+            add_node = new_executor.add_node
+            core.executor = new_executor
+            add_node(self)
+
+    context: ReadOnly[Context] = ReadOnly('The context that the node lives in.', '_rclpy.context')
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """The group of entities that name none: one callback at a time."""
+        return self._rclpy.default_callback_group
+
+    @property
+    def handle(self) -> Handle:
+        """What holds the node in the graph."""
+        return Handle(self._rclpy.entry, lambda: self._rclpy.destroyed)
+
+    def get_clock(self) -> ROSClock:
+        """The node's clock."""
+        return self._rclpy.clock
+
+    def get_logger(self) -> RcutilsLogger:
+        """The node's logger."""
+        return self._rclpy.logger
+
+    def destroy_node(self) -> None:
+        """Destroy the node with everything it has. Doing it twice is doing it once."""
+        core = self._rclpy
+        if core.destroyed:
+            return
+        core.graph.tracer.node_leaving(core.entry)
+        core.destroyed = True
+        for rate in list(core.rates):
+            self.destroy_rate(rate)
+        for entities in (core.publishers, core.subscriptions, core.clients, core.services, core.timers, core.guards):
+            while entities:
+                entities.pop().destroy()
+        for waitable in list(core.waitables):
+            self.remove_waitable(waitable)
+        core.context.untrack_node(self)
+        core.graph.remove_node(core.entry)
+        core.ready_list.notify()
+
+
+def _refuse_setting(name: str, made: property) -> property:
+    def refuse(node: object, value: object) -> None:
+        text = f"property '{name}' of '{type(node).__qualname__}' object has no setter"
+        if name == 'handle':
+            text = 'handle cannot be modified after node creation'
+        raise with_facts(AttributeError(text), 'programs.own-property', attribute=name)
+
+    return made.setter(refuse)
+
+
+def _finish_node_class() -> None:
+    """Let Python's errors name the class Node, whatever file a method stands in, and explain `self.timers = []`."""
+    for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
+        for name, member in list(vars(part).items()):
+            if isinstance(member, FunctionType):
+                member.__qualname__ = f'Node.{name}'
+            elif isinstance(member, property) and member.fset is None:
+                setattr(part, name, _refuse_setting(name, member))
+
+
+_finish_node_class()
+
+
+def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Only asked for when the node leaves, or at the end of the record."""
+    from rclpy.impl.facts import odd_facts
+    from rclpy.impl.own_names import private_names
+
+    yield from odd_facts(node._rclpy)
+    yield from private_names(node)
+
+
+def _start_services(node: Node, parameters: bool, logger: bool) -> None:
+    if parameters:
+        from rclpy.parameter_service import ParameterService
+
+        ParameterService(node)
+    if logger:
+        from rclpy.logging_service import LoggingService
+
+        LoggingService(node)
+    from rclpy.type_description_service import TypeDescriptionService
+
+    TypeDescriptionService(node)
+
+
+def _create_rosout(core: NodeCore) -> None:
+    """The publisher of the node's log messages; the first node of a name keeps it."""
+    from rcl_interfaces.msg import Log
+
+    publisher = core.graph.create_publisher(core.entry, '/rosout', Log, engine_qos(qos_profile_rosout_default))
+    rosout = logging_state().rosout
+    present = rosout.get(core.logger_name)
+    if present is None or present.destroyed:
+        rosout[core.logger_name] = publisher
+        return
+    logging_state().output(
+        30,
+        'rcl.logging_rosout',
+        (
+            f"Publisher already registered for node name: '{core.name}'. If this is due to multiple nodes with the same name "
+            'then '
+            f"all logs for the logger named '{core.logger_name}' will go out over the existing publisher. As soon as any node "
+            'with '
+            'that name is destructed it will unregister the publisher, preventing any further logs for that name from being '
+            'published on the rosout topic.'
+        ),
+    )
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,159 @@
+"""The state of a node, in one object, so that a student's own attributes cannot collide with it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.graph.names import (
+    RemapRule,
+    absolute_namespace,
+    expand_name,
+    full_topic_name_problem,
+    namespace_problem,
+    node_name_problem,
+    plain_name,
+    remapped_name,
+    remapped_namespace,
+    remapped_node_name,
+    topic_name_problem,
+)
+from edulaunch.engine.graph.ros_arguments import Override, RosArguments
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.read_only import ReadOnly
+from rclpy.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+)
+from rclpy.impl.entity import ReadyList
+from rclpy.impl.refusals import after_shutdown, invalid_handle, without_context
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.client import Client
+    from rclpy.clock import ROSClock
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.guard_condition import GuardCondition
+    from rclpy.impl.rcutils_logger import RcutilsLogger
+    from rclpy.lifecycle.state_machine import Life
+    from rclpy.node_parts.parameter_store import ParameterStore
+    from rclpy.publisher import Publisher
+    from rclpy.service import Service
+    from rclpy.subscription import Subscription
+    from rclpy.time_source import TimeSource
+    from rclpy.timer import Timer
+    from rclpy.waitable import Waitable
+
+
+class NodeCore:
+    """A node's names, its place in the graph, and its entities in order of creation.
+
+    :param name, namespace: as the program gives them; remap rules are applied here.
+    :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+    """
+
+    clock: ROSClock
+    logger: RcutilsLogger
+    default_callback_group: CallbackGroup
+    parameters: ParameterStore
+    overrides: dict[str, Override]
+    time_source: TimeSource
+    life: Life
+
+    def __init__(self, context: Context, name: str, namespace: str, arguments: list[RosArguments]) -> None:
+        self.process = current_process()
+        self.graph = self.process.graph
+        self.context = context
+        self.arguments = arguments
+        self.rules: list[RemapRule] = [rule for parsed in arguments for rule in parsed.remap_rules]
+        _check(node_name_problem, name, InvalidNodeNameException)
+        _check(namespace_problem, absolute_namespace(namespace), InvalidNamespaceException)
+        self.name = remapped_node_name(self.rules, name)
+        self.namespace = remapped_namespace(self.rules, self.name, absolute_namespace(namespace))
+        self.entry = self.graph.add_node(self.process, self.name, self.namespace)
+        self.entry.participant = context
+        self.full_name = self.entry.fully_qualified_name
+        self.ready_list = ReadyList()
+        self.executor: Executor | None = None
+        self.destroyed = False
+        self.was_spun = False
+        self.declared: set[str] = set()  # every parameter that ever was
+        self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+        self.clients: list[Client] = []
+        self.services: list[Service] = []
+        self.timers: list[Timer] = []
+        self.guards: list[GuardCondition] = []
+        self.waitables: list[Waitable] = []
+        self.rates: list[Any] = []
+        self._number = 0
+
+    def next_number(self) -> int:
+        """The next number in order of creation, for entities of all kinds."""
+        self._number += 1
+        return self._number
+
+    logger_name: ReadOnly[str] = ReadOnly('The full name with dots: `a.b.c` for node c in /a/b.', 'entry.logger_name')
+
+    def check_alive(self) -> None:
+        """Raise InvalidHandle when the node was destroyed."""
+        if self.destroyed:
+            raise with_facts(invalid_handle(), 'programs.destroyed-node', node=self.full_name)
+
+    def check_usable(self, what: str) -> None:
+        """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
+        self.check_alive()
+        if not self.context.alive:
+            raise after_shutdown(f'{what}: rcl node')
+
+    def check_context(self, what: str) -> None:
+        """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
+        if not self.context.alive:
+            raise without_context(what)
+
+    def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
+        """The absolute, remapped form of a topic or service name.
+
+        :param kind: 'topic' or 'service'.
+        :raises InvalidTopicNameException, InvalidServiceNameException: when the name breaks the rules.
+        """
+        self.check_alive()
+        expanded = plain_name(name, self.namespace)
+        if expanded is None:
+            error = InvalidTopicNameException if kind == 'topic' else InvalidServiceNameException
+            _check(topic_name_problem, name, error)
+            expanded = expand_name(name, self.name, self.namespace)
+            _check(full_topic_name_problem, expanded, error)
+        return expanded if only_expand else remapped_name(self.rules, kind, expanded, self.name, self.namespace)
+
+    def given_parameters(self) -> dict[str, Override]:
+        """Parameter values from command lines and files, for this node; later sources overwrite earlier ones."""
+        found: dict[str, Override] = {}
+        origins = self.process.spec.parameter_origins
+        for parsed in reversed(self.arguments):
+            for name, override in parsed.overrides_for(self.full_name).items():
+                found[name] = Override(override.value, origins.get(name, override.origin))
+        return found
+
+
+def core_of(node: Any) -> NodeCore:
+    """The state of a node: the way in for everything of rclpy that is not the node itself."""
+    core: NodeCore = node._rclpy
+    return core
+
+
+def is_node(thing: Any) -> bool:
+    """Whether it is a node whose constructor has run."""
+    return isinstance(getattr(thing, '_rclpy', None), NodeCore)
+
+
+def _check(problem_of: Any, name: str, error: Any) -> None:
+    if not isinstance(name, str):
+        raise TypeError(f'incompatible function arguments: a name must be a str, not {type(name).__name__}')
+    problem = problem_of(name)
+    if problem is not None:
+        raise error(name, *problem)

@@ -1,0 +1,175 @@
+"""What a node can ask about the graph."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.graph.names import fully_qualified_name, namespace_problem, node_name_problem, topic_name_problem
+from edulaunch.engine.nearest import nearest
+from edulaunch.engine.sim.task import current_task
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
+from rclpy.node_parts.core import NodeCore
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.graph import Graph
+    from rclpy.topic_endpoint_info import TopicEndpointInfo
+
+NamesAndTypes = list[tuple[str, list[str]]]
+
+
+class NodeGraphQueries:
+    """The part of `Node` that asks about other nodes, topics and services. Names are fully qualified and sorted."""
+
+    _rclpy: NodeCore
+
+    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
+        """All topics with their types."""
+        graph = _looked_at(self._rclpy, 'failed to get topic names and types')
+        return names_and_types([*_all(graph.publishers), *_all(graph.subscriptions)], 'topic_name')
+
+    def get_service_names_and_types(self) -> NamesAndTypes:
+        """All services that have a server, with their types."""
+        return names_and_types(_all(_looked_at(self._rclpy, 'failed to get service names and types').services), 'service_name')
+
+    def get_publisher_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
+        """The topics that a node publishes. Raises NodeNameNonExistentError for an unknown node."""
+        return _by_node(self._rclpy, node_name, node_namespace, 'publisher', 'topic_name')
+
+    def get_subscriber_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
+        """The topics that a node subscribes to. Raises NodeNameNonExistentError for an unknown node."""
+        return _by_node(self._rclpy, node_name, node_namespace, 'subscription', 'topic_name')
+
+    def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """The services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
+        return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
+
+    def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """The services that a node has clients of. Raises NodeNameNonExistentError for an unknown node."""
+        return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
+
+    def get_node_names(self) -> list[str]:
+        """The own names of all nodes, in order of creation."""
+        return [node.name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
+
+    def get_fully_qualified_node_names(self) -> list[str]:
+        """The full names of all nodes."""
+        return [node.fully_qualified_name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
+
+    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
+        """(name, namespace) of all nodes."""
+        return [(node.name, node.namespace) for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
+
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        """(name, namespace, enclave) of all nodes; the enclave is always '/'."""
+        return [(node.name, node.namespace, '/') for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
+
+    def count_publishers(self, topic_name: str) -> int:
+        """How many publishers a topic has."""
+        return _count(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
+
+    def count_subscribers(self, topic_name: str) -> int:
+        """How many subscriptions a topic has."""
+        return _count(self._rclpy, 'subscribers', self._rclpy.graph.subscriptions, topic_name)
+
+    def count_clients(self, service_name: str) -> int:
+        """How many clients a service has."""
+        return _count(self._rclpy, 'clients', self._rclpy.graph.clients, service_name)
+
+    def count_services(self, service_name: str) -> int:
+        """How many servers a service has."""
+        return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
+
+    def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
+        """The publishers of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        return _infos(self._rclpy, 'publishers', {} if no_mangle else self._rclpy.graph.publishers, topic_name)
+
+    def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
+        """The subscriptions of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        return _infos(self._rclpy, 'subscriptions', {} if no_mangle else self._rclpy.graph.subscriptions, topic_name)
+
+    def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
+        """Wait at most `timeout` seconds for a node of that full name; whether it is there.
+
+        As in rclpy each look is followed by 0.1 s of sleep, also when it found the node, and without time there is no look.
+        """
+        name = '/' + fully_qualified_node_name.removeprefix('/')
+        sim = current_task().sim
+        start_ns = sim.now_ns
+        found = False
+        while not found and (sim.now_ns - start_ns) / 1e9 < timeout:
+            found = name in self.get_fully_qualified_node_names()
+            current_task().sleep_until(sim.now_ns + 100_000_000)
+        return found
+
+
+def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
+    """(name, sorted types) of endpoints, sorted by name."""
+    found: dict[str, set[str]] = {}
+    for endpoint in endpoints:
+        found.setdefault(getattr(endpoint, attribute), set()).add(endpoint.type_name)
+    return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+
+_KINDS = {'subscription': 'subscriber'}
+_NODE_NAMES = 'Failed to get node names'
+
+
+def _looked_at(core: NodeCore, what: str) -> Graph:
+    """The graph; a loop that does nothing but look at it is moved on by simulated time.
+
+    :param what: how the error after shutdown begins.
+    """
+    core.check_usable(what)
+    current_task().poll()
+    graph: Graph = core.graph
+    return graph
+
+
+def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
+    namespace = namespace or '/'
+    what = _KINDS.get(kind, kind)
+    graph = _looked_at(core, f'failed to get {what} names and types')
+    problem = namespace_problem(namespace) or node_name_problem(name)
+    if problem is not None:
+        raise RCLError(f'failed to get {what} names and types: {problem[0]}, result: {2 if name else 1}')
+    nodes = [node for node in graph.nodes if node.name == name and node.namespace == namespace]
+    if not nodes:
+        wanted = fully_qualified_name(namespace, name)
+        raise with_facts(
+            NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
+            'programs.no-such-node',
+            node=wanted,
+            near=nearest(wanted, [node.fully_qualified_name for node in graph.nodes]),
+        )
+    return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
+
+
+def _count(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> int:
+    core.check_usable(f'Error in rcl_count_{what}')
+    current_task().poll()
+    return len(table.get(_expanded(core, name), ()))
+
+
+def _infos(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> list[TopicEndpointInfo]:
+    from rclpy.topic_endpoint_info import endpoint_info
+
+    core.check_usable(f'Failed to get information by topic for {what}')
+    _expanded(core, name)
+    return [endpoint_info(end) for end in table.get(core.resolve(name, 'topic'), ())]
+
+
+def _expanded(core: NodeCore, name: str) -> str:
+    """The absolute form of a name. Raises ValueError when it breaks the rules, as rclpy has it in these methods."""
+    problem = topic_name_problem(name) if isinstance(name, str) else None
+    if problem is not None:
+        raise ValueError(f"topic name '{name}' is invalid: {problem[0]}")
+    return core.resolve(name, 'topic', only_expand=True)
+
+
+def _all(table: dict[str, list[Any]]) -> list[Any]:
+    return [endpoint for endpoints in table.values() for endpoint in endpoints]

@@ -1,0 +1,302 @@
+"""The parameters of a node, as programs use them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+from warnings import warn
+
+from rclpy.exceptions import (
+    InvalidParameterException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from rclpy.impl.refusals import student_level
+from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.parameter_store import undeclared
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
+
+    from edulaunch.engine.graph.ros_arguments import Override
+
+OnSet = Callable[[list[Parameter]], 'SetParametersResult']
+
+NAME_ONLY = (
+    "when declaring parameter named '{}', declaring a parameter only providing its name is deprecated. You have to either:\n"
+    '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
+    '\t- Pass a name and a parameter type.\n'
+    '\t- Pass a name and a descriptor with `dynamic_typing=True'
+)
+
+
+class NodeParameters:
+    """The part of `Node` that is about parameters."""
+
+    _rclpy: NodeCore
+    PARAM_REL_TOL = 1e-6
+
+    def declare_parameter(
+        self, name: str, value: Any = None, descriptor: ParameterDescriptor | None = None, ignore_override: bool = False
+    ) -> Parameter:
+        """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside takes the default's place.
+
+        :raises ParameterAlreadyDeclaredException: when it was declared before.
+        :raises InvalidParameterTypeException: when the value from outside is of another type (5 is no double, 5.0 is).
+        :raises InvalidParameterValueException: when a range or callback refuses the value.
+        """
+        entry: tuple[Any, ...] = (name,)
+        if value is not None or descriptor is not None:
+            from rcl_interfaces.msg import ParameterDescriptor
+
+            entry = (name, value, descriptor or ParameterDescriptor())
+        return self.declare_parameters('', [entry], ignore_override)[0]
+
+    def declare_parameters(
+        self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
+    ) -> list[Parameter]:
+        """Declare several: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
+        core = self._rclpy
+        overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
+        prepared = [_prepared(overrides, namespace, index, entry) for index, entry in enumerate(parameters)]
+        declared = [parameter.name for parameter, _ in prepared if parameter.name in core.parameters.values]
+        if declared:
+            raise ParameterAlreadyDeclaredException(declared)
+        for parameter, descriptor in prepared:
+            core.declared.add(parameter.name)
+            core.parameters.declare(parameter, descriptor)
+        return [core.parameters.values[parameter.name] for parameter, _ in prepared]
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Take a declaration back.
+
+        :raises ParameterNotDeclaredException, ParameterImmutableException: when it is undeclared, or read-only.
+        """
+        store = self._rclpy.parameters
+        if name not in store.values:
+            raise ParameterNotDeclaredException(name)
+        if store.descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        del store.values[name]
+        del store.descriptors[name]
+        self._rclpy.graph.tracer.parameter(self._rclpy.entry, name, None, 'undeclare_parameter')
+
+    def has_parameter(self, name: str) -> bool:
+        """Whether it is declared."""
+        return name in self._rclpy.parameters.values
+
+    def get_parameter(self, name: str) -> Parameter:
+        """A parameter; read its `.value`.
+
+        :raises ParameterNotDeclaredException: when it was not declared.
+        :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
+        """
+        store = self._rclpy.parameters
+        parameter = store.values.get(name)
+        if parameter is None:
+            if store.allow_undeclared:
+                return Parameter(name, ParameterType.NOT_SET, None)
+            raise undeclared(name, store.values)
+        if parameter.type_ is ParameterType.NOT_SET and not store.descriptors[name].dynamic_typing:
+            raise ParameterUninitializedException(name)
+        return parameter
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Several parameters. Raises TypeError unless all names are strings."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError('All names must be instances of type str')
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """A parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
+        parameter = self._rclpy.parameters.values.get(name)
+        if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
+            return parameter
+        return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """The parameters `prefix.x`, by x."""
+        prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ''
+        return {
+            name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
+        }
+
+    def get_parameter_type(self, name: str) -> int | ParameterType:
+        """The number of the type of a parameter's value, 0 without one.
+
+        As in rclpy it is `Parameter.Type.NOT_SET` itself for an undeclared parameter where those are allowed.
+        """
+        store = self._rclpy.parameters
+        if name in store.values:
+            return int(store.values[name].type_.value)
+        if not store.allow_undeclared:
+            raise undeclared(name, store.values)
+        return ParameterType.NOT_SET
+
+    def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
+        """The numbers of several types."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError('All names must be instances of type str')
+        return [self.get_parameter_type(name) for name in names]
+
+    def describe_parameter(self, name: str) -> ParameterDescriptor:
+        """The descriptor of a parameter."""
+        return self._rclpy.parameters.descriptor(name)
+
+    def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
+        """The descriptors of several."""
+        return [self.describe_parameter(name) for name in names]
+
+    def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
+        """Names of parameters under any of `prefixes` (all when empty), at most `depth` dots below it (0: any)."""
+        from rcl_interfaces.msg import ListParametersResult
+
+        if not isinstance(prefixes, list):
+            raise TypeError('The prefixes argument must be a list')
+        if not all(isinstance(prefix, str) for prefix in prefixes):
+            raise TypeError('All prefixes must be instances of type str')
+        if not isinstance(depth, int):
+            raise TypeError('The depth must be instance of type int')
+        if depth < 0:
+            raise ValueError('The depth must be greater than or equal to zero')
+        names = [name for name in self._rclpy.parameters.values if _listed(name, prefixes, depth)]
+        groups = {name.rpartition('.')[0] for name in names if '.' in name}
+        return ListParametersResult(names=names, prefixes=sorted(groups))
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
+        """Set each for itself; one result each.
+
+        :raises ParameterNotDeclaredException: when one is undeclared; those before it are set already.
+        """
+        store = self._rclpy.parameters
+        results = []
+        for parameter in parameter_list:
+            store.check_declared([parameter])
+            results.append(store.set_atomically([parameter]))
+        return results
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all, or none when one is refused.
+
+        :raises ParameterNotDeclaredException: when one is undeclared.
+        """
+        self._rclpy.parameters.check_declared(parameter_list)
+        return self._rclpy.parameters.set_atomically(parameter_list)
+
+    def set_descriptor(
+        self, name: str, descriptor: ParameterDescriptor, alternative_value: ParameterValue | None = None
+    ) -> ParameterValue:
+        """Give a parameter another descriptor; `alternative_value` takes the place of a value that it does not allow.
+
+        :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
+        """
+        from rclpy.parameter import parameter_value_to_python
+
+        store = self._rclpy.parameters
+        if name not in store.values:
+            return self.get_parameter(name).get_parameter_value()
+        if store.descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        parameter = self.get_parameter(name)
+        descriptor.name = name
+        problem = store.problem(parameter, descriptor, check_read_only=False)
+        if problem is not None and alternative_value is not None:
+            parameter = Parameter(name, value=parameter_value_to_python(alternative_value))
+            problem = store.problem(parameter, descriptor, check_read_only=False)
+        if problem is not None:
+            raise InvalidParameterValueException(name, parameter.value, problem)
+        store.descriptors[name] = descriptor
+        store.values[name] = parameter
+        return parameter.get_parameter_value()
+
+    def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Let `callback(parameters)` change the list of parameters before they are set."""
+        self._rclpy.parameters.pre_callbacks.insert(0, callback)
+
+    def add_on_set_parameters_callback(self, callback: OnSet) -> None:
+        """Let `callback(parameters)` accept or refuse: it returns a SetParametersResult. The newest is asked first."""
+        self._rclpy.parameters.on_callbacks.insert(0, callback)
+
+    def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Call `callback(parameters)` after a successful change."""
+        self._rclpy.parameters.post_callbacks.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Undo `add_pre_set_parameters_callback`. Raises ValueError when it was not added."""
+        self._rclpy.parameters.pre_callbacks.remove(callback)
+
+    def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
+        """Undo `add_on_set_parameters_callback`. Raises ValueError when it was not added."""
+        self._rclpy.parameters.on_callbacks.remove(callback)
+
+    def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
+        """Undo `add_post_set_parameters_callback`. Raises ValueError when it was not added."""
+        self._rclpy.parameters.post_callbacks.remove(callback)
+
+
+def _prepared(
+    overrides: Mapping[str, Override], namespace: str, index: int, entry: tuple[Any, ...]
+) -> tuple[Parameter, ParameterDescriptor]:
+    """The first value and the descriptor of one declaration."""
+    name, value, descriptor = _unpacked(index, entry)
+    name = f'{namespace}.{name}' if namespace else name
+    if len(entry) == 1:
+        warn(NAME_ONLY.format(name), stacklevel=student_level())
+        descriptor.dynamic_typing = True
+    if not name:
+        raise InvalidParameterException(name)
+    if isinstance(value, ParameterType):
+        _set_type(name, descriptor, value)
+        value = None
+    elif not descriptor.dynamic_typing:
+        descriptor.type = ParameterType.from_parameter_value(value).value
+        if not descriptor.type:
+            raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')
+    if name in overrides:
+        value = overrides[name].value
+    descriptor.name = name
+    return Parameter(name, value=value), descriptor
+
+
+def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:
+    """Name, value and descriptor of one entry of `declare_parameters`.
+
+    As in rclpy the descriptor is the given one, not a copy: a second declaration with it changes the first one's type.
+    """
+    from rcl_interfaces.msg import ParameterDescriptor
+
+    if not 1 <= len(entry) <= 3:
+        raise TypeError(
+            f'Invalid parameter tuple length at index {index} in parameters list: {entry}; expecting length between 1 and 3'
+        )
+    name = entry[0]
+    if not isinstance(name, str):
+        raise TypeError(f'First element {name} at index {index} in parameters list is not a str.')
+    descriptor = entry[2] if len(entry) > 2 else ParameterDescriptor()
+    if not isinstance(descriptor, ParameterDescriptor):
+        raise TypeError(f'Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor.')
+    return name, entry[1] if len(entry) > 1 else None, descriptor
+
+
+def _set_type(name: str, descriptor: ParameterDescriptor, type_: ParameterType) -> None:
+    if type_ is ParameterType.NOT_SET:
+        raise ValueError(f'Cannot declare parameter {{{name}}} as statically typed of type NOT_SET')
+    if descriptor.dynamic_typing:
+        raise ValueError(
+            f'When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` is not allowed '
+            'when the parameter type is provided'
+        )
+    descriptor.type = type_.value
+
+
+def _listed(name: str, prefixes: list[str], depth: int) -> bool:
+    if not prefixes:
+        return not depth or name.count('.') < depth
+    for prefix in prefixes:
+        if name == prefix or (name.startswith(prefix + '.') and (not depth or name[len(prefix) + 1 :].count('.') < depth)):
+            return True
+    return False

@@ -1,0 +1,195 @@
+"""Parameters: a name, a type, a value; and their message and YAML forms."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph import parameters as rules
+from edulaunch.engine.read_only import ReadOnly
+from rclpy.impl.passed_on import passed_on
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+    from rcl_interfaces.msg import ParameterValue
+
+PARAMETER_SEPARATOR_STRING = '.'
+
+_VALUE_FIELDS = (
+    '',
+    'bool_value',
+    'integer_value',
+    'double_value',
+    'string_value',
+    'byte_array_value',
+    'bool_array_value',
+    'integer_array_value',
+    'double_array_value',
+    'string_array_value',
+)
+
+
+class ParameterType(Enum):
+    """The types of parameters, as `Parameter.Type`."""
+
+    NOT_SET = rules.NOT_SET
+    BOOL = rules.BOOL
+    INTEGER = rules.INTEGER
+    DOUBLE = rules.DOUBLE
+    STRING = rules.STRING
+    BYTE_ARRAY = rules.BYTE_ARRAY
+    BOOL_ARRAY = rules.BOOL_ARRAY
+    INTEGER_ARRAY = rules.INTEGER_ARRAY
+    DOUBLE_ARRAY = rules.DOUBLE_ARRAY
+    STRING_ARRAY = rules.STRING_ARRAY
+
+    @classmethod
+    def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
+        """The type that a value has: bool before int; an empty list is a BYTE_ARRAY.
+
+        :raises TypeError: when no parameter can hold the value.
+        """
+        return cls(rules.type_of_value(parameter_value))
+
+    def check(self, parameter_value: Any) -> bool:
+        """Whether a value is of this type."""
+        return rules.value_fits(parameter_value, self.value)
+
+
+ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  # its name in ROS 2, as errors and reprs show it
+
+
+class Parameter:
+    """One parameter.
+
+    :param name: its name.
+    :param type_: its type; taken from the value when None.
+    :raises TypeError: when no parameter can hold the value, or `type_` is no `Parameter.Type`.
+    :raises ValueError: when type and value do not agree.
+    """
+
+    Type = ParameterType
+
+    __slots__ = ('_name', '_type_', '_value')
+
+    def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+        if type_ is None:
+            type_ = ParameterType.from_parameter_value(value)
+        if not isinstance(type_, ParameterType):
+            raise TypeError(f"type must be an instance of '{repr(ParameterType)}'")
+        if not type_.check(value):
+            raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
+        self._name = name
+        self._type_ = type_
+        self._value = value
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg: Any) -> Parameter:
+        """From rcl_interfaces/Parameter."""
+        value = param_msg.value
+        return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
+
+    name: ReadOnly[str] = ReadOnly('The name.', '_name')
+
+    type_: ReadOnly[ParameterType] = ReadOnly('The type.', '_type_')
+
+    value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
+
+    def get_parameter_value(self) -> ParameterValue:
+        """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
+        from rcl_interfaces.msg import ParameterValue
+
+        number = self._type_.value
+        message = ParameterValue()
+        message.type = number
+        if self._type_ is not ParameterType.NOT_SET:
+            value = list(self._value) if isinstance(self._value, tuple) else self._value
+            setattr(message, _VALUE_FIELDS[number], value)
+        return message
+
+    def to_parameter_msg(self) -> ParameterMsg:
+        """As rcl_interfaces/Parameter."""
+        from rcl_interfaces.msg import Parameter as ParameterMsg
+
+        return ParameterMsg(name=self._name, value=self.get_parameter_value())
+
+
+def parameter_value_to_python(parameter_value: Any) -> Any:
+    """The Python value of rcl_interfaces/ParameterValue, arrays of numbers as lists. Raises RuntimeError for an unknown type."""
+    number = parameter_value.type
+    if number == rules.NOT_SET:
+        return None
+    if number >= len(_VALUE_FIELDS):
+        raise RuntimeError(f'unexpected parameter type {number}')
+    value = getattr(parameter_value, _VALUE_FIELDS[number])
+    return list(value) if number >= rules.BYTE_ARRAY else value
+
+
+def get_parameter_value(string_value: str) -> ParameterValue:
+    """What a text means as YAML 1.1 (`off` is a bool, `5` an integer): what `ros2 param set` does with its value.
+
+    An empty list is one of bools; what YAML cannot parse or no parameter can hold stays text.
+
+    :raises yaml.scanner.ScannerError: when the text has no YAML tokens (`@`), as in ROS 2.
+    """
+    import yaml
+
+    try:
+        value = yaml.safe_load(string_value)
+    except yaml.parser.ParserError:
+        value = string_value
+    if value == []:
+        return Parameter('', ParameterType.BOOL_ARRAY, []).get_parameter_value()
+    try:
+        parameter = Parameter('', value=value)
+    except TypeError:
+        parameter = Parameter('', value=string_value)
+    if parameter.type_ in (ParameterType.NOT_SET, ParameterType.BYTE_ARRAY):
+        parameter = Parameter('', value=string_value)
+    return parameter.get_parameter_value()
+
+
+def parameter_dict_from_yaml_file(
+    parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
+) -> dict[str, ParameterMsg]:
+    """The parameters of a parameter file as messages, by name with `namespace` before it (write its dot, too, as in ROS 2).
+
+    Of a parameter that is there for several nodes the last value counts. One without a value is the text 'None', as in ROS 2.
+
+    :param use_wildcard: whether entries under `/**` count.
+    :param target_nodes: the full names of the nodes that count; None for all of the file.
+    :raises RuntimeError: when the file lacks one of them, or is no parameter file.
+    :raises AttributeError: when it is no mapping.
+    """
+    import yaml
+
+    with open(parameter_file, encoding='utf-8') as file:
+        content = yaml.safe_load(file)
+    written_for = list(content.keys())
+    keys = ['/**'] if use_wildcard and '/**' in content else []
+    for key in target_nodes or ():
+        if key not in content:
+            raise RuntimeError(f'Param file does not contain parameters for {key},only for nodes: {written_for} ')
+    keys += target_nodes or [key for key in written_for if key != '/**']
+    if not keys:
+        raise RuntimeError('Param file does not contain selected parameters')
+    found: dict[str, Any] = {}
+    for key in keys:
+        body = content[key]
+        if not isinstance(body, dict) or 'ros__parameters' not in body:
+            raise RuntimeError(f'YAML file is not a valid ROS parameter file for node {key}')
+        found.update(_flattened(body['ros__parameters'], namespace))
+    return {name: Parameter(name, value='None' if value is None else value).to_parameter_msg() for name, value in found.items()}
+
+
+def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, dict):
+            flat.update(_flattened(value, f'{prefix}{name}{PARAMETER_SEPARATOR_STRING}'))
+        else:
+            flat[prefix + name] = value
+    return flat
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,40 @@
+"""What would be global variables of rclpy: kept with the running process, so that simulations and programs never meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.processes.current import current_process
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.impl.logging_state import LoggingState
+
+
+class ProcessState:
+    """rclpy's side of one running program.
+
+    :ivar contexts: all initialised contexts, in order; signals shut them down.
+    :ivar previous_handlers: signal number -> (our handler, the one before it), while signals are handled.
+    :ivar goal_ids: the random generator of action goal ids.
+    """
+
+    def __init__(self, process: Any) -> None:
+        self.process = process
+        self.default_context: Context | None = None
+        self.global_executor: Executor | None = None
+        self.contexts: list[Context] = []
+        self.signal_options: Any = None
+        self.previous_handlers: dict[int, Any] = {}
+        self.logging: LoggingState | None = None
+        self.goal_ids: Any = None
+
+
+def process_state() -> ProcessState:
+    """The state of the program that runs now; made at first use."""
+    process = current_process()
+    state: ProcessState | None = process.state.get('rclpy')
+    if state is None:
+        state = process.state['rclpy'] = ProcessState(process)
+    return state

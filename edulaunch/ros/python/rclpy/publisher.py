@@ -1,0 +1,109 @@
+"""Publishing messages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import kind_of, with_facts
+from edulaunch.engine.sim.task import current_task
+from rclpy.duration import Duration
+from rclpy.impl.entity import TopicEnd, check_endpoint
+from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import after_shutdown, invalid_handle
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.topics import Publisher as GraphPublisher
+    from rclpy.context import Context
+    from rclpy.qos import QoSProfile
+
+FOR_EVER = Duration(seconds=-1)
+
+
+class Publisher(TopicEnd):
+    """Made by `Node.create_publisher`. Messages are copied when they are published."""
+
+    endpoint: GraphPublisher
+
+    def __init__(
+        self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context
+    ) -> None:
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.event_handlers: list[Any] = []
+        self.endpoint = publisher_impl
+        self.context = context
+        self._to_wire = msg_type.to_wire
+        self.send_wire: Callable[[Any], object] = publisher_impl.publish
+
+    def publish(self, msg: Any) -> None:
+        """Send a message, or the bytes of a serialized one, to everybody who listens now.
+
+        :raises TypeError: for a message of another class.
+        :raises RCLError: after shutdown.
+        """
+        if msg.__class__ is self.msg_type and self.context.alive:
+            self.send_wire(self._to_wire(msg))
+        else:
+            self._publish_other(msg)
+
+    def _publish_other(self, msg: Any) -> None:
+        if not (isinstance(msg, (self.msg_type, bytes))):
+            raise TypeError(f'Expected {self.msg_type}, got {type(msg)}')
+        if self.endpoint.destroyed:
+            raise invalid_handle()
+        if not self.context.alive:
+            raise after_shutdown('Failed to publish: publisher')
+        if isinstance(msg, bytes):
+            from edulaunch.engine.interfaces.cdr import decode
+
+            self.send_wire(decode(self.msg_type, msg))
+        else:
+            self.send_wire(self._to_wire(msg))
+
+    def get_subscription_count(self) -> int:
+        """How many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        check_endpoint(self.endpoint, self.context, 'failed to get subscription count: publisher')
+        current_task().poll()
+        return self.endpoint.subscription_count
+
+    def assert_liveliness(self) -> None:
+        """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish.
+
+        :raises RCLError: after shutdown.
+        """
+        check_endpoint(self.endpoint, self.context, 'Failed to assert liveliness on the Publisher: publisher')
+        show_life = getattr(self.endpoint, 'show_life', None)
+        if show_life is not None:
+            show_life()
+
+    def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
+        """Whether all messages were received: delivery takes no time, so always True.
+
+        :param timeout: how long to wait; a negative one is for ever.
+        :raises AttributeError: when it is no Duration.
+        :raises RCLError: after shutdown.
+        """
+        check_endpoint(self.endpoint, self.context, 'Failed to wait for all acknowledgements: publisher')
+        if not isinstance(timeout, Duration):
+            raise with_facts(
+                AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
+                'programs.timeout-no-duration',
+                given=kind_of(timeout),
+                call='wait_for_all_acked(Duration(seconds=1))',
+            )
+        return True
+
+    def destroy(self) -> None:
+        """Leave the topic. `Node.destroy_publisher` is the better way."""
+        for handler in self.event_handlers:
+            handler.destroy()
+        self.endpoint.destroy()
+        self.send_wire = self._refuse
+
+    def _refuse(self, _: Any) -> None:
+        raise invalid_handle()
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,82 @@
+"""Answering service calls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.impl.entity import SERVICE, Entity, ReadyList, ServiceEnd
+from rclpy.impl.passed_on import passed_on
+from rclpy.task import is_coroutine_function
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.services import RequestId, ServiceServer
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+    from rclpy.qos import QoSProfile
+
+
+class Service(ServiceEnd, Entity):
+    """Made by `Node.create_service`. The callback gets (request, response) and returns the response."""
+
+    category = SERVICE
+    endpoint: ServiceServer
+
+    def __init__(
+        self,
+        ready_list: ReadyList,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        number: int,
+    ) -> None:
+        super().__init__(ready_list, callback_group, number)
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.callback = callback
+        self.qos_profile = qos_profile
+        self.is_async = is_coroutine_function(callback)
+
+    def run_callback(self, executor: Executor) -> Any:
+        self.queued = False
+        queue = self.endpoint.queue
+        if not queue:
+            return None
+        wire, request_id = queue.popleft()
+        if queue:
+            self.signal()
+        request = self.srv_type.Request.from_wire(wire)
+        if self._introspection is not None:
+            self._introspection.request_received(request_id, request)
+        response = self.callback(request, self.srv_type.Response())
+        if self.is_async:
+            return self._answer_later(response, request_id)
+        self.send_response(response, request_id)
+        return None
+
+    async def _answer_later(self, coroutine: Any, request_id: RequestId) -> None:
+        self.send_response(await coroutine, request_id)
+
+    def send_response(self, response: Any, header: RequestId) -> None:
+        """Answer one request.
+
+        :raises TypeError: when `response` is no response of this service (a callback that forgot `return response`).
+        """
+        response_type = self.srv_type.Response
+        if not isinstance(response, response_type):
+            from edulaunch.engine.facts import kind_of, with_facts
+
+            raise with_facts(TypeError(), 'programs.no-response', service=self.endpoint.service_name, returned=kind_of(response))
+        self.endpoint.respond(header, response_type.to_wire(response))
+        if self._introspection is not None:
+            self._introspection.response_sent(header, response)
+
+    def destroy(self) -> None:
+        """Stop answering. `Node.destroy_service` is the better way."""
+        self.destroyed = True
+        self.endpoint.destroy()
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,287 @@
+"""Futures, and the tasks in which executors run coroutines."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Coroutine, Generator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+from warnings import warn
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.sim.task import current_task
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.impl.entity import Entity
+
+
+class _UnfetchedException:
+    """Lives as long as a future whose exception nobody has asked for, and then tells of it.
+
+    Not in the future itself: hardly any needs it, and an object with a `__del__` costs more to make and to drop.
+    """
+
+    __slots__ = ('exception',)
+
+    def __init__(self, exception: BaseException) -> None:
+        self.exception: BaseException | None = exception
+
+    def __del__(self) -> None:
+        if self.exception is not None and sys is not None:
+            print('The following exception was never retrieved: ' + str(self.exception), file=current_process().stderr)
+
+
+class Future:
+    """The outcome of something that goes on: a service call, a goal, a task.
+
+    Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
+
+    :ivar source: the client whose answer it waits for, if any.
+    """
+
+    # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
+    _done = False
+    _cancelled = False
+    ended = False  # one of the two
+    _result: Any = None
+    _exception: BaseException | None = None
+    _unfetched: _UnfetchedException | None = None
+    _executor: Executor | None = None
+    _awaiting: tuple[Executor, ...] = ()
+    source: Any = None
+    _looks: tuple[Any, int, int] = (None, 0, 0)
+
+    def __init__(self, *, executor: Executor | None = None) -> None:
+        self._callbacks: list[Callable[[Any], object]] = []
+        if executor is not None:
+            self._executor = executor
+
+    def __await__(self) -> Generator[Any, None, Any]:
+        while not self.ended:
+            self._asyncio_future_blocking = True
+            yield self
+        return self.result()
+
+    _asyncio_future_blocking = False
+    """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
+
+    def get_loop(self) -> Any:
+        """The asyncio loop that runs, whose task awaits this."""
+        from asyncio import get_running_loop
+
+        return get_running_loop()
+
+    def cancel(self, msg: object = None) -> None:
+        """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
+        if not self._done:
+            self._cancelled = self.ended = True
+            self._over()
+
+    def cancelled(self) -> bool:
+        """Whether it was cancelled."""
+        return self._cancelled
+
+    def done(self) -> bool:
+        """Whether there is a result or an exception. Looking again and again lets simulated time pass."""
+        if not self._done:
+            current_task().poll()
+            if self.source is not None:
+                self._count_look(self.source)
+        return self._done
+
+    def _count_look(self, source: Any) -> None:
+        """Note a deadlock when one callback keeps looking at a future that cannot be done before that callback ends."""
+        executor = source.ready_list.executor
+        if executor is None or not executor.cannot_serve(source):
+            return
+        from rclpy.impl.facts import POLLS, note_wait
+
+        turn, now = executor.turn_mark(), current_task().sim.now_ns
+        last_turn, looks, last_ns = self._looks
+        looks = looks + (now > last_ns) if turn == last_turn else 0
+        self._looks = turn, looks, now
+        if looks == POLLS:
+            note_wait('look', source)
+
+    def result(self) -> Any:
+        """The result, None while there is none; raises the exception when it ended with one."""
+        if self._exception is not None:
+            raise self._fetched(self._exception)
+        if not self._done:
+            current_task().poll()
+        return self._result
+
+    def exception(self) -> BaseException | None:
+        """The exception that it ended with, or None."""
+        return None if self._exception is None else self._fetched(self._exception)
+
+    def _fetched(self, exception: BaseException) -> BaseException:
+        if self._unfetched is not None:
+            self._unfetched.exception = None
+            self._unfetched = None
+        return exception
+
+    def set_result(self, result: Any) -> None:
+        """End with a result."""
+        self._result = result
+        self._end()
+
+    def set_exception(self, exception: BaseException) -> None:
+        """End with an exception."""
+        self._exception = exception
+        self._unfetched = _UnfetchedException(exception)
+        self._end()
+
+    def _end(self) -> None:
+        self._done = self.ended = True
+        self._cancelled = False
+        if self._callbacks or self._awaiting:
+            self._over()
+
+    def _over(self) -> None:
+        if self._callbacks:
+            self._call_back()
+        if self._awaiting:
+            awaiting, self._awaiting = self._awaiting, ()
+            for executor in awaiting:
+                executor.wake()
+
+    def wake_when_done(self, executor: Executor) -> None:
+        """Let an executor look again when this is done."""
+        if executor not in self._awaiting:
+            self._awaiting += (executor,)
+
+    def _call_back(self) -> None:
+        callbacks = self._callbacks
+        if not callbacks:
+            return
+        self._callbacks = []
+        if self._executor is not None:
+            for callback in callbacks:
+                self._executor.create_task(callback, self)
+            return
+        for callback in callbacks:
+            try:
+                callback(self)
+            except Exception as error:
+                warn(f'Unhandled exception in done callback: {error}', stacklevel=2)
+
+    def _set_executor(self, executor: Executor | None) -> None:
+        """Let this executor run the callbacks."""
+        self._executor = executor
+
+    def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
+        """Call `callback(future)` when it is done or cancelled, or soon if it is that already.
+
+        :param context: given by an asyncio task that awaits this: its loop is told then.
+        """
+        if context is not None:
+            loop, told = self.get_loop(), callback
+            callback = lambda future: loop.call_soon_threadsafe(told, future, context=context)  # noqa: E731
+        if not self.ended:
+            self._callbacks.append(callback)
+        elif self._executor is not None:
+            self._executor.create_task(callback, self)
+        else:
+            callback(self)
+
+    def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
+        """Do not call `callback`, or once less if it was added more than once; whether it was there."""
+        if callback not in self._callbacks:
+            return False
+        self._callbacks.remove(callback)
+        return True
+
+
+class Task(Future):
+    """A function or coroutine that an executor runs; a coroutine that waits is taken up again at each turn.
+
+    Calling the task runs it until it waits or ends; its outcome is the future's.
+
+    :param entity: the one whose callback it is.
+    """
+
+    _executing = False
+    _running: Coroutine[Any, Any, Any] | None = None
+
+    def __init__(
+        self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None, entity: Entity | None = None
+    ) -> None:
+        self._callbacks = []
+        self._executor = executor
+        self._args = args or ()
+        self._kwargs = kwargs or {}
+        self._handler = handler
+        self._entity = entity
+        if is_coroutine_function(handler):
+            self._running = handler(*self._args, **self._kwargs)
+        elif not callable(handler) and hasattr(handler, 'send') and hasattr(handler, 'throw'):
+            self._running = handler
+
+    def __call__(self) -> None:
+        """Run it, or run it on."""
+        if self.ended or self._executing:
+            return
+        self._executing = True
+        try:
+            if self._running is None:
+                self._result = self._handler(*self._args, **self._kwargs)
+                self._end()
+            else:
+                self._run_on(self._running)
+        except Exception as error:
+            self.set_exception(error)
+        finally:
+            self._executing = False
+
+    def _run_on(self, coroutine: Coroutine[Any, Any, Any]) -> None:
+        try:
+            awaited = coroutine.send(None)
+        except StopIteration as end:
+            self.set_result(end.value)
+            return
+        if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
+            awaited.wake_when_done(self._executor)
+            if self._entity is not None and awaited.source is not None:
+                self._note_deadlock(self._entity, awaited.source)
+
+    def _note_deadlock(self, entity: Entity, source: Any) -> None:
+        """A callback that waits keeps its group: a client of the same group gets no answer."""
+        if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
+            from edulaunch.engine.processes.whose_code import coroutine_line
+            from rclpy.impl.facts import note_wait
+
+            note_wait('await', source, coroutine_line(self._running))
+
+    def raise_if_failed(self) -> None:
+        """Raise the exception that it ended with, if any."""
+        if self._exception is not None:
+            self.result()
+
+    def executing(self) -> bool:
+        """Whether it is being run just now."""
+        return self._executing
+
+    def cancel(self, msg: object = None) -> None:
+        """Ask to stop: a coroutine that waits is ended."""
+        super().cancel()
+        if self._running is not None and not self._executing:
+            self._running.close()
+
+
+_COROUTINE_FLAG = 0x80
+
+
+def is_coroutine_function(function: Any) -> bool:
+    """Whether calling it makes a coroutine (`async def`), seen through methods and `functools.partial`."""
+    while isinstance(function, partial):
+        function = function.func
+    code = getattr(function, '__code__', None)
+    return code is not None and code.co_flags & _COROUTINE_FLAG != 0
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call a function, or await what an `async def` one gives: for executors and waitables of one's own."""
+    result = callback(*args)
+    return await result if is_coroutine_function(callback) else result

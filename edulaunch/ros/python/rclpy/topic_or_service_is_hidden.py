@@ -1,0 +1,10 @@
+"""Which names tools leave out."""
+
+from __future__ import annotations
+
+from edulaunch.engine.graph.names import is_hidden
+
+
+def topic_or_service_is_hidden(name: str) -> bool:
+    """Whether a token of the name begins with an underscore."""
+    return is_hidden(name)

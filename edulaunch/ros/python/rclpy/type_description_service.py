@@ -1,0 +1,90 @@
+"""The service by which others learn what the types look like that a node uses."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from rclpy.exceptions import ParameterUninitializedException
+from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
+from rclpy.parameter import ParameterType
+from rclpy.qos import qos_profile_services_default
+
+if TYPE_CHECKING:
+    from edulaunch.engine.interfaces.registry import Registry
+    from rclpy.node import Node
+
+START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
+
+
+class TypeDescriptionService:
+    """Declares start_type_description_service (read-only) and, unless it is false, makes `<node>/get_type_description`."""
+
+    def __init__(self, node: Node) -> None:
+        from rcl_interfaces.msg import ParameterDescriptor
+
+        self._node = node
+        descriptor = ParameterDescriptor(
+            name=START_TYPE_DESCRIPTION_SERVICE_PARAM,
+            type=ParameterType.BOOL.value,
+            read_only=True,
+            description='If enabled, start the ~/get_type_description service.',
+        )
+        if not node.has_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM):
+            node.declare_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM, True, descriptor)
+        try:
+            enabled = node.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
+        except ParameterUninitializedException:
+            enabled = False
+        if enabled:
+            from type_description_interfaces.srv import GetTypeDescription
+
+            node.create_service(
+                GetTypeDescription,
+                f'{node.get_name()}/get_type_description',
+                self._answer,
+                qos_profile=qos_profile_services_default,
+            )
+
+    def _answer(self, request: Any, response: Any) -> Any:
+        from edulaunch.engine.interfaces import current_registry
+        from edulaunch.engine.interfaces.description import type_description, type_hash
+
+        if not re.fullmatch('RIHS01_[0-9a-f]{64}', request.type_hash):
+            response.failure_reason = 'Failed to parse type hash'
+            return response
+        registry = current_registry()
+        known = {end.type_name for end in core_of(self._node).entry.endpoints}
+        if request.type_name not in known or request.type_hash != type_hash(request.type_name, registry.spec):
+            response.failure_reason = 'Type not currently in use by this node'
+            return response
+        spec_of = registry.spec
+        description = type_description(request.type_name, spec_of)
+        target = response.type_description
+        target.type_description = _individual(description['type_description'])
+        target.referenced_type_descriptions = [_individual(one) for one in description['referenced_type_descriptions']]
+        if request.include_type_sources:
+            described = (target.type_description, *target.referenced_type_descriptions)
+            response.type_sources = [_source(one.type_name, registry) for one in described]
+        response.successful = True
+        return response
+
+
+def _source(type_name: str, registry: Registry) -> Any:
+    from type_description_interfaces.msg import TypeSource
+
+    return TypeSource(type_name=type_name, encoding=type_name.split('/')[1], raw_file_contents=registry.text(type_name))
+
+
+def _individual(description: dict[str, Any]) -> Any:
+    from type_description_interfaces.msg import Field, FieldType, IndividualTypeDescription
+
+    fields = []
+    for field in description['fields']:
+        kind = dict(field['type'])
+        fields.append(Field(name=field['name'], default_value=field.get('default_value', ''), type=FieldType(**kind)))
+    return IndividualTypeDescription(type_name=description['type_name'], fields=fields)
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,16 @@
+"""The rules for namespaces."""
+
+from __future__ import annotations
+
+from edulaunch.engine.graph.names import namespace_problem
+from rclpy.exceptions import InvalidNamespaceException
+from rclpy.impl.refusals import check_is_text
+
+
+def validate_namespace(namespace: str) -> bool:
+    """True; raises InvalidNamespaceException for an absolute namespace that breaks the rules."""
+    check_is_text(namespace, 'namespace')
+    problem = namespace_problem(namespace)
+    if problem is None:
+        return True
+    raise InvalidNamespaceException(namespace, *problem)

@@ -1,0 +1,108 @@
+"""Things of one's own that an executor can wait for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from rclpy.impl.entity import WAITABLE, Entity, ReadyList
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+    from rclpy.task import Future
+
+
+class NumberOfEntities:
+    """How many entities of each kind a waitable brings along."""
+
+    __slots__ = ('num_subscriptions', 'num_guard_conditions', 'num_timers', 'num_clients', 'num_services', 'num_events')
+
+    def __init__(
+        self,
+        num_subs: int = 0,
+        num_gcs: int = 0,
+        num_timers: int = 0,
+        num_clients: int = 0,
+        num_services: int = 0,
+        num_events: int = 0,
+    ) -> None:
+        self.num_subscriptions = num_subs
+        self.num_guard_conditions = num_gcs
+        self.num_timers = num_timers
+        self.num_clients = num_clients
+        self.num_services = num_services
+        self.num_events = num_events
+
+    def __add__(self, other: NumberOfEntities) -> NumberOfEntities:
+        return NumberOfEntities(*(getattr(self, slot) + getattr(other, slot) for slot in self.__slots__))
+
+    def __repr__(self) -> str:
+        return '<NumberOfEntities({})>'.format(', '.join(str(getattr(self, slot)) for slot in self.__slots__))
+
+
+class WaitSet:
+    """What `add_to_wait_set` and `is_ready` are given. There are no C handles here that could be added to it."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise with_facts(AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}'), 'programs.wait-set')
+
+
+class Waitable(Entity):
+    """Base of waitables. A subclass overrides `is_ready`, `take_data` and `execute`; it is asked in each wait of its executor,
+    so something else that happens (a timer, a message) has to end the wait.
+    """
+
+    category = WAITABLE
+    is_async = True
+
+    def __init__(self, callback_group: CallbackGroup) -> None:
+        super().__init__(ReadyList(), callback_group, 0)
+        self._futures: list[Future] = []
+
+    def __enter__(self) -> Waitable:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        """Nothing was held."""
+
+    def is_ready(self, wait_set: Any) -> bool:
+        """Whether there is something to do."""
+        return True
+
+    def take_data(self) -> Any:
+        """Take what there is to do; given to `execute`."""
+        return None
+
+    async def execute(self, taken_data: Any) -> None:
+        """Act on what was taken; for subclasses."""
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """How many entities of each kind belong to it."""
+        return NumberOfEntities()
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        """Called before each wait, for subclasses."""
+
+    def add_future(self, future: Future) -> None:
+        """Remember a future."""
+        self._futures.append(future)
+
+    def remove_future(self, future: Future) -> None:
+        """Forget a future."""
+        self._futures.remove(future)
+
+    def run_callback(self, executor: Executor) -> Any:
+        self.queued = False
+        return self.execute(self.take_data())
+
+    def ask(self) -> bool:
+        """Ask in a wait whether there is something to do; it is not asked again while its callback waits for its turn."""
+        if not self.queued:
+            self.get_num_entities()
+            self.add_to_wait_set(WAIT_SET)
+            self.queued = bool(self.is_ready(WAIT_SET))
+        return self.queued
+
+
+WAIT_SET = WaitSet()

@@ -1,0 +1,143 @@
+"""A robot description read with urdf_parser_py: its joints, and the transform of each at a position."""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import Any, NamedTuple
+
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.engine.tf.quaternions import multiply
+
+MOVING = ('revolute', 'continuous', 'prismatic')
+"""Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
+LIMITED = ('revolute', 'prismatic')
+"""Kinds that the original refuses without <limit>."""
+Quaternion = tuple[float, float, float, float]
+
+
+class Mimic(NamedTuple):
+    """A joint goes where another one is: multiplier * position + offset."""
+
+    joint: str
+    multiplier: float
+    offset: float
+
+
+class Joint(NamedTuple):
+    """One joint of a robot.
+
+    :param origin: from the parent link to the child link at position 0: metres x, y, z and the rotation (x, y, z, w).
+    :param axis: unit vector that the child turns round, or slides along.
+    :param lower: lowest position (radians or metres); with `upper` 0 when the description has no limit.
+    """
+
+    name: str
+    kind: str
+    parent: str
+    child: str
+    origin: tuple[float, float, float]
+    turn: Quaternion
+    axis: tuple[float, float, float]
+    lower: float = 0.0
+    upper: float = 0.0
+    mimic: Mimic | None = None
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether it has a position."""
+        return self.kind in MOVING
+
+    def transform(self, position: float) -> tuple[tuple[float, float, float], Quaternion]:
+        """Translation and rotation from the parent link to the child link."""
+        if self.kind == 'prismatic':
+            slid = rotated(self.turn, tuple(position * part for part in self.axis))
+            x, y, z = (start + part for start, part in zip(self.origin, slid, strict=True))
+            return (x, y, z), self.turn
+        if not self.is_moving:
+            return self.origin, self.turn
+        half = sin(position / 2.0)
+        x, y, z = self.axis
+        return self.origin, multiply(self.turn, (x * half, y * half, z * half, cos(position / 2.0)))
+
+
+def read_joints(description: str) -> list[Joint]:
+    """The joints of a URDF text, in its order.
+
+    :raises ValueError: it is no robot description; with the parser's text.
+    """
+    from urdf_parser_py import xml_reflection
+    from urdf_parser_py.urdf import URDF
+
+    xml_reflection.core.on_error = lambda message: None  # it would print each tag that it does not know, such as <gazebo>
+    try:
+        robot = URDF.from_xml_string(description.encode())
+    except Exception as error:
+        raise ValueError(' '.join(str(error).split()) or type(error).__name__) from error
+    for found in robot.joints:
+        if found.joint_type in LIMITED and found.limit is None:
+            raise ValueError(f'Joint [{found.name}] is of type {found.joint_type.upper()} but it does not specify limits')
+    joints = [_joint(found) for found in robot.joints]
+    _check_tree([link.name for link in robot.links], joints)
+    return joints
+
+
+def _check_tree(links: list[str], joints: list[Joint]) -> None:
+    """All links are there and hang together at one root.
+
+    :raises ValueError: as the original's parser refuses the whole description.
+    """
+    if not links:
+        raise ValueError('No link elements found in urdf file')
+    for joint in joints:
+        for end, link in (('parent', joint.parent), ('child', joint.child)):
+            if link not in links:
+                near = did_you_mean(link, links)
+                raise ValueError(
+                    f'Failed to build tree: {end} link [{link}] of joint [{joint.name}] not found' + (f'; {near}' if near else '')
+                )
+    children = {joint.child for joint in joints}
+    roots = [link for link in links if link not in children]
+    if len(roots) != 1:
+        found = (
+            f'Two root links found: [{roots[0]}] and [{roots[1]}]'
+            if roots
+            else 'No root link found. The robot xml is not a tree.'
+        )
+        raise ValueError(f'Failed to find root link: {found}')
+
+
+def _joint(found: Any) -> Joint:
+    xyz, rpy = (
+        ((0.0,) * 3, (0.0,) * 3) if found.origin is None else (found.origin.xyz or (0.0,) * 3, found.origin.rpy or (0.0,) * 3)
+    )
+    axis = tuple(map(float, found.axis or (1.0, 0.0, 0.0)))
+    length = sum(part * part for part in axis) ** 0.5 or 1.0
+    x, y, z = (part / length for part in axis)
+    limit, mimic = found.limit, found.mimic
+    return Joint(
+        found.name,
+        found.joint_type,
+        found.parent,
+        found.child,
+        (float(xyz[0]), float(xyz[1]), float(xyz[2])),
+        of_rpy(*map(float, rpy)),
+        (x, y, z),
+        0.0 if limit is None else float(limit.lower or 0.0),
+        0.0 if limit is None else float(limit.upper or 0.0),
+        None if mimic is None else Mimic(mimic.joint, 1.0 if mimic.multiplier is None else mimic.multiplier, mimic.offset or 0.0),
+    )
+
+
+def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
+    """The rotation of a URDF's rpy: about the fixed axes x, y, z in this order."""
+    about_x = (sin(roll / 2), 0.0, 0.0, cos(roll / 2))
+    about_y = (0.0, sin(pitch / 2), 0.0, cos(pitch / 2))
+    about_z = (0.0, 0.0, sin(yaw / 2), cos(yaw / 2))
+    return multiply(about_z, multiply(about_y, about_x))
+
+
+def rotated(turn: Quaternion, vector: Any) -> tuple[float, float, float]:
+    """A vector after a rotation."""
+    x, y, z, w = turn
+    rx, ry, rz, _ = multiply(multiply(turn, (*vector, 0.0)), (-x, -y, -z, w))
+    return rx, ry, rz

@@ -1,0 +1,25 @@
+"""The types of fields, as `SLOT_TYPES` of a message class has them."""
+
+from edulaunch.engine.interfaces.slot_types import (
+    Array,
+    BasicType,
+    BoundedSequence,
+    BoundedString,
+    BoundedWString,
+    NamespacedType,
+    UnboundedSequence,
+    UnboundedString,
+    UnboundedWString,
+)
+
+__all__ = [
+    'Array',
+    'BasicType',
+    'BoundedSequence',
+    'BoundedString',
+    'BoundedWString',
+    'NamespacedType',
+    'UnboundedSequence',
+    'UnboundedString',
+    'UnboundedWString',
+]

@@ -1,0 +1,46 @@
+"""Messages as plain data and as text."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import Any
+
+from edulaunch.engine.interfaces.message_text import Shortening, message_csv, message_dict, message_yaml
+
+
+def message_to_ordereddict(
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
+) -> OrderedDict[str, Any]:
+    """The message as dictionaries, lists, numbers and strings, fields in their order.
+
+    :param truncate_length: how many items of an array and characters of a string are kept; the rest becomes `...`.
+    :param no_arr: whether arrays are replaced by their type and length; `no_str`: the same of strings.
+    """
+    ordered: OrderedDict[str, Any] = _ordered(message_dict(msg, Shortening(truncate_length, no_arr, no_str)))
+    return ordered
+
+
+def message_to_yaml(
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False, flow_style: bool = False
+) -> str:
+    """The message as YAML, as `ros2 topic echo` prints it; arguments as of :func:`message_to_ordereddict`.
+
+    :param flow_style: whether it is one line in braces.
+    """
+    return message_yaml(msg, Shortening(truncate_length, no_arr, no_str), flow_style=flow_style)
+
+
+def message_to_csv(msg: Any, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:
+    """All values of the message, separated by commas; arguments as of :func:`message_to_ordereddict`."""
+    return message_csv(msg, Shortening(truncate_length, no_arr, no_str))
+
+
+def get_message_slot_types(msg: Any) -> OrderedDict[str, Any]:
+    """Field name -> entry of `SLOT_TYPES`."""
+    return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
+
+
+def _ordered(value: Any) -> Any:
+    if isinstance(value, dict):
+        return OrderedDict((name, _ordered(item)) for name, item in value.items())
+    return [_ordered(item) for item in value] if isinstance(value, list) else value

@@ -1,0 +1,63 @@
+"""What interfaces there are and where their files lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from edulaunch.engine.interfaces import current_registry
+from edulaunch.errors import InterfaceError
+
+
+def get_interface_packages() -> list[str]:
+    """The names of all packages that have interfaces."""
+    return current_registry().packages()
+
+
+def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Package name -> its interfaces as 'msg/Name', 'srv/Name' ...
+
+    :param package_names: which packages; all of them by default.
+    :raises LookupError: for a package that has none.
+    """
+    return _of_kinds(package_names, ('action', 'msg', 'srv'))
+
+
+def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As :func:`get_interfaces`, messages only."""
+    return _of_kinds(package_names, ('msg',))
+
+
+def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As :func:`get_interfaces`, services only."""
+    return _of_kinds(package_names, ('srv',))
+
+
+def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As :func:`get_interfaces`, actions only."""
+    return _of_kinds(package_names, ('action',))
+
+
+def get_interface_path(interface_name: str) -> str:
+    """The file of 'pkg/msg/Name'.
+
+    :raises ValueError: when the name has another form; LookupError: when there is no such interface.
+    """
+    parts = interface_name.removesuffix('.msg').removesuffix('.srv').removesuffix('.action').split('/')
+    if len(parts) != 3 or not all(parts):
+        raise ValueError(f"Invalid name '{interface_name}'. Expected three parts separated by '/'")
+    try:
+        return current_registry().path('/'.join(parts))
+    except InterfaceError as error:
+        raise LookupError(f"Could not find the interface '{interface_name}': {error}") from None
+
+
+def _of_kinds(package_names: Iterable[str], kinds: tuple[str, ...]) -> dict[str, list[str]]:
+    registry, wanted = current_registry(), list(package_names)
+    for package in wanted:
+        if not registry.has(package):
+            raise LookupError(f"Unknown package '{package}'")
+    found = {
+        package: [f'{kind}/{name}' for kind in kinds for name in registry.names(package, kind)]
+        for package in wanted or registry.packages()
+    }
+    return {package: names for package, names in found.items() if names}

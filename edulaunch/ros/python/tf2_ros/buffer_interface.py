@@ -1,0 +1,199 @@
+"""What all sources of transforms have in common, and the transforming of whole objects by functions registered for types.
+
+Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes and provide theirs for all; what a
+program registers itself belongs to its process alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rclpy.duration import Duration
+from rclpy.impl.passed_on import passed_on
+
+from edulaunch.engine.processes.current import current_process
+
+Key = Any
+_provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg': {}, 'from_msg': {}, 'convert': {}}
+
+
+class TypeException(Exception):
+    """Raised when an object of a type that nothing was registered for is to be transformed or converted."""
+
+    __module__ = 'tf2_ros.buffer_interface'  # where ROS 2 has it: tracebacks show the module
+
+
+def provide(table: str, key: Key, function: Callable[..., Any]) -> None:
+    """Register for all processes; for packages of the underlay only."""
+    _provided[table][key] = function
+
+
+def _own(table: str) -> dict[Key, Callable[..., Any]]:
+    tables = current_process().state.setdefault('tf2_ros.buffer_interface', {})
+    found: dict[Key, Callable[..., Any]] = tables.setdefault(table, {})
+    return found
+
+
+def _find(table: str, key: Key) -> Callable[..., Any]:
+    function = _own(table).get(key) or _provided[table].get(key)
+    if function is None:
+        raise TypeException(f'Type {key} is not loaded or supported')
+    return function
+
+
+class TransformRegistration:
+    """The functions that transform stamped objects, by the exact type of the object."""
+
+    def print_me(self) -> None:
+        """Print the registered types and the names of their functions."""
+        shown = {**_provided['transform'], **_own('transform')}
+        text = str({key: function.__name__ for key, function in shown.items()})
+        current_process().write('stdout', f'{text}\n')
+
+    def add(self, key: Key, callback: Callable[..., Any]) -> None:
+        """Use `callback(object, TransformStamped)` for objects of type `key`."""
+        _own('transform')[key] = callback
+
+    def get(self, key: Key) -> Callable[..., Any]:
+        """The function for a type.
+
+        :raises TypeException: there is none.
+        """
+        return _find('transform', key)
+
+
+class ConvertRegistration:
+    """The functions that convert between types, directly or over a message type."""
+
+    def add_from_msg(self, key: Key, callback: Callable[..., Any]) -> None:
+        """`callback(message)` makes an object of type `key`."""
+        _own('from_msg')[key] = callback
+
+    def add_to_msg(self, key: Key, callback: Callable[..., Any]) -> None:
+        """`callback(object)` makes a message of an object of type `key`."""
+        _own('to_msg')[key] = callback
+
+    def add_convert(self, key: Key, callback: Callable[..., Any]) -> None:
+        """`callback(object)` converts directly; `key` is (type of the object, type of the result)."""
+        _own('convert')[key] = callback
+
+    def get_from_msg(self, key: Key) -> Callable[..., Any]:
+        """Raises TypeException when there is none, as the other getters do."""
+        return _find('from_msg', key)
+
+    def get_to_msg(self, key: Key) -> Callable[..., Any]:
+        """See :meth:`add_to_msg`."""
+        return _find('to_msg', key)
+
+    def get_convert(self, key: Key) -> Callable[..., Any]:
+        """See :meth:`add_convert`."""
+        return _find('convert', key)
+
+
+NO_WAIT = Duration()
+
+
+class NotImplementedException(Exception):
+    """Raised by :class:`BufferInterface` itself: lookups belong to its subclasses."""
+
+    def __init__(self) -> None:
+        super().__init__('CanTransform not implemented')
+
+
+class BufferInterface:
+    """Transforms stamped objects by means of a subclass's lookups.
+
+    Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of
+    geometry_msgs.
+    """
+
+    def __init__(self) -> None:
+        self.registration = TransformRegistration()
+
+    def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None) -> Any:
+        """The object in another frame, at the time of its own stamp (0: the latest).
+
+        :raises TypeException: nobody registered the object's type.
+        :raises tf2.TransformException: no such transform; one of its subclasses.
+        """
+        do_transform = self.registration.get(type(object_stamped))
+        header = object_stamped.header
+        result = do_transform(object_stamped, self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout))
+        return convert(result, new_type) if new_type else result
+
+    def transform_full(
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        target_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+        new_type: Any = None,
+    ) -> Any:
+        """The object in another frame at another time, over a frame that does not move meanwhile."""
+        do_transform = self.registration.get(type(object_stamped))
+        header = object_stamped.header
+        result = do_transform(
+            object_stamped,
+            self.lookup_transform_full(target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout),
+        )
+        return convert(result, new_type) if new_type else result
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
+        """Look a transform up: a subclass says how. Raises NotImplementedException here."""
+        raise NotImplementedException
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
+        """Look a transform between two times up: a subclass says how. Raises NotImplementedException here."""
+        raise NotImplementedException
+
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
+        """Ask whether a transform can be looked up: a subclass says how. Raises NotImplementedException here."""
+        raise NotImplementedException
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
+        """Ask whether :meth:`lookup_transform_full` can: a subclass says how. Raises NotImplementedException here."""
+        raise NotImplementedException
+
+
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
+    """Give an object a header and return it."""
+    from std_msgs.msg import Header
+
+    obj.header = Header(frame_id=frame_id, stamp=stamp)
+    return obj
+
+
+def convert(a: Any, b_type: Any) -> Any:
+    """Convert an object to another type: directly where that is registered, else over a message.
+
+    :raises TypeException: no way is registered.
+    """
+    registration = ConvertRegistration()
+    try:
+        direct = registration.get_convert((type(a), b_type))
+    except TypeException:
+        if type(a) is b_type:
+            return a
+        return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
+    return direct(a)
+
+
+__getattr__ = passed_on(__name__)

@@ -1,0 +1,137 @@
+"""Receiving transforms."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tf2_msgs.msg import TFMessage
+
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.whose_code import student_line
+from tf2_ros.buffer import wire_receiver
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from tf2_ros.buffer import Buffer
+
+AUTHORITY = 'default_authority'
+
+
+class TransformListener:
+    """Fills a buffer from /tf and /tf_static. It must be kept (`self.tf_listener = ...`): it stops when it is
+    dropped.
+
+    :param spin_thread: spin the whole node in a thread of its own, so that lookups with a timeout get data
+        meanwhile.
+    :param qos: of /tf; depth 100 when left out.
+    :param static_qos: of /tf_static; depth 100 and transient local when left out.
+    """
+
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Node,
+        *,
+        spin_thread: bool = False,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
+    ) -> None:
+        if qos is None:
+            qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
+        if static_qos is None:
+            static_qos = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+        self.node = node
+        self.group = ReentrantCallbackGroup()
+        self.tf_sub: Any = node.create_subscription(TFMessage, '/tf', _nowhere, qos, callback_group=self.group)
+        self.tf_static_sub: Any = node.create_subscription(
+            TFMessage, '/tf_static', _nowhere, static_qos, callback_group=self.group
+        )
+        self.buffer = buffer
+        self._line = student_line()
+        self.executor: Any = None
+        if spin_thread:
+            self._start_thread()
+
+    @property
+    def buffer(self) -> Buffer:
+        """The buffer that is filled; another one may take its place."""
+        return self._buffer
+
+    @buffer.setter
+    def buffer(self, buffer: Buffer) -> None:
+        self._buffer = buffer
+        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it; those of a subclass hold it.
+        own = type(self).callback is not TransformListener.callback
+        own_static = type(self).static_callback is not TransformListener.static_callback
+        self.tf_sub.callback = self.callback if own else _receiver(buffer.set_transform)
+        self.tf_static_sub.callback = self.static_callback if own_static else _receiver(buffer.set_transform_static)
+        receive_wire = wire_receiver(buffer, AUTHORITY)
+        if receive_wire is not None and not own:
+            self.tf_sub.take_wires(receive_wire)
+
+    def callback(self, data: TFMessage) -> None:
+        """Put a message of /tf into the buffer. A subclass may do something else with it."""
+        _receiver(self.buffer.set_transform)(data)
+
+    def static_callback(self, data: TFMessage) -> None:
+        """Put a message of /tf_static into the buffer. A subclass may do something else with it."""
+        _receiver(self.buffer.set_transform_static)(data)
+
+    def _start_thread(self) -> None:
+        from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+
+        self.executor = executor = SingleThreadedExecutor()
+        node = self.node
+
+        def run() -> None:
+            executor.add_node(node)
+            with suppress(ExternalShutdownException):
+                executor.spin()
+            executor.remove_node(node)
+
+        threading = current_process().loader.import_('threading')  # threads of this process, in simulated time
+        self.dedicated_listener_thread = threading.Thread(target=run)
+        self.dedicated_listener_thread.start()
+
+    def __del__(self) -> None:
+        if getattr(self, 'executor', None) is not None:
+            self.executor.shutdown()
+        if getattr(self, 'tf_sub', None) is not None:
+            _note_dropped(self.node, getattr(self, '_line', {}))
+        self.unregister()
+
+    def unregister(self) -> None:
+        """Stop listening."""
+        for name in ('tf_sub', 'tf_static_sub'):
+            subscription = getattr(self, name, None)
+            if subscription is not None:
+                setattr(self, name, None)
+                self.node.destroy_subscription(subscription)
+
+
+def _note_dropped(node: Node, line: dict[str, Any]) -> None:
+    """A listener goes although its node lives on: nobody has kept it."""
+    core = core_of(node)
+    if not core.destroyed and core.context.alive and core.process.returncode is None:
+        core.process.fact('listener dropped', core.full_name, {'node': core.full_name, **line})
+
+
+def _nowhere(message: TFMessage) -> None:
+    """The callback until there is a buffer."""
+
+
+def _receiver(set_transform: Any) -> Any:
+    def receive(message: TFMessage) -> None:
+        for transform in message.transforms:
+            set_transform(transform, AUTHORITY)
+
+    return receive
+
+
+__getattr__ = passed_on(__name__)

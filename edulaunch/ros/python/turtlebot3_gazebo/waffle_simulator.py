@@ -1,0 +1,88 @@
+"""The program waffle_simulator: the robot's side of Gazebo (drives on /cmd_vel, reports /odom and tf)."""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import Any
+
+from geometry_msgs.msg import TransformStamped, Twist, TwistStamped
+from nav_msgs.msg import Odometry
+from rclcpp_like import CppNode, spinning
+from tf2_ros import TransformBroadcaster
+
+from edulaunch.engine.worlds.planar_robot import PlanarRobot
+
+ODOMETRY_HZ = 30.0
+
+
+class WaffleSimulator(CppNode):
+    """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
+
+    TurtleBot3 takes TwistStamped since Jazzy and took Twist before; a real robot is set to one of them by
+    `enable_stamped_cmd_vel`. Both are understood here at once, so that a program of either time drives the
+    robot: with the parameter true (the default) a plain Twist is followed and warned about once, with false a
+    TwistStamped.
+    """
+
+    def __init__(self) -> None:
+        super().__init__('turtlebot3_diff_drive')
+        x, y, yaw = (self.declare_parameter(name, 0.0).value for name in ('x_pose', 'y_pose', 'yaw'))
+        self._expects_stamped = self.declare_parameter('enable_stamped_cmd_vel', True).value
+        self._robot = PlanarRobot(x, y, yaw, self.get_clock().now().nanoseconds)
+        self._rclpy.takes_any_type = True
+        kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
+        for kind, callback in kinds if self._rclpy.takes_any_type else kinds[:1]:  # for real a program hears one type on a topic
+            self.create_subscription(kind, 'cmd_vel', callback, 10)
+        self._odometry = self.create_publisher(Odometry, 'odom', 10)
+        self._broadcaster = TransformBroadcaster(self)
+        self._timer = self.create_timer(1.0 / ODOMETRY_HZ, self._on_timer)
+        self.get_logger().info(f'Spawned waffle at x={x:.2f}, y={y:.2f}, yaw={yaw:.2f}')
+
+    def _on_stamped(self, message: Any) -> None:
+        self._drive(message.twist, 'TwistStamped', self._expects_stamped)
+
+    def _on_plain(self, message: Any) -> None:
+        self._drive(message, 'Twist', not self._expects_stamped)
+
+    def _drive(self, twist: Any, type_name: str, expected: bool) -> None:
+        if not expected:
+            other = 'Twist' if type_name == 'TwistStamped' else 'TwistStamped'
+            self.get_logger().warning(
+                f'Following a geometry_msgs/msg/{type_name} on cmd_vel; a real TurtleBot3 set up like this '
+                f'one expects geometry_msgs/msg/{other}',
+                once=True,
+            )
+        self._robot.command(twist.linear.x, twist.angular.z, self.get_clock().now().nanoseconds)
+
+    def _on_timer(self) -> None:
+        robot = self._robot
+        now = self.get_clock().now()
+        robot.advance_to(now.nanoseconds)
+        stamp = now.to_msg()
+        turn = sin(robot.theta / 2.0), cos(robot.theta / 2.0)
+        self._publish_odometry(stamp, *turn)
+        self._publish_transform(stamp, *turn)
+
+    def _publish_odometry(self, stamp: Any, z: float, w: float) -> None:
+        message = Odometry()
+        message.header.stamp = stamp
+        message.header.frame_id = 'odom'
+        message.child_frame_id = 'base_footprint'
+        pose, twist = message.pose.pose, message.twist.twist
+        pose.position.x, pose.position.y = self._robot.x, self._robot.y
+        pose.orientation.z, pose.orientation.w = z, w
+        twist.linear.x, twist.angular.z = self._robot.linear, self._robot.angular
+        self._odometry.publish(message)
+
+    def _publish_transform(self, stamp: Any, z: float, w: float) -> None:
+        stamped = TransformStamped()
+        stamped.header.stamp = stamp
+        stamped.header.frame_id = 'odom'
+        stamped.child_frame_id = 'base_footprint'
+        place, turn = stamped.transform.translation, stamped.transform.rotation
+        place.x, place.y = self._robot.x, self._robot.y
+        turn.z, turn.w = z, w
+        self._broadcaster.sendTransform(stamped)
+
+
+main = spinning(WaffleSimulator)

@@ -1,0 +1,57 @@
+"""Makes `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in one where ROS 2 is sourced.
+
+Every Python of such a shell reads this file while it starts. It only waits for the first import of a ROS package, or of one
+that nothing else finds, and sources edulaunch then. Python's own modules, and installed ones, try names that are not there all
+the time (`copy` asks for `org.python.core`); these are not asked for in a workspace, whose reading would need such modules.
+"""
+
+import os
+import sys
+from importlib.machinery import PathFinder
+
+_HERE = os.path.dirname(os.path.abspath(__file__))
+_UNDERLAY = os.path.dirname(_HERE)
+_INSTALLED = tuple(folder + os.sep for folder in (os.path.dirname(os.__file__), sys.prefix, os.path.dirname(_UNDERLAY)))
+
+
+def _is_asked_by_installed():
+    """Whether the module that imports is Python's own, an installed one or ours; the machinery of imports stands in between."""
+    frame = sys._getframe(2)
+    while frame is not None and frame.f_globals.get('__name__', '').partition('.')[0] in ('importlib', 'pkgutil', 'runpy'):
+        frame = frame.f_back
+    file = '' if frame is None else frame.f_code.co_filename
+    return file.startswith(_INSTALLED) or '-packages' + os.sep in file
+
+
+class _Sourcing:
+    """A finder that stands at one end of `sys.meta_path` and knows no module itself."""
+
+    def __init__(self, names=None):
+        self._names = names  # None: any, for the finder that is asked last
+
+    def find_spec(self, name, path=None, target=None):
+        if path is not None or self._names is not None and name not in self._names:
+            return None
+        if self._names is None and _is_asked_by_installed():
+            return None
+        sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, _Sourcing)]
+        try:
+            from edulaunch import source
+            from edulaunch.engine.packages.discovery import find_workspaces
+        except ImportError:
+            return None  # a Python of another environment
+        workspaces = find_workspaces(os.getcwd(), os.environ, sys.argv[0] if os.path.isfile(sys.argv[0]) else None)
+        if self._names is None and not workspaces:
+            return None
+        source(workspaces)
+        specs = (finder.find_spec(name, None) for finder in list(sys.meta_path) if hasattr(finder, 'find_spec'))
+        return next((spec for spec in specs if spec is not None), None)
+
+
+_names = {name for folder in ('share', 'python') for name in os.listdir(os.path.join(_UNDERLAY, folder))}
+sys.meta_path.insert(0, _Sourcing(_names))
+sys.meta_path.append(_Sourcing())
+
+_other = PathFinder.find_spec('sitecustomize', [path for path in sys.path if os.path.abspath(path) != _HERE])
+if _other is not None and _other.loader is not None:  # the one that this file hides
+    _other.loader.exec_module(sys.modules[__name__])

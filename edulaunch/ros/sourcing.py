@@ -1,0 +1,76 @@
+"""The counterpart of sourcing ROS 2's setup files: putting the underlay, and workspaces over it, on the path."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from importlib.machinery import PathFinder
+from typing import TYPE_CHECKING
+
+from edulaunch.engine.underlay_place import note_sourced, put_on_prefix_path, sourced_workspaces, underlay_prefix, underlay_python
+from edulaunch.errors import ForeignRosError
+
+if TYPE_CHECKING:
+    from edulaunch.engine.packages import Index
+
+
+_INDEXES: list[Index] = []
+"""Of the workspaces that were sourced: their generated prefixes stand as long as these objects."""
+
+
+def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
+    """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. Doing it twice is doing it once.
+
+    :param workspaces: folders with packages, built by colcon or not: their modules, interfaces and programs are there afterwards,
+        too, as after `source install/setup.bash`. A workspace in which something was written since is sourced anew.
+    :raises ForeignRosError: when an `rclpy` that is not ours can be imported already; nothing is changed then.
+    """
+    from edulaunch.engine.interfaces.importer import installed_registry
+
+    place = underlay_python()
+    if place not in sys.path or installed_registry() is None:
+        foreign = _foreign_rclpy(place)
+        if foreign is not None:
+            raise ForeignRosError(
+                f'a ROS 2 installation is on the Python path: rclpy at {foreign}. edulaunch does not shadow it.',
+                help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment',
+            )
+        from edulaunch.engine.interfaces import install
+
+        if place not in sys.path:
+            sys.path.insert(0, place)
+        install()
+        put_on_prefix_path()
+    if workspaces:
+        _source_workspaces(workspaces)
+
+
+def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
+    from edulaunch.engine.interfaces import install
+    from edulaunch.engine.packages import Index
+    from edulaunch.engine.packages.discovery import install_folders
+    from edulaunch.engine.packages.index import interfaces_of
+
+    built, sources = install_folders(workspaces)
+    note_sourced(sources)
+    index = Index(built, sourced_workspaces())
+    _INDEXES[:] = [index]
+    for package in index.packages():
+        index.prefix(package)
+    roots = [path for path in index.python_roots() if path not in sys.path]
+    position = sys.path.index(underlay_python())
+    sys.path[position:position] = roots
+    own, registry = interfaces_of(index)
+    if own:
+        install(registry)
+    put_on_prefix_path([path for path in index.search_paths() if path != underlay_prefix()])
+
+
+def _foreign_rclpy(ours: str) -> str | None:
+    """Where an rclpy of somebody else is, if there is one."""
+    loaded = sys.modules.get('rclpy')
+    spec = PathFinder.find_spec('rclpy') if loaded is None else loaded.__spec__
+    if spec is None or spec.origin is None or spec.origin.startswith(ours + os.sep):
+        return None
+    return os.path.dirname(spec.origin)

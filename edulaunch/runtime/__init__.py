@@ -1,0 +1,8 @@
+"""The runtime: the one place that puts the engine and ROS's packages together and runs a launch file.
+
+`session.py` makes a simulation with its recorder and starts `ros2 launch` in it; `launching.py` and `launch_process.py` are
+that program.
+`link/` runs one simulation in two operating-system processes, a trusted one and a confined one, with the same recording.
+It imports the engine and ROS's packages; pictures, advice and commands are above it, and it does not know them.
+Start reading with `session.py`.
+"""

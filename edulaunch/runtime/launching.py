@@ -1,0 +1,106 @@
+"""Launch files, found as `ros2 launch` finds them."""
+
+from __future__ import annotations
+
+import os
+
+from edulaunch.engine.nearest import nearest_file
+from edulaunch.engine.packages import Index
+from edulaunch.errors import UnusableInput
+
+SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
+LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
+
+
+def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
+    """The absolute path of a launch file, given as `ros2 launch` takes it.
+
+    :raises UnusableInput: with the text of `ros2 launch`, and the nearest name there is.
+    """
+    first = os.fspath(path_or_package)
+    if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
+        return _existing_file(first)
+    from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
+
+    from edulaunch.engine.processes.current import current_process
+
+    process = current_process()
+    outer, process.index = process.index, index
+    try:
+        path = str(get_share_file_path_from_package(package_name=first, file_name=file))
+        return path if os.path.isfile(path) else _existing_file(os.path.realpath(path))
+    except MultipleLaunchFilesError as error:
+        raise UnusableInput(str(error), help='give the path of the one you mean') from None
+    except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
+        text = str(error.args[0]) if error.args else str(error)
+        raise UnusableInput(text, help=_nearest_help(index, first, file)) from None
+    finally:
+        process.index = outer
+
+
+def _existing_file(path: str) -> str:
+    absolute = os.path.abspath(path)
+    if os.path.isdir(absolute):
+        inside = sorted(name for name in os.listdir(absolute) if name.endswith(LAUNCH_SUFFIXES))
+        raise UnusableInput(
+            f'{path!r} is a directory, not a launch file.',
+            help=f'name a file in it: {", ".join(inside[:5])}' if inside else 'give the path of a launch file',
+        )
+    if not os.path.isfile(absolute):
+        folder = os.path.dirname(absolute)
+        names = sorted(name for name in os.listdir(folder) if name.endswith(LAUNCH_SUFFIXES)) if os.path.isdir(folder) else []
+        near = nearest_file(os.path.basename(absolute), names)
+        raise UnusableInput(
+            f'launch file {path!r} does not exist.',
+            help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
+            if near
+            else 'check the spelling and the folder you are in; in a notebook, run the cell that writes the file first'
+            if os.path.isdir(folder)
+            else f'there is no folder {folder!r}',
+        )
+    return absolute
+
+
+def _nearest_help(index: Index, package: str, file: str | None) -> str:
+    from edulaunch.advice.wording import help_of_facts
+    from edulaunch.advice.workspace.missing import missing_launch_file, missing_package
+
+    if package not in index.packages():
+        path = os.path.join(package, file or '')
+        if file and os.path.isfile(path):
+            return f'write the path as one word: {path}'
+        return help_of_facts(missing_package(index, package))
+    names = launch_files_of(index, package)
+    if file is None and names:
+        return f'name a launch file of {package}: {", ".join(names)}'
+    not_installed = missing_launch_file(index, package, file)
+    if not_installed:
+        return help_of_facts(not_installed)
+    near = None if file is None else nearest_file(file, names)
+    listed = f'launch files of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
+    return f'did you mean {near!r}?' if near else listed
+
+
+def launch_argument(word: str) -> tuple[str, str]:
+    """Name and value of a `name:=value`.
+
+    :raises UnusableInput: for another word, with ROS 2's text.
+    """
+    name, sign, value = word.partition(':=')
+    if not (name and sign and value):
+        hint = f'write {word.replace("=", ":=", 1)}' if '=' in word and not sign else f'write {name or "name"}:=VALUE'
+        raise UnusableInput(f"malformed launch argument '{word}', expected format '<name>:=<value>'", help=hint)
+    return name, value
+
+
+def launch_files_of(index: Index, package: str) -> list[str]:
+    """Names of the launch files in a package's share, in alphabetical order; of plain .py, .xml and .yaml files only those that
+    lie in a folder called launch."""
+    return sorted(
+        {
+            name
+            for folder, _, names in os.walk(index.share(package) or '')
+            for name in names
+            if name.endswith(SURE_LAUNCH_SUFFIXES) or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))
+        }
+    )

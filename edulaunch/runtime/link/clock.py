@@ -1,0 +1,117 @@
+"""One agenda in two processes.
+
+Each half has its own items. Only the half that has the *token* runs, and only while its next item comes before the other half's
+next one; so both together do what one process would, in the same order. The order of two items is that of their *keys*:
+
+* of the heap: (time, priority, 0, sequence);
+* of the queue for the present instant: (now, 0, 1, number). The queue has no sequence numbers, it is just first in, first out. So
+  whenever the other half may have asked for something in between, a *mark* with the next number goes into it; an item's number is
+  that of the mark before it.
+
+Sequence numbers are counted through both halves: they go along with the token.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from heapq import heappop
+
+from greenlet import getcurrent
+
+from edulaunch.engine.sim.simulation import EPOCH_NS, FAR_NS, Simulation
+
+Key = tuple[int, int, int, int]
+NEVER: Key = (FAR_NS, 0, 0, 0)
+BEFORE_ALL = -FAR_NS  # a priority that no item has: of the key where a run ends
+IS_MARK = -1  # in the place of a queued item's priority
+FOR_THE_OTHER = 1 << 16  # how many numbers the other half gets for what a frame makes it ask for
+
+
+class HalfSimulation(Simulation):
+    """The clock and agenda of one half.
+
+    :ivar other: the key of the other half's next item, as far as is known here.
+    :ivar pass_token: gives the token to the other half with the key of the next item here, and waits until it is back.
+    """
+
+    def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
+        super().__init__(seed, start_ns)
+        self.other = NEVER
+        self.pass_token: Callable[[Key], object] = lambda key: None
+        self._number = 0
+
+    def mark(self) -> None:
+        """What is asked for from now on comes after all that was asked for in the other half."""
+        self.last_number += 1
+        soon = self._soon
+        if soon and soon[-1][1] == IS_MARK:
+            soon[-1][2] = self.last_number
+        else:
+            soon.append([self.now_ns, IS_MARK, self.last_number, None])
+
+    def sequence(self) -> int:
+        """The last number that was given out."""
+        return self.last_number
+
+    def continue_from(self, number: int) -> None:
+        """The other half has given out numbers up to this one."""
+        self.last_number = number
+        self.mark()
+
+    def number_for_the_other(self) -> int:
+        """A number for what a frame makes the other half ask for; what is asked for here afterwards comes later."""
+        number = self.last_number + 1
+        self.last_number = number + FOR_THE_OTHER
+        self.mark()
+        self.other = min(self.other, (self.now_ns, 0, 1, number))
+        return number
+
+    def is_marked(self) -> bool:
+        """Whether nothing was asked for since the last mark."""
+        soon = self._soon
+        return bool(soon) and soon[-1][1] == IS_MARK and soon[-1][2] == self.last_number
+
+    def head(self) -> Key:
+        """The key of the next item here."""
+        agenda, soon = self.agenda, self._soon
+        while agenda and agenda[0][3] is None:
+            heappop(agenda)
+        if agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0:
+            return (self.now_ns, agenda[0][1], 0, agenda[0][2])
+        number = self._number
+        for item in soon:
+            if item[3] is not None:
+                return (self.now_ns, 0, 1, number)
+            if item[1] == IS_MARK:
+                number = item[2]
+        return (agenda[0][0], agenda[0][1], 0, agenda[0][2]) if agenda else NEVER
+
+    def run(self, until_ns: int | None = None) -> None:
+        """As in one process. A half that has no `until_ns` runs for ever: the other one ends it."""
+        self._stopped = False
+        self.hub = getcurrent()
+        end: Key = NEVER if until_ns is None else (until_ns + 1, BEFORE_ALL, 0, 0)
+        while not self._stopped:
+            key = self.head()
+            if self.other < key and self.other < end:
+                self.pass_token(min(key, end))
+            elif key < end:
+                self._run_one(key)
+            elif until_ns is None:
+                self.pass_token(key)
+            else:
+                break
+        if until_ns is not None:
+            self.now_ns = max(self.now_ns, until_ns)
+
+    def _run_one(self, key: Key) -> None:
+        if key[2]:
+            item = self._soon.popleft()
+            while item[3] is None:
+                if item[1] == IS_MARK:
+                    self._number = item[2]
+                item = self._soon.popleft()
+        else:
+            item = heappop(self.agenda)
+            self.now_ns = item[0]
+        item[3]()

@@ -1,0 +1,161 @@
+"""Frames between the halves: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is read."""
+
+from __future__ import annotations
+
+import json
+from enum import IntEnum
+from struct import Struct
+from typing import Any
+
+from edulaunch.engine.interfaces.cdr import decode, encode
+from edulaunch.engine.interfaces.registry import Registry
+from edulaunch.errors import EdulaunchError, InterfaceError
+
+HEADER = Struct('<IB')
+LONGEST_FRAME = 16 << 20
+
+
+class Violation(EdulaunchError):
+    """The other half sent what no half of ours sends."""
+
+
+class Kind(IntEnum):
+    """What a frame says. The sender of a call waits for RETURN; everything else is taken in passing."""
+
+    TOKEN = 1  # the other half runs now
+    RETURN = 2
+    ADVANCE = 3  # the sender's time
+    MARK = 4  # what follows was asked for under this number
+    NODE = 5
+    NODE_GONE = 6
+    END = 7  # an endpoint came
+    END_GONE = 8
+    PUBLISH = 9
+    READY = 10  # a message reached a subscription
+    ALIVE = 11
+    ASKED = 12  # a request was sent; for the record
+    REQUEST = 13  # a call: a request reached a server
+    ANSWERED = 14  # a reply went to its client; for the record
+    RESPONSE = 15  # a reply reached a client
+    PARAMETER = 16
+    STARTED = 17  # a program of the confined half began
+    ENDED = 18
+    WROTE = 19
+    LOG = 20
+    NOTE = 21
+    FACT = 29
+    FACT_OVER = 30
+    DESCRIPTOR = 32
+    WATCH = 31  # a node may have facts to tell at the end
+    SPAWN = 22  # the trusted half is to host a program
+    SIGNAL = 23  # a call, for a hosted program
+    HEARD = 24  # whether a hosted program's output is recorded
+    OUTPUT = 25  # a call: a hosted program wrote
+    EXIT = 26  # a call: a hosted program ended
+    ENTRIES = 27  # a call: what a parameter file says
+    FINISH = 28  # a call: the run is over; what was launched
+
+
+def dump(value: Any) -> bytes:
+    """Plain data as JSON; bytes inside become {"bytes": hex}."""
+    return json.dumps(value, default=_plain, separators=(',', ':')).encode()
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (bytes, bytearray)):
+        return {'bytes': value.hex()}
+    if hasattr(value, 'tolist'):  # arrays
+        return value.tolist()
+    raise TypeError(f'{type(value).__name__} is no plain data')
+
+
+def load(data: bytes) -> Any:
+    """Plain data from JSON.
+
+    :raises Violation: when it is none.
+    """
+    try:
+        return json.loads(data, object_hook=_bytes_back)
+    except (ValueError, RecursionError) as error:
+        raise Violation(f'no JSON: {type(error).__name__}') from None
+
+
+def _bytes_back(found: dict[str, Any]) -> Any:
+    if len(found) == 1 and isinstance(found.get('bytes'), str):
+        return bytes.fromhex(found['bytes'])
+    return found
+
+
+AS_BEFORE, AS_CDR, AS_JSON = 0, 1, 2
+
+
+class Messages:
+    """Wire tuples as bytes: CDR for the types of one registry, JSON for a student's own.
+
+    :param registry: of the stock types; nothing is made for any other.
+    """
+
+    def __init__(self, registry: Registry) -> None:
+        self._registry = registry
+        self._stock: dict[str, Any] = {}
+        self._checks: Any = None
+
+    def type(self, name: str) -> Any:
+        """The class of a stock type; for any other one something that has only its name."""
+        if name not in self._stock:
+            try:
+                self._stock[name] = self._registry.get(name)
+            except (InterfaceError, ValueError):
+                self._stock[name] = ForeignType(name)
+        return self._stock[name]
+
+    def packed(self, cls: Any, wire: Any) -> bytes:
+        """A wire of a class, with a first byte that says how it is written."""
+        if self.type_of(cls) is cls:
+            try:
+                return bytes((AS_CDR,)) + encode(cls, wire)
+            except UnicodeError:
+                pass
+        return bytes((AS_JSON,)) + dump(wire)
+
+    def type_of(self, cls: Any) -> Any:
+        """The stock class of the same name."""
+        name: str = cls.TYPE
+        return self.type(name) if name.count('/') == 2 else cls
+
+    def unpacked(self, cls: Any, data: bytes) -> Any:
+        """The wire that these bytes hold.
+
+        :raises Violation: when they are no message of that class.
+        """
+        if data[:1] == bytes((AS_CDR,)) and not isinstance(cls, ForeignType):
+            try:
+                return decode(cls, data[1:])
+            except InterfaceError as error:
+                raise Violation(str(error)) from None
+        if data[:1] != bytes((AS_JSON,)):
+            raise Violation(f'no message of type {cls.TYPE}')
+        wire = tuples(load(data[1:]))
+        if not isinstance(cls, ForeignType) and not self._fits(cls.TYPE, wire):
+            raise Violation(f'no message of type {cls.TYPE}')
+        return wire
+
+    def _fits(self, name: str, wire: Any) -> bool:
+        from edulaunch.engine.recording.wire_check import WireChecks
+
+        if self._checks is None:
+            self._checks = WireChecks(self._registry)
+        return bool(self._checks.check(name)(wire))
+
+
+class ForeignType:
+    """A type of the student's own, as the half that knows only its name has it."""
+
+    def __init__(self, name: str) -> None:
+        self.TYPE = name
+        if '/srv/' in name or '/action/' in name:
+            self.Request = self.Response = self
+
+
+def tuples(value: Any) -> Any:
+    return tuple(tuples(each) for each in value) if isinstance(value, list) else value

@@ -1,0 +1,251 @@
+"""The confined half: launch and everything of the student's. It keeps no record that counts: it tells the trusted half."""
+
+from __future__ import annotations
+
+import os
+import socket
+from collections.abc import Callable, Hashable
+from functools import partial
+from typing import Any
+
+from edulaunch.engine.facts import facts_of
+from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.parameter_files import ParameterFileError
+from edulaunch.engine.graph.ros_arguments import entries_of_file
+from edulaunch.engine.graph.tracer import Look, Record
+from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.processes.streams import streams_of_programs
+from edulaunch.engine.recording.recorder import Recorder
+from edulaunch.runtime.link.clock import HalfSimulation
+from edulaunch.runtime.link.codec import Kind, Messages, dump, load
+from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.replica import Replica
+from edulaunch.runtime.link.trusted_host import is_hosted
+from edulaunch.runtime.session import Session
+
+
+class HostedProgram:
+    """A program that runs in the trusted half, as the confined one sees it."""
+
+    is_passed_on = False
+
+    def __init__(
+        self, host: ConfinedHost, spec: ProcessSpec, pid: int, on_output: OnOutput | None, on_exit: OnExit | None
+    ) -> None:
+        self.host = host
+        self.index = host.index
+        self.spec = spec
+        self.pid = pid
+        self.name = spec.name
+        self.group: Any = None
+        self.returncode: int | None = None
+        self.exception: dict[str, Any] | None = None
+        self.on_output = on_output
+        self.on_exit = on_exit
+        self._is_heard = True
+
+    @property
+    def is_heard(self) -> bool:
+        """As `Process.is_heard`."""
+        return self._is_heard
+
+    @is_heard.setter
+    def is_heard(self, is_heard: bool) -> None:
+        self._is_heard = is_heard
+        self.host.half.send(Kind.HEARD, dump([self.pid, is_heard]))
+
+    def send_signal(self, signum: int) -> None:
+        """As `Process.send_signal`."""
+        if self.returncode is None:
+            self.host.half.call(Kind.SIGNAL, [self.pid, int(signum)])
+
+
+class ConfinedRecorder(Recorder):
+    """Keeps nothing: tells the trusted half."""
+
+    half: Half
+    replica: Replica
+    messages: Messages
+
+    def channel(self, publisher: Any) -> Callable[[Record], object]:
+        if self.replica.is_repeating:
+            return _forget
+        return partial(self.replica.published, publisher)
+
+    def node_added(self, node: NodeEntry) -> None:
+        self.replica.node_added(node)
+
+    def node_removed(self, node: NodeEntry) -> None:
+        self.replica.node_removed(node)
+
+    def endpoint_added(self, kind: str, endpoint: Any) -> None:
+        self.replica.endpoint_added(kind, endpoint)
+
+    def endpoint_removed(self, kind: str, endpoint: Any) -> None:
+        self.replica.endpoint_removed(kind, endpoint)
+
+    def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
+        data = self.messages.packed(client.cls.Request, wire)
+        self.half.send(Kind.ASKED, dump([client.index, sequence, served, data]))
+
+    def response(self, client: Any, sequence: int, wire: Any) -> None:
+        if self.replica.is_ours(client):
+            data = self.messages.packed(client.cls.Response, wire)
+            self.half.send(Kind.ANSWERED, dump([client.index, sequence, data]))
+
+    def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
+        """The trusted half sees it, too."""
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        self.half.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
+
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        self.half.send(Kind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
+
+    def process_started(self, process: Any) -> None:
+        if not isinstance(process, HostedProgram):
+            self.half.send(Kind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
+
+    def process_exited(self, process: Any) -> None:
+        if not isinstance(process, HostedProgram):
+            self.half.send(Kind.ENDED, dump([process.pid, process.returncode, process.exception]))
+
+    def output(self, process: Any, stream: str, text: str) -> None:
+        self.half.send(Kind.WROTE, dump([process.pid, stream, text]))
+
+    def log(self, process: Process, level: int, logger: str, message: str) -> None:
+        self.half.send(Kind.LOG, dump([process.pid, level, logger, message]))
+
+    def note(self, process: Process | None, kind: str, text: str) -> None:
+        self.half.send(Kind.NOTE, dump([None if process is None else process.pid, kind, text]))
+
+    def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        self.half.send(Kind.FACT, dump([process.pid, kind, key, data]))
+
+    def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
+        self.half.send(Kind.FACT_OVER, dump([process.pid, kind, key]))
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        super().watch(node, look)
+        self.half.send(Kind.WATCH, dump(node.index))
+
+    def seen_now(self) -> list[list[Any]]:
+        """What the nodes that are alive have to tell, by their numbers."""
+        return [[node.index, list(look())] for node, look in self.looks.items()]
+
+
+def _forget(record: Record) -> None:
+    """What the other half publishes, it records."""
+
+
+def spec_as_data(spec: ProcessSpec) -> list[Any]:
+    """A spec as plain data; `trusted_host.spec_from_data` takes it."""
+    values = spec._asdict()
+    values['origin'] = None if spec.origin is None else list(spec.origin)
+    values['env'] = None if spec.env is None else dict(spec.env)
+    values['parameter_origins'] = dict(spec.parameter_origins)
+    return list(values.values())
+
+
+class ConfinedHost(Host):
+    """Starts the student's programs here, and lets the trusted half host those that came with edulaunch."""
+
+    half: Half
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Any:
+        """As `Host.start`."""
+        known = self._known_command(spec, index or self._index_here())
+        if known is None or not is_hosted(known[1]):
+            return super().start(spec, on_output, on_exit, index=index)
+        argv, program = known
+        assert program is not None
+        hosted = HostedProgram(self, spec, self.next_pid(), on_output, on_exit)
+        starter = self.program_here()
+        if starter is not None:
+            starter.speaks_for += 2
+            hosted.group = starter.group
+        self.processes.append(hosted)  # type: ignore[arg-type]
+        self.tracer.process_started(hosted)
+        spec = spec if spec.env is not None else spec._replace(env=self.env)
+        self.half.tell(Kind.SPAWN, dump([hosted.pid, argv, program.package, program.executable, spec_as_data(spec)]))
+        return hosted
+
+    def hosted(self, pid: int) -> Any:
+        """The hosted program of that pid."""
+        return next(each for each in self.processes if each.pid == pid)
+
+
+class ConfinedSession(Session):
+    """A session whose worlds and stock nodes are elsewhere.
+
+    :param end: of the socket to the trusted half.
+    """
+
+    sim: HalfSimulation
+    recorder: ConfinedRecorder
+    host: ConfinedHost
+    simulation_class = HalfSimulation
+    recorder_class = ConfinedRecorder
+    host_class = ConfinedHost
+
+    def __init__(self, end: socket.socket, **options: Any) -> None:
+        super().__init__(**options)
+        recorder, host = self.recorder, self.host
+        half = recorder.half = host.half = Half(self.sim, end, trusts=True)
+        self.sim.other = (0, 0, 0, 0)  # the other half runs first
+        recorder.messages = Messages(underlay_registry())
+        recorder.replica = Replica(half, self.graph, recorder.messages, host.hosted)
+        half.fatal = lambda error: os._exit(0)  # type: ignore[method-assign]
+        half.calls.update(
+            {Kind.OUTPUT: self._on_output, Kind.EXIT: self._on_exit, Kind.ENTRIES: self._entries, Kind.FINISH: self._finish}
+        )
+
+    def run_as_asked(self) -> None:
+        """Let the trusted half have the token, and run when it gives it back, until it ends this process."""
+        with streams_of_programs():
+            self.sim.run(None)
+
+    def _on_output(self, payload: memoryview) -> None:
+        pid, stream, text = load(bytes(payload))
+        program = self.host.hosted(pid)
+        if program.on_output is not None:
+            program.on_output(stream, text)
+
+    def _on_exit(self, payload: memoryview) -> None:
+        pid, returncode, exception = load(bytes(payload))
+        program = self.host.hosted(pid)
+        program.returncode, program.exception = returncode, exception
+        self.host.ended(program)
+        if program.on_exit is not None:
+            program.on_exit(returncode)
+
+    def _entries(self, payload: memoryview) -> Any:
+        path, folder = load(bytes(payload))
+        generated = self.host.generated_files.get(path)
+        try:
+            entries = generated.entries() if generated is not None else entries_of_file(os.path.join(folder, path))
+        except ParameterFileError as error:
+            return {'reason': str(error), 'facts': facts_of(error)}
+        except UnicodeDecodeError as error:
+            return {'coding': [error.encoding, error.object[error.start : error.end], error.start, error.end, error.reason]}
+        except OSError as error:
+            return {'system': [error.errno, error.strerror, error.filename]}
+        return [list(entry) for entry in entries]
+
+    def _finish(self, payload: memoryview) -> Any:
+        """What was launched, in launch's own words; and what the trusted half asks for."""
+        types, files = load(bytes(payload))
+        self.describe()
+        recorder = self.recorder
+        sources = {file: self.index.source_path(file) for file in files}
+        interfaces = recorder.interfaces(set(types))
+        told = {'launch': recorder.launch, 'roots': recorder.roots, 'seen': recorder.seen_now()}
+        return {**told, 'interfaces': interfaces, 'sources': sources}

@@ -1,0 +1,296 @@
+"""The graph in both halves: what one half does to it, the other repeats, and messages reach whoever listens on either side.
+
+Each half has every node and endpoint, in the same order and with the same numbers. Those of the other half are *remote*: what
+reaches one of them goes over the link instead of into a queue.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from struct import Struct
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.qos import (
+    AUTOMATIC,
+    BEST_EFFORT,
+    KEEP_ALL,
+    KEEP_LAST,
+    MANUAL_BY_TOPIC,
+    RELIABLE,
+    TRANSIENT_LOCAL,
+    VOLATILE,
+    QoS,
+)
+from edulaunch.engine.graph.services import ServiceClient, ServiceServer
+from edulaunch.engine.graph.topics import Publisher, Subscription, WatchedPublisher, connect
+from edulaunch.runtime.link.codec import AS_BEFORE, Kind, Messages, Violation, dump, load
+from edulaunch.runtime.link.half import Half
+
+if TYPE_CHECKING:
+    from edulaunch.engine.graph.tracer import Record
+
+END = Struct('<I')
+ENDS = Struct('<II')
+NAME = re.compile(r'/[A-Za-z0-9_/~{}]{0,300}')
+TYPE = re.compile(r'[A-Za-z0-9_/]{1,300}')
+MOST_ENDS = 20_000
+LAST_INDEX = (1 << 32) - 1
+POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KEEP_ALL), (AUTOMATIC, MANUAL_BY_TOPIC))
+
+
+class Outlet:
+    """In the place of a remote endpoint's queue: holds what comes until `on_ready` sends it. Old samples are there already."""
+
+    item: Any = None
+
+    def append(self, item: Any) -> None:
+        self.item = item
+
+    def extend(self, items: Any) -> None:
+        """See above."""
+
+    def clear(self) -> None:
+        """Nothing waits here."""
+
+    def __bool__(self) -> bool:
+        return False
+
+
+class Replica:
+    """Keeps the graph of one half the same as that of the other.
+
+    :param process: the program of a pid at the other half, for nodes that come from there.
+    """
+
+    def __init__(self, half: Half, graph: Graph, messages: Messages, process: Callable[[int], Any]) -> None:
+        self.half = half
+        self.graph = graph
+        self.messages = messages
+        self.is_repeating = False
+        self.theirs: dict[int, Any] = {}
+        self._process = process
+        self._ours: dict[int, Any] = {}
+        self._known: dict[int, tuple[Any, int]] = {}  # the message of each publisher that the other half has seen last
+        half.handlers.update(
+            {
+                Kind.NODE: self._node,
+                Kind.NODE_GONE: self._node_gone,
+                Kind.END: self._end,
+                Kind.END_GONE: self._end_gone,
+                Kind.PUBLISH: self._publish,
+                Kind.READY: self._ready,
+                Kind.ALIVE: lambda payload: self._of(payload, WatchedPublisher).show_life(),
+                Kind.RESPONSE: self._response,
+            }
+        )
+        half.calls[Kind.REQUEST] = self._request
+
+    # What happens here goes there
+
+    def node_added(self, node: NodeEntry) -> None:
+        """See `Tracer`."""
+        if not self.is_repeating:
+            self.half.tell(Kind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
+
+    def node_removed(self, node: NodeEntry) -> None:
+        """See `Tracer`."""
+        if not self.is_repeating:
+            self.half.tell(Kind.NODE_GONE, END.pack(node.index))
+
+    def endpoint_added(self, kind: str, end: Any) -> None:
+        """See `Tracer`."""
+        if self.is_repeating:
+            return
+        self._ours[end.index] = end
+        name = end.topic_name if kind in ('publisher', 'subscription') else end.service_name
+        self.half.tell(Kind.END, dump([kind, end.index, end.node.index, name, end.type_name, list(end.qos)]))
+        if isinstance(end, WatchedPublisher):
+            end.on_life.append(lambda: self.half.tell(Kind.ALIVE, END.pack(end.index)))
+
+    def endpoint_removed(self, kind: str, end: Any) -> None:
+        """See `Tracer`."""
+        self._known.pop(end.index, None)
+        if not self.is_repeating:
+            del self._ours[end.index]
+            self.half.tell(Kind.END_GONE, END.pack(end.index))
+
+    def is_ours(self, end: Any) -> bool:
+        """Whether an endpoint belongs to a node of this half."""
+        return end.index in self._ours
+
+    def published(self, publisher: Any, record: Record) -> None:
+        """Let the other half have a message, before it is delivered."""
+        _, index, wire = record
+        self._known[index] = wire, record[0]
+        self.half.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
+
+    def _deliver(self, subscription: Any) -> None:
+        """A message has reached a remote subscription."""
+        if self.is_repeating:
+            return
+        wire, now_ns, publisher = subscription.queue.item
+        known = self._known.get(publisher.index)
+        if known is not None and known[0] is wire and known[1] == now_ns:
+            message = bytes((AS_BEFORE,))
+        else:
+            self._known[publisher.index] = wire, now_ns
+            message = self.messages.packed(publisher.cls, wire)
+        self.half.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
+
+    def _ask(self, server: Any) -> None:
+        """A request has reached a remote server."""
+        wire, (client, sequence) = server.queue.item
+        data = self.messages.packed(client.cls.Request, wire)
+        self.half.call(Kind.REQUEST, [server.index, client.index, sequence, data])
+
+    def _respond(self, client: Any) -> None:
+        """A reply has reached a remote client."""
+        sequence, wire = client.queue.item
+        data = self.messages.packed(client.cls.Response, wire)
+        self.half.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
+
+    # What happened there is repeated here
+
+    def their(self, index: int, kind: type[Any]) -> Any:
+        """The other half's node or endpoint of that number. Raises Violation when it is no `kind`."""
+        found = self.theirs.get(index)
+        if not isinstance(found, kind):
+            raise Violation(f'number {index} is no {kind.__name__} of that half')
+        return found
+
+    def our(self, index: int, kind: type[Any]) -> Any:
+        """This half's endpoint of that number; None when it is gone."""
+        found = self._ours.get(index)
+        return found if isinstance(found, kind) else None
+
+    def _of(self, payload: memoryview, kind: type[Any]) -> Any:
+        return self.their(END.unpack_from(payload)[0], kind)
+
+    def _repeat(self, act: Callable[[], Any]) -> Any:
+        before, self.is_repeating = self.is_repeating, True
+        try:
+            return act()
+        finally:
+            self.is_repeating = before
+
+    def _node(self, payload: memoryview) -> None:
+        index, pid, name, namespace = load(bytes(payload))
+        self._take(index, lambda: self.graph.add_node(self._process(pid), _name(name, '/'), _name(namespace)))
+
+    def _node_gone(self, payload: memoryview) -> None:
+        node = self._of(payload, NodeEntry)
+        if node.endpoints:
+            raise Violation('a node goes after its endpoints')
+        del self.theirs[node.index]
+        self._repeat(lambda: self.graph.remove_node(node))
+
+    def _take(self, index: int, make: Callable[[], Any]) -> None:
+        """Repeat here what got this number there."""
+        if not self.graph.last_index < index <= LAST_INDEX or len(self.theirs) >= MOST_ENDS:
+            raise Violation('nodes and endpoints are numbered as they come')
+        self.graph.last_index = index - 1
+        self.theirs[index] = self._repeat(make)
+
+    def _end(self, payload: memoryview) -> None:
+        kind, index, node, name, type_name, qos = load(bytes(payload))
+        if not isinstance(type_name, str) or not TYPE.fullmatch(type_name):
+            raise Violation('no type')
+        make = getattr(self, f'_{kind}')
+        entry = self.their(node, NodeEntry)
+        self._take(index, lambda: make(entry, _name(name), self.messages.type(type_name), _qos(qos)))
+
+    def _publisher(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Publisher:
+        return self.graph.create_publisher(node, topic, cls, qos)
+
+    def _subscription(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Subscription:
+        subscription = Subscription(self.graph, node, topic, cls, qos, lambda: self._deliver(subscription))
+        subscription.queue = Outlet()  # type: ignore[assignment]
+        self.graph.add_end(node, self.graph.subscriptions, topic, subscription)
+        for publisher in self.graph.publishers.get(topic, ()):
+            connect(publisher, subscription)
+        return subscription
+
+    def _service(self, node: NodeEntry, name: str, cls: Any, qos: QoS) -> ServiceServer:
+        server = self.graph.create_service(node, name, cls, qos, lambda: self._ask(server))
+        server.queue = Outlet()  # type: ignore[assignment]
+        return server
+
+    def _client(self, node: NodeEntry, name: str, cls: Any, qos: QoS) -> ServiceClient:
+        client = self.graph.create_client(node, name, cls, qos, lambda: self._respond(client))
+        client.queue = Outlet()  # type: ignore[assignment]
+        return client
+
+    def _end_gone(self, payload: memoryview) -> None:
+        end = self._of(payload, object)
+        if isinstance(end, NodeEntry):
+            raise Violation('a node is no endpoint')
+        del self.theirs[end.index]
+        self._repeat(end.destroy)
+
+    def _publish(self, payload: memoryview) -> None:
+        publisher = self._of(payload, Publisher)
+        wire = self.messages.unpacked(publisher.cls, bytes(payload[END.size :]))
+        now_ns = self.graph.sim.now_ns
+        publisher.record((now_ns, publisher.index, wire))
+        if publisher.history is not None:
+            publisher.history.append((wire, now_ns, publisher))
+        self._known[publisher.index] = wire, now_ns
+
+    def _ready(self, payload: memoryview) -> None:
+        subscription_index, publisher_index = ENDS.unpack_from(payload)
+        publisher = self.their(publisher_index, Publisher)
+        data = bytes(payload[ENDS.size :])
+        if data[:1] != bytes((AS_BEFORE,)):
+            self._known[publisher_index] = self.messages.unpacked(publisher.cls, data), self.graph.sim.now_ns
+        wire, at_ns = self._known[publisher_index]
+        subscription = self.our(subscription_index, Subscription)
+        if subscription is not None:
+            if subscription not in publisher.matched:
+                raise Violation('a message for who does not hear it')
+            subscription.queue.append((wire, at_ns, publisher))
+            subscription.on_ready()
+
+    def _request(self, payload: memoryview) -> None:
+        server_index, client_index, sequence, data = load(bytes(payload))
+        client = self.their(client_index, ServiceClient)
+        wire = self.messages.unpacked(client.cls.Request, data)
+        server = self.our(server_index, ServiceServer)
+        if server is not None:
+            if server not in self.graph.servers_for(client) or not isinstance(sequence, int):
+                raise Violation('a request for who does not serve it')
+            client.unanswered.add(sequence)
+            server.queue.append((wire, (client, sequence)))
+            server.on_ready()
+
+    def _response(self, payload: memoryview) -> None:
+        client_index, sequence, data = load(bytes(payload))
+        client = self.our(client_index, ServiceClient)
+        if client is None or sequence not in client.unanswered:
+            return
+        wire = self.messages.unpacked(client.cls.Response, data)
+        client.unanswered.remove(sequence)
+        self.answered(client, sequence, wire)
+        client.queue.append((sequence, wire))
+        client.on_ready()
+
+    def answered(self, client: Any, sequence: int, wire: Any) -> None:
+        """A reply has come from the other half, to a client here: for the record, where it is kept."""
+
+
+def _name(value: Any, before: str = '') -> str:
+    if not isinstance(value, str) or not NAME.fullmatch(before + value):
+        raise Violation('no name')
+    return value
+
+
+def _qos(values: Any) -> QoS:
+    qos = QoS(*values)
+    numbers = (qos.depth, qos.deadline_ns, qos.lifespan_ns, qos.lease_ns)
+    if not all(type(number) is int and 0 <= number < 1 << 63 for number in numbers):
+        raise Violation('no quality of service')
+    words = (qos.reliability, qos.durability, qos.history, qos.liveliness)
+    if not all(word in known for word, known in zip(words, POLICIES, strict=True)):
+        raise Violation('no quality of service')
+    return qos

@@ -1,0 +1,218 @@
+"""The trusted half: the clock's owner, worlds and stock nodes, the recorder. It believes nothing that the confined half says of
+others, and reads nothing of the student's but frames.
+"""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
+from edulaunch.engine.graph.services import ServiceClient
+from edulaunch.engine.graph.topics import WatchedPublisher
+from edulaunch.engine.graph.tracer import Record
+from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.processes.streams import streams_of_programs
+from edulaunch.engine.recording.recorder import Recorder
+from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.ros.sourcing import source
+from edulaunch.runtime.link.clock import HalfSimulation
+from edulaunch.runtime.link.codec import Kind, Messages, Violation, load, tuples
+from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.replica import Replica
+from edulaunch.runtime.link.trusted_host import TrustedHost, hosted_program, shipped_path, spec_from_data, text_of
+
+STREAMS = ('stdout', 'stderr')
+
+
+class ConfinedProgram:
+    """A program of the confined half, as far as the record needs it."""
+
+    def __init__(self, pid: int, spec: ProcessSpec) -> None:
+        self.pid = pid
+        self.spec = spec
+        self.name = spec.name
+        self.returncode: int | None = None
+        self.exception: dict[str, Any] | None = None
+
+
+class TrustedRecorder(Recorder):
+    """Keeps the record, and lets the confined half know what it may see of it.
+
+    :ivar hosted_nodes, hosted_parameters: positions in `nodes` of the nodes that run here, and in `parameters` of theirs.
+    """
+
+    replica: Replica
+    texts: dict[str, str]
+
+    def __init__(self, sim: HalfSimulation) -> None:
+        super().__init__(sim)
+        self.hosted_nodes: list[int] = []
+        self.hosted_parameters: list[int] = []
+
+    def channel(self, publisher: Any) -> Callable[[Record], object]:
+        keep = super().channel(publisher)
+        lasts = isinstance(publisher, WatchedPublisher) or publisher.qos.durability == TRANSIENT_LOCAL
+        if self.replica.is_repeating or not lasts:
+            return keep
+
+        def keep_and_tell(record: Record) -> None:
+            keep(record)
+            self.replica.published(publisher, record)
+
+        return keep_and_tell
+
+    def node_added(self, node: NodeEntry) -> None:
+        if not self.replica.is_repeating:
+            self.hosted_nodes.append(len(self.nodes))
+        super().node_added(node)
+        self.replica.node_added(node)
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        if node.index not in self.replica.theirs:
+            self.hosted_parameters.append(len(self.parameters))
+        super().parameter(node, name, value, origin)
+
+    def node_removed(self, node: NodeEntry) -> None:
+        super().node_removed(node)
+        self.replica.node_removed(node)
+
+    def endpoint_added(self, kind: str, endpoint: Any) -> None:
+        super().endpoint_added(kind, endpoint)
+        self.replica.endpoint_added(kind, endpoint)
+
+    def endpoint_removed(self, kind: str, endpoint: Any) -> None:
+        super().endpoint_removed(kind, endpoint)
+        self.replica.endpoint_removed(kind, endpoint)
+
+    def interfaces(self, used: set[str]) -> dict[str, str]:
+        """The texts that the confined half gave."""
+        return self.texts
+
+
+class Trusted:
+    """The trusted half of one run.
+
+    :param end: of the socket to the confined half.
+    :param quota: how many bytes that may send.
+    """
+
+    def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
+        source()
+        self.sim = HalfSimulation(seed)
+        self.recorder = TrustedRecorder(self.sim)
+        self.graph = Graph(self.sim, self.recorder)
+        self.host = TrustedHost(self.sim, self.graph, Index([underlay_prefix()]), env={})
+        self.half = self.host.half = Half(self.sim, end, trusts=False, quota=quota)
+        self.messages = Messages(underlay_registry())
+        self.replica = self.recorder.replica = Replica(self.half, self.graph, self.messages, self._program)
+        self.replica.answered = self.recorder.response  # type: ignore[method-assign]
+        self._programs: dict[int, ConfinedProgram] = {}
+        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # what is odd about the other half's nodes, by their numbers
+        self.half.calls[Kind.SIGNAL] = self.host.send_signal
+        self.half.handlers.update(
+            {
+                Kind.ASKED: self._asked,
+                Kind.ANSWERED: self._answered,
+                Kind.PARAMETER: self._parameter,
+                Kind.DESCRIPTOR: self._descriptor,
+                Kind.STARTED: self._started,
+                Kind.ENDED: self._ended,
+                Kind.WROTE: self._wrote,
+                Kind.LOG: self._log,
+                Kind.NOTE: self._note,
+                Kind.FACT: self._fact,
+                Kind.FACT_OVER: self._fact_over,
+                Kind.WATCH: self._watch,
+                Kind.SPAWN: self.host.spawn,
+                Kind.HEARD: self.host.hear,
+            }
+        )
+
+    def run(self, duration_s: float) -> dict[str, Any]:
+        """Let simulated time pass, and give the content of the recording."""
+        with streams_of_programs():
+            self.half.await_token(self.sim.now_ns)
+            self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
+            self.half.checked(self._describe)
+        self.recorder.stop()
+        return self.recorder.content()
+
+    def _describe(self) -> None:
+        """Ask the other half what it knows of what was launched. It may say what it likes: nothing here depends on it."""
+        recorder = self.recorder
+        types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
+        files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
+        told = self.half.call(Kind.FINISH, [sorted(types), sorted(files)])
+        recorder.launch, recorder.roots, recorder.texts = told['launch'], told['roots'], told['interfaces']
+        self._seen.update({index: [(text_of(kind), dict(data)) for kind, data in seen] for index, seen in told['seen']})
+        recorder.use_sources(lambda path: text_of(told['sources'].get(path, path)))
+
+    def _program(self, pid: Any) -> ConfinedProgram:
+        return self._programs[pid]
+
+    def _started(self, payload: memoryview) -> None:
+        pid, data = load(bytes(payload))
+        spec = spec_from_data(data)
+        if hosted_program(spec.package or '', spec.executable or '') and spec.argv[:1] == (
+            shipped_path(spec.package, spec.executable),
+        ):
+            raise Violation('what came with edulaunch does not run there')
+        program = self._programs[self.host.their_pid(pid)] = ConfinedProgram(pid, spec)
+        self.recorder.process_started(program)  # type: ignore[arg-type]
+
+    def _ended(self, payload: memoryview) -> None:
+        pid, returncode, exception = load(bytes(payload))
+        program = self._programs[pid]
+        program.returncode, program.exception = returncode, exception
+        self.recorder.process_exited(program)  # type: ignore[arg-type]
+
+    def _wrote(self, payload: memoryview) -> None:
+        pid, stream, text = load(bytes(payload))
+        if stream not in STREAMS:
+            raise Violation('no stream')
+        self.recorder.output(self._programs[pid], stream, text_of(text))  # type: ignore[arg-type]
+
+    def _log(self, payload: memoryview) -> None:
+        pid, level, logger, message = load(bytes(payload))
+        self.recorder.log(self._programs[pid], int(level), text_of(logger), text_of(message))  # type: ignore[arg-type]
+
+    def _note(self, payload: memoryview) -> None:
+        pid, kind, text = load(bytes(payload))
+        program: Any = None if pid is None else self._programs[pid]
+        self.recorder.note(program, text_of(kind), text_of(text))
+
+    def _fact(self, payload: memoryview) -> None:
+        pid, kind, key, data = load(bytes(payload))
+        self.recorder.fact(self._programs[pid], text_of(kind), tuples(key), dict(data))  # type: ignore[arg-type]
+
+    def _fact_over(self, payload: memoryview) -> None:
+        pid, kind, key = load(bytes(payload))
+        self.recorder.fact_over(self._programs[pid], text_of(kind), tuples(key))  # type: ignore[arg-type]
+
+    def _watch(self, payload: memoryview) -> None:
+        node = self.replica.their(load(bytes(payload)), NodeEntry)
+        self.recorder.watch(node, lambda: self._seen.get(node.index, ()))
+
+    def _parameter(self, payload: memoryview) -> None:
+        index, name, value, origin = load(bytes(payload))
+        self.recorder.parameter(self.replica.their(index, NodeEntry), text_of(name), value, text_of(origin))
+
+    def _descriptor(self, payload: memoryview) -> None:
+        index, name, description, read_only, limits = load(bytes(payload))
+        node = self.replica.their(index, NodeEntry)
+        self.recorder.descriptor(node, text_of(name), text_of(description), read_only is True, limits)
+
+    def _asked(self, payload: memoryview) -> None:
+        index, sequence, served, data = load(bytes(payload))
+        client = self.replica.their(index, ServiceClient)
+        self.recorder.request(client, sequence, self.messages.unpacked(client.cls.Request, data), served is True)
+
+    def _answered(self, payload: memoryview) -> None:
+        index, sequence, data = load(bytes(payload))
+        client = self.replica.their(index, ServiceClient)
+        self.recorder.response(client, sequence, self.messages.unpacked(client.cls.Response, data))

@@ -1,0 +1,181 @@
+"""What the trusted half hosts for the other one: programs that came with edulaunch, but for a few that read a student's files
+or keys, started as that half asks.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Sequence
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.graph.parameter_files import Entry, ParameterFileError
+from edulaunch.engine.packages import Program
+from edulaunch.engine.packages.prefix import Underlay
+from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.programs import run_program
+from edulaunch.engine.processes.spec import Origin, ProcessSpec
+from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.runtime.link.codec import Kind, Violation, load
+from edulaunch.runtime.link.half import Half
+
+OF_THE_STUDENT = {
+    'joint_state_publisher': None,
+    'joint_state_publisher_gui': None,
+    'launch_testing': None,
+    'robot_state_publisher': None,
+    'rviz2': None,
+    'teleop_twist_keyboard': None,
+    'tf2_tools': None,
+    'turtlesim': ('turtle_teleop_key',),
+    'xacro': None,
+}
+"""They read files or keys, and run beside the student's own programs: by package, all (None) or these executables."""
+
+
+@cache
+def _underlay() -> Underlay:
+    return Underlay(underlay_prefix())
+
+
+def hosted_program(package: str, executable: str) -> Program | None:
+    """The program of that name, if the trusted half hosts it."""
+    own = OF_THE_STUDENT.get(package, ())
+    return None if own is None or executable in own else _underlay().program(package, executable)
+
+
+def is_hosted(program: Program | None) -> bool:
+    """Whether the trusted half has this very program."""
+    if program is None or program.kind != 'entry_point':
+        return False
+    ours = hosted_program(program.package, program.executable)
+    return ours is not None and (ours.module, ours.function) == (program.module, program.function)
+
+
+def shipped_path(package: str | None, executable: str | None) -> str:
+    """The word that starts a stock program in a command line."""
+    return os.path.join(underlay_prefix(), 'lib', package or '', executable or '')
+
+
+MOST_PROGRAMS = 2000
+
+
+class TrustedHost(Host):
+    """Hosts what came with edulaunch. It starts no program of the system, and looks for none among the student's files."""
+
+    half: Half
+
+    def spawn(self, payload: memoryview) -> None:
+        """Start a program that the confined half asks for."""
+        pid, argv, package, executable, data = load(bytes(payload))
+        spec = spec_from_data(data)
+        program = hosted_program(text_of(package), text_of(executable))
+        _check_words(spec, argv)
+        is_called_so = spec.argv[:1] == (shipped_path(spec.package, spec.executable),)
+        if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
+            raise Violation('no program that is hosted here')
+        process = Process(self, spec, self.their_pid(pid), argv, lambda process: run_program(process, program))
+        process.on_output = lambda stream, text: self.half.call(Kind.OUTPUT, [pid, stream, text])
+        process.on_exit = lambda code: self.half.call(Kind.EXIT, [pid, code, process.exception])
+        self.adopt(process)
+
+    def their_pid(self, pid: Any) -> int:
+        """The next number, which the confined half has to name."""
+        if pid != self.next_pid() or pid >= 1000 + MOST_PROGRAMS:
+            raise Violation('programs are numbered as they come')
+        return int(pid)
+
+    def hosted(self, pid: Any) -> Process | None:
+        """The hosted program of that pid; None when it has ended."""
+        return next((each for each in self.processes if each.pid == pid), None)
+
+    def send_signal(self, payload: memoryview) -> None:
+        """Deliver a signal to a hosted program."""
+        pid, signum = load(bytes(payload))
+        process = self.hosted(pid)
+        if process is not None and 0 < signum < 65:
+            process.send_signal(signum)
+
+    def hear(self, payload: memoryview) -> None:
+        """Set whether the output of a hosted program is recorded."""
+        pid, is_heard = load(bytes(payload))
+        process = self.hosted(pid)
+        if process is not None:
+            process.is_heard = is_heard is True
+
+    def parameter_entries(self, path: str) -> Sequence[Entry]:
+        """As `Host.parameter_entries`: the confined half reads the file."""
+        program = self.program_here()
+        told = self.half.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
+        if isinstance(told, list):
+            return [_entry(row) for row in told]
+        raise _reading_error(told)
+
+
+def _entry(row: Any) -> Entry:
+    pattern, name, value, line = row
+    if not (isinstance(pattern, str) and isinstance(name, str) and isinstance(line, int) and _is_value(value)):
+        raise Violation('no parameter')
+    return Entry(pattern, name, value, line)
+
+
+def _is_value(value: Any) -> bool:
+    if isinstance(value, list):
+        return all(isinstance(each, (bool, int, float, str)) for each in value)
+    return value is None or isinstance(value, (bool, int, float, str))
+
+
+def _reading_error(told: Any) -> Exception:
+    if 'reason' in told:
+        error = ParameterFileError(text_of(told['reason']))
+        return with_facts(error, text_of(told['facts'].pop('about')), **told['facts']) if told['facts'] else error
+    if 'coding' in told:
+        encoding, wrong, start, end, reason = told['coding']
+        if not (0 <= start < end < 1 << 26 and isinstance(wrong, bytes)):
+            raise Violation('no place in a file')
+        return UnicodeDecodeError(text_of(encoding), bytes(start) + wrong, start, end, text_of(reason))
+    number, text, file = told['system']
+    return OSError(int(number), text_of(text), text_of(file))
+
+
+def text_of(value: Any) -> str:
+    """A value that is to be a text. Raises Violation when it is none."""
+    if not isinstance(value, str):
+        raise Violation('no text')
+    return value
+
+
+def _check_words(spec: ProcessSpec, argv: Any) -> None:
+    """What a program is told to be started with is the end of the command line that the record shows."""
+    words = shlex.split(' '.join(spec.argv)) if spec.shell else list(spec.argv)
+    if not isinstance(argv, list) or not argv or words[-len(argv) :] != argv:
+        raise Violation('a program is what its command line says')
+
+
+def spec_from_data(data: Any) -> ProcessSpec:
+    """The spec that `confined.spec_as_data` made.
+
+    :raises Violation: when it is none.
+    """
+    argv, name, cwd, env, shell, origin, package, executable, origins, emulate_tty, has_pipe = data
+    texts = [*argv, name, *(env or {}).values(), *origins.values()]
+    maybe = [cwd, package, executable]
+    if not (all(isinstance(text, str) for text in texts) and all(text is None or isinstance(text, str) for text in maybe)):
+        raise Violation('no command')
+    return ProcessSpec(
+        argv=tuple(argv),
+        name=name,
+        cwd=cwd,
+        env=MappingProxyType(dict(env or {})),
+        shell=shell is True,
+        origin=None if origin is None else Origin(text_of(origin[0]), int(origin[1])),
+        package=package,
+        executable=executable,
+        parameter_origins=dict(origins),
+        emulate_tty=emulate_tty is True,
+        has_pipe=has_pipe is True,
+    )

@@ -1,0 +1,43 @@
+"""What is said to commands that set up a real ROS 2 machine."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from edulaunch.advice.workspace.not_needed import answer
+
+
+@pytest.mark.parametrize(
+    ('line', 'part'),
+    [
+        ('colcon build --symlink-install', 'no package is here either'),
+        ('colcon test', 'python3 -m pytest'),
+        ('colcon list', 'colcon list: not needed here'),
+        ('rosdep install -i --from-path src --rosdistro jazzy -y', 'nothing has to be installed'),
+        ('sudo rosdep init', 'nothing has to be installed'),
+        ('sudo apt install ros-jazzy-turtlesim', 'apt: turtlesim is here already'),
+        ('sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py', 'turtlesim, demo_nodes_py are here already'),
+        ('apt install ros-jazzy-gazebo-ros', 'gazebo_ros is not among it'),
+        ('source /opt/ros/jazzy/setup.bash', 'ROS 2 Jazzy has not to be sourced'),
+        ('rqt_graph', '`edulaunch view --tab graph`'),
+        ('rviz2 -d turtle.rviz', '`edulaunch view --tab frames`'),
+        ('. install/local_setup.sh', 'packages are found from the folder you are in upwards'),
+    ],
+)
+def test_one_sentence_says_what_is_not_needed(tmp_path: Any, line: str, part: str) -> None:
+    said = answer(line.split(), str(tmp_path))
+    assert said is not None and part in said and '\n' not in said
+
+
+@pytest.mark.parametrize('line', ['', 'sudo', 'apt install vim', 'source ~/.bashrc', 'source', 'rosdep check', 'ls'])
+def test_other_commands_are_none_of_ours(line: str) -> None:
+    assert answer(line.split()) is None
+
+
+def test_building_names_what_is_there(workspace: Any) -> None:
+    for number in range(7):
+        workspace.python(f'robo_{number}')
+    said = answer(['colcon', 'build'], str(workspace.folder))
+    assert said is not None and 'robo_0, robo_1, robo_2, robo_3, robo_4 and 2 more are read from the sources' in said

@@ -1,0 +1,81 @@
+"""`edulaunch doctor`: files, folders, packages and recordings."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.cli.main import main
+
+EXAMPLES = Path(__file__).parents[2] / 'advice' / 'examples'
+SAME = str(EXAMPLES / 'programs.same-name' / 'failing.launch.py')
+
+
+def test_a_launch_file_is_run_and_looked_at(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(EXAMPLES / 'programs.same-name')
+    assert main(['doctor', 'failing.launch.py', '--for', '1']) == 1
+    assert capsys.readouterr().out == (
+        '1. two nodes are called /talker: one of talker-1, one of talker-2\n'
+        '   where: failing.launch.py:9, at 0.00 s\n'
+        '   why:   whoever asks /talker for a parameter or a service reaches only one of them, and you cannot say which\n'
+        "   do:    give one of them another name, for instance name='talker_2' in the launch file, or another namespace\n"
+        '   see:   lessons/01_first_launch.ipynb\n'
+    )
+
+
+def test_a_healthy_launch_file_of_a_package(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['doctor', 'turtlesim', 'multisim.launch.py', '--for', '1']) == 0
+    assert capsys.readouterr().out == 'nothing wrong was found\n'
+
+
+def test_a_launch_file_that_cannot_be_launched_is_not_run(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['doctor', str(EXAMPLES / 'launch.fails' / 'failing.launch.py')]) == 1
+    assert 'cannot be launched: ZeroDivisionError' in capsys.readouterr().out
+
+
+def test_arguments_are_those_of_a_launch(capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(EXAMPLES / 'launch.unknown-argument' / 'healthy.launch.py')
+    assert main(['doctor', file, 'background_g:=7', '--for', '1']) == 0
+    assert main(['doctor', file, 'backgruond_g:=7', '--for', '1']) == 1
+    assert "'backgruond_g'" in capsys.readouterr().out
+
+
+def test_json_has_the_facts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['launch', SAME, '--fast', '--for', '1', '--quiet', '--record', str(tmp_path / 'a.rec')]) == 0
+    assert 'warning' not in capsys.readouterr().err
+    assert main(['doctor', str(tmp_path / 'a.rec'), '--json']) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found['format'] == 1
+    (finding,) = found['findings']
+    assert (finding['rule'], finding['level'], finding['kind'], finding['name']) == (
+        'programs.same-name',
+        'warning',
+        'node',
+        '/talker',
+    )
+    assert finding['facts'] == {'first': 'talker-1', 'second': 'talker-2', 'other': 'talker_2'} and finding['file'] == SAME
+
+
+def test_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['doctor', 'no_such.launch.py']) == 2
+    assert 'does not exist' in capsys.readouterr().err
+
+
+def test_ros2_doctor_says_what_the_rules_find_behind_ros_own_checks(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from edulaunch.jupyter.terminal import Terminal
+
+    said: list[str] = []
+    terminal = Terminal(lambda stream, text: said.append(text))
+    monkeypatch.chdir(tmp_path)
+    terminal.ros2(f'launch {SAME} --for 1 --quiet')
+    assert 'two nodes' not in ''.join(said)
+    said.clear()
+    terminal.ros2('doctor')
+    text = ''.join(said)
+    assert text.index('checks passed') < text.index('edulaunch has looked at') < text.index('1. two nodes are called /talker')
+    recorded = [row.text for row in terminal.recording().output]
+    assert not [text for text in recorded if 'two nodes' in text]

@@ -1,0 +1,41 @@
+"""`edulaunch recording info`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.cli.main import main
+
+
+@pytest.fixture(scope='module')
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp('rec') / 'multisim.rec'
+    assert main(['launch', 'turtlesim', 'multisim.launch.py', '--fast', '--for', '1', '--record', str(path)]) == 0
+    return path
+
+
+def test_it_says_what_a_recording_holds(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['recording', 'info', str(file)]) == 0
+    out = capsys.readouterr().out
+    assert 'Duration:     1.0' in out
+    assert '  /turtlesim1/turtlesim (turtlesim_node-1)\n  /turtlesim2/turtlesim (turtlesim_node-2)\n' in out
+    assert '/turtlesim1/turtle1/pose' in out and 'turtlesim/msg/Pose' in out
+
+
+def test_as_json_it_can_be_read_by_programs(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['recording', 'info', str(file), '--json']) == 0
+    summary = json.loads(capsys.readouterr().out)
+    topics = {topic['name']: topic for topic in summary['topics']}
+    assert topics['/turtlesim1/turtle1/pose']['messages'] == 61
+    assert len(summary['digest']) == 64 and summary['seed'] == 0
+
+
+def test_what_is_no_recording_gets_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'x').write_text('hello')
+    assert main(['recording', 'info', str(tmp_path / 'x')]) == 2
+    assert main(['recording', 'info', str(tmp_path / 'y')]) == 2
+    err = capsys.readouterr().err
+    assert 'is damaged: line 1 is not JSON' in err and 'cannot read the recording' in err and 'Traceback' not in err

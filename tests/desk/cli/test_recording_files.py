@@ -1,0 +1,65 @@
+"""`edulaunch recording show|export`: pages, pictures, bags and tables of a recording."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.cli.main import main
+
+
+@pytest.fixture(scope='module')
+def drive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recording of a turtle that is told to drive."""
+    folder = tmp_path_factory.mktemp('drive')
+    (folder / 'drive.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\nfrom launch_ros.actions import Node\n'
+        'def generate_launch_description():\n'
+        '    return LaunchDescription([Node(package="turtlesim", executable="turtlesim_node"), ExecuteProcess(cmd=["ros2", "topic",'
+        '"pub", "-r", "4", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist", "{linear: {x: 2.0}}"])])\n'
+    )
+    words = [str(folder / 'drive.launch.py'), '--fast', '--for', '2', '--record', str(folder / 'drive.rec')]
+    assert main(['launch', *words]) == 0
+    return folder / 'drive.rec'
+
+
+def test_a_page_and_pictures_are_written_and_named(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['recording', 'show', str(drive)]) == 0
+    page = drive.with_suffix('.html')
+    assert capsys.readouterr().out == f'{page}\n'
+    assert page.read_text().startswith('<!DOCTYPE html>') and 'drive.launch.py' in page.read_text()
+    for what in ('turtles', 'graph'):
+        picture = drive.parent / f'{what}.png'
+        assert main(['recording', 'show', str(drive), '--png', str(picture), '--what', what, '--at', '1']) == 0
+        assert picture.read_bytes().startswith(b'\x89PNG')
+    assert main(['recording', 'show', str(drive), '--png', '/nowhere/x.png']) == 2
+
+
+def test_the_messages_become_a_bag(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from rosbags.highlevel import AnyReader
+
+    folder = drive.parent / 'bag'
+    assert main(['recording', 'export', str(drive), '--bag', str(folder), '--topics', '/turtle1/cmd_vel']) == 0
+    with AnyReader([folder]) as reader:
+        speeds = [reader.deserialize(data, connection.msgtype).linear.x for connection, _, data in reader.messages()]
+        times = [time for _, time, _ in reader.messages()]
+    assert speeds == [2.0] * len(times)
+    assert {after - before for before, after in zip(times, times[1:], strict=False)} == {250_000_000}
+    assert main(['recording', 'export', str(drive), '--bag', str(folder)]) == 2
+    assert 'is there already' in capsys.readouterr().err
+
+
+def test_each_topic_becomes_a_table(drive: Path) -> None:
+    assert main(['recording', 'export', str(drive), '--csv']) == 0
+    folder = drive.parent / 'drive_csv'
+    rows = list(csv.reader((folder / 'turtle1.pose.csv').read_text().splitlines()))
+    assert rows[0] == ['time', 'x', 'y', 'theta', 'linear_velocity', 'angular_velocity']
+    assert len(rows) > 100 and float(rows[-1][1]) > float(rows[1][1]) == pytest.approx(5.544445)
+    assert (folder / 'turtle1.cmd_vel.csv').read_text().splitlines()[0].startswith('time,linear.x,linear.y')
+
+
+def test_a_topic_that_nobody_published_on(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['recording', 'export', str(drive), '--csv', 'x', '--topics', '/nix']) == 2
+    assert 'help: topics: /' in capsys.readouterr().err

@@ -1,0 +1,54 @@
+"""Terminals in a workspace: what is written there is found, in the state in which it is."""
+
+from __future__ import annotations
+
+from tests.desk.machine.shells import Desk
+from tests.desk.machine.workspace import make_package
+
+SAYS = """import rclpy
+from mine_msgs.msg import Place
+from rclpy.node import Node
+
+
+def main():
+    rclpy.init()
+    node = Node('says')
+    publisher = node.create_publisher(Place, 'places', 10)
+    node.create_timer(0.1, lambda: publisher.publish(Place(x=1.5)))
+    rclpy.spin(node)
+"""
+CMAKE = """cmake_minimum_required(VERSION 3.8)
+project(mine_msgs)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Place.msg")
+ament_package()
+"""
+MANIFEST = (
+    '<package format="3"><name>mine_msgs</name><version>0.0.1</version><buildtool_depend>ament_cmake</buildtool_depend>'
+    '<member_of_group>rosidl_interface_packages</member_of_group><export><build_type>ament_cmake</build_type></export></package>'
+)
+
+
+def make_messages(desk: Desk, text: str) -> None:
+    place = desk.folder / 'src' / 'mine_msgs'
+    (place / 'msg').mkdir(parents=True, exist_ok=True)
+    for name, content in {'CMakeLists.txt': CMAKE, 'package.xml': MANIFEST, 'msg/Place.msg': text}.items():
+        (place / name).write_text(content)
+
+
+def test_terminals_talk_in_types_of_the_workspace(desk: Desk) -> None:
+    make_messages(desk, 'float64 x\n')
+    make_package(desk.folder, {'says': SAYS})
+    says = desk.ros2('run mine says')
+    assert desk.said('topic echo --once /places') == 'x: 1.5\n---\n'
+    assert desk.said('topic list -t').splitlines()[1] == '/places [mine_msgs/msg/Place]'
+    assert not says.gone()
+
+
+def test_a_program_that_was_edited_is_read_anew(desk: Desk) -> None:
+    make_package(desk.folder, {'one': "def main():\n    print('first')\n"})
+    assert desk.said('run mine one') == 'first\n'
+    make_package(desk.folder, {'one': "def main():\n    print('second one')\n", 'two': "def main():\n    print('another')\n"})
+    assert desk.said('run mine one') == 'second one\n'
+    assert desk.said('run mine two') == 'another\n'
+    assert desk.said('pkg executables mine') == 'mine one\nmine two\n'

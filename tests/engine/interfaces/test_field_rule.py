@@ -1,0 +1,152 @@
+from array import array
+from enum import IntEnum
+
+import numpy
+import pytest
+
+from edulaunch.engine.facts import facts_of
+
+DOUBLES = '[-1.7976931348623157e+308, 1.7976931348623157e+308]'
+EACH_DOUBLE = f"each value of type 'float' and each double in {DOUBLES}"
+SEVERAL = 'field must be a set or sequence'
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'field', 'value', 'text'),
+    [
+        ('geometry_msgs/msg/Point', 'x', 2, "The 'x' field must be of type 'float'"),
+        ('geometry_msgs/msg/Point', 'x', numpy.float32(2), "The 'x' field must be of type 'float'"),
+        ('std_msgs/msg/String', 'data', 2, "The 'data' field must be of type 'str'"),
+        ('std_msgs/msg/Bool', 'data', 1, "The 'data' field must be of type 'bool'"),
+        ('std_msgs/msg/Int32', 'data', numpy.int64(2), "The 'data' field must be of type 'int'"),
+        ('std_msgs/msg/Byte', 'data', b'ab', "The 'data' field must be of type 'bytes' or 'ByteString' with length 1"),
+        ('geometry_msgs/msg/Twist', 'linear', 2.0, "The 'linear' field must be a sub message of type 'Vector3'"),
+        ('builtin_interfaces/msg/Time', 'sec', 2**31, "The 'sec' field must be an integer in [-2147483648, 2147483647]"),
+        ('turtlesim/msg/Color', 'r', 256, "The 'r' field must be an unsigned integer in [0, 255]"),
+        ('turtlesim/msg/Pose', 'x', 4e38, "The 'x' field must be a float in [-3.402823466e+38, 3.402823466e+38]"),
+        (
+            'type_description_interfaces/msg/FieldType',
+            'nested_type_name',
+            'x' * 256,
+            "The 'nested_type_name' field must be string value not longer than 255",
+        ),
+        (
+            'geometry_msgs/msg/PoseWithCovariance',
+            'covariance',
+            [0.0] * 35,
+            f"The 'covariance' {SEVERAL} with length 36 and {EACH_DOUBLE}",
+        ),
+        (
+            'geometry_msgs/msg/PoseWithCovariance',
+            'covariance',
+            numpy.zeros(35),
+            "The 'covariance' numpy.ndarray() must have a size of 36",
+        ),
+        (
+            'geometry_msgs/msg/PoseWithCovariance',
+            'covariance',
+            numpy.zeros(36, 'complex'),
+            "The 'covariance' numpy.ndarray() must have the dtype of 'numpy.float64'",
+        ),
+        ('nav_msgs/msg/OccupancyGrid', 'data', array('d', [1.0]), "The 'data' array.array() must have the type code of 'b'"),
+        (
+            'shape_msgs/msg/SolidPrimitive',
+            'dimensions',
+            [0.0] * 4,
+            f"The 'dimensions' {SEVERAL} with length <= 3 and {EACH_DOUBLE}",
+        ),
+        (
+            'std_msgs/msg/UInt8MultiArray',
+            'data',
+            'abc',
+            f"The 'data' {SEVERAL} and each value of type 'int' and each unsigned integer in [0, 255]",
+        ),
+        ('tf2_msgs/msg/TFMessage', 'transforms', 3, f"The 'transforms' {SEVERAL} and each value of type 'TransformStamped'"),
+    ],
+)
+def test_a_wrong_value_is_refused_in_rclpys_words(get, type_name, field, value, text):
+    with pytest.raises(AssertionError) as caught:
+        setattr(get(type_name)(), field, value)
+    assert str(caught.value) == text
+    assert facts_of(caught.value)['about'] == 'messages.field-value'
+
+
+def test_numpy_doubles_are_floats_and_are_stored_as_such(get):
+    msg = get('geometry_msgs/msg/Point')(x=numpy.float64(2.5))
+    assert (type(msg.x), msg.x) == (float, 2.5)
+
+
+def test_an_enumeration_member_is_stored_as_its_number(get):
+    msg = get('std_msgs/msg/Int32')(data=IntEnum('Level', 'LOW HIGH').HIGH)
+    assert (type(msg.data), msg.data) == (int, 2)
+
+
+@pytest.mark.parametrize('value', [[1.0, 2.0], (1.0, 2.0), array('f', [1.0, 2.0])])
+def test_lists_tuples_and_arrays_become_arrays(get, value):
+    assert get('sensor_msgs/msg/LaserScan')(ranges=value).ranges == array('f', [1.0, 2.0])
+
+
+def test_a_fixed_array_can_be_given_as_a_matrix(get):
+    cls = get('geometry_msgs/msg/PoseWithCovariance')
+    assert cls.to_wire(cls(covariance=numpy.eye(6)))[7][:8] == (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+
+
+def test_bytes_are_a_sequence_of_uint8(get):
+    assert get('sensor_msgs/msg/Image')(data=b'\1\2').data == array('B', [1, 2])
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'field', 'value', 'stored'),
+    [
+        ('sensor_msgs/msg/LaserScan', 'ranges', numpy.array([1.5, numpy.inf]), array('f', [1.5, float('inf')])),
+        ('sensor_msgs/msg/LaserScan', 'ranges', numpy.array([1, 2], 'int32'), array('f', [1.0, 2.0])),
+        ('sensor_msgs/msg/LaserScan', 'ranges', [numpy.float32(1), 2.0], array('f', [1.0, 2.0])),
+        ('nav_msgs/msg/OccupancyGrid', 'data', numpy.array([-1, 100], 'int8'), array('b', [-1, 100])),
+        ('nav_msgs/msg/OccupancyGrid', 'data', [numpy.int64(-1), 100], array('b', [-1, 100])),
+        ('sensor_msgs/msg/Image', 'data', numpy.zeros((2, 2), 'uint8').flatten(), array('B', bytes(4))),
+        ('sensor_msgs/msg/Image', 'data', numpy.array([]).astype('uint8'), array('B')),
+        ('sensor_msgs/msg/Image', 'data', bytes([0, 255]), array('B', [0, 255])),
+    ],
+)
+def test_a_sequence_of_numbers_takes_what_jazzys_array_takes_of_numpy(get, type_name, field, value, stored):
+    msg = get(type_name)()
+    setattr(msg, field, value)
+    assert getattr(msg, field) == stored
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'value'),
+    [
+        ('nav_msgs/msg/OccupancyGrid', numpy.array([1.0])),
+        ('nav_msgs/msg/OccupancyGrid', numpy.array([200])),
+        ('nav_msgs/msg/OccupancyGrid', bytes([200])),
+        ('nav_msgs/msg/OccupancyGrid', numpy.zeros((2, 2), 'int8')),
+        ('nav_msgs/msg/OccupancyGrid', [numpy.float64(1)]),
+        ('std_msgs/msg/Float32MultiArray', numpy.array(['a'])),
+        ('std_msgs/msg/Float32MultiArray', [1.0, 1e39]),
+        ('std_msgs/msg/Float32MultiArray', [1.0, None]),
+        ('std_msgs/msg/Float32MultiArray', [10**400]),
+        ('std_msgs/msg/Float32MultiArray', b'1234'),
+    ],
+)
+def test_a_sequence_of_numbers_refuses_other_kinds_and_numbers_out_of_range(get, type_name, value):
+    with pytest.raises(AssertionError, match="The 'data' field must be a set or sequence and each value of type"):
+        get(type_name)().data = value
+
+
+@pytest.mark.parametrize('value', [[0, 1.5, True], (0, 1.5, 1), array('d', [0, 1.5, 1]), numpy.array([0, 1.5, 1])])
+def test_integers_are_floats_in_a_sequence_of_floats_as_in_jazzy(get, value):
+    assert get('sensor_msgs/msg/JointState')(position=value).position == array('d', [0.0, 1.5, 1.0])
+    covariance = get('geometry_msgs/msg/PoseWithCovariance')(covariance=[*value] * 12).covariance
+    assert (covariance[:3].tolist(), covariance.dtype) == ([0.0, 1.5, 1.0], numpy.float64)
+
+
+def test_an_array_of_another_kind_is_converted_as_in_jazzy(get):
+    assert get('std_msgs/msg/Int64MultiArray')(data=array('B', [1, 2])).data == array('q', [1, 2])
+    assert get('std_msgs/msg/Float64MultiArray')(data=map(int, '12')).data == array('d', [1.0, 2.0])
+    assert get('sensor_msgs/msg/CameraInfo')(k=numpy.arange(9)).k.dtype == numpy.float64
+
+
+def test_a_sequence_of_floats_may_hold_what_is_no_number(get):
+    values = [float('nan'), 1.0, float('inf'), float('-inf')]
+    assert list(map(repr, get('std_msgs/msg/Float32MultiArray')(data=values).data)) == ['nan', '1.0', 'inf', '-inf']

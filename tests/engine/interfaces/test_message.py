@@ -1,0 +1,63 @@
+import pytest
+
+from edulaunch.engine.interfaces.message import Lazy
+
+
+def test_repr_names_every_field_and_nested_message(get):
+    msg = get('geometry_msgs/msg/Twist')()
+    msg.linear.x = 2.0
+    assert repr(msg) == (
+        'geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=2.0, y=0.0, z=0.0), '
+        'angular=geometry_msgs.msg.Vector3(x=0.0, y=0.0, z=0.0))'
+    )
+
+
+def test_repr_shows_number_sequences_as_lists_and_fixed_arrays_as_numpy_does(get):
+    layout = 'layout=std_msgs.msg.MultiArrayLayout(dim=[], data_offset=0)'
+    assert repr(get('std_msgs/msg/Int32MultiArray')(data=[1])) == f'std_msgs.msg.Int32MultiArray({layout}, data=[1])'
+    assert repr(get('shape_msgs/msg/Plane')()) == 'shape_msgs.msg.Plane(coef=array([0., 0., 0., 0.]))'
+
+
+def test_a_request_shows_its_long_name(get):
+    assert repr(get('turtlesim/srv/Spawn').Request(x=2.0)) == "turtlesim.srv.Spawn_Request(x=2.0, y=0.0, theta=0.0, name='')"
+
+
+@pytest.mark.parametrize(
+    ('arguments', 'text'),
+    [
+        ({'linaer': 1, 'angluar': 2}, 'Invalid arguments passed to constructor: angluar, linaer'),
+        ({'q': 1}, 'Invalid arguments passed to constructor: q'),
+    ],
+)
+def test_unknown_arguments_are_refused_in_rclpys_words(get, arguments, text):
+    with pytest.raises(AssertionError) as caught:
+        get('geometry_msgs/msg/Twist')(**arguments)
+    assert str(caught.value) == text
+
+
+def test_check_fields_is_taken_but_checks_stay_on(get):
+    with pytest.raises(AssertionError, match="The 'x' field must be of type 'float'"):
+        get('geometry_msgs/msg/Point')(check_fields=False, x=1)
+
+
+def test_wire_type_describes_each_entry(get):
+    assert get('std_msgs/msg/Header').wire_type() == (('stamp.sec', 'int32'), ('stamp.nanosec', 'uint32'), ('frame_id', 'string'))
+
+
+def test_a_lazy_attribute_is_computed_once():
+    calls = []
+
+    class Owner:
+        value = Lazy(lambda: calls.append('computed') or 5)
+
+    assert (calls, Owner.value, Owner.value, calls) == (['computed'], 5, 5, ['computed'])
+
+
+def test_check_fields_does_not_hide_an_unknown_name(get):
+    with pytest.raises(AssertionError, match='Invalid arguments passed to constructor: w'):
+        get('geometry_msgs/msg/Point')(check_fields=True, x=1.0, w=1.0)
+
+
+def test_an_unknown_name_is_refused_before_any_value_is_looked_at(get):
+    with pytest.raises(AssertionError, match='Invalid arguments'):
+        get('geometry_msgs/msg/Point')(x='wrong too', w=1.0)

@@ -1,0 +1,42 @@
+"""Well-known packages that are not here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.absent import absent_kind
+
+
+@pytest.mark.parametrize(
+    ('package', 'kind'),
+    [
+        ('gazebo_ros', 'Gazebo'),
+        ('nav2_map_server', 'Navigation 2'),
+        ('rqt_graph', 'windows'),
+        ('urdf_tutorial', 'robot descriptions'),
+        ('turtlesim', None),
+        ('my_nav2_bringup', None),
+        ('', None),
+    ],
+)
+def test_an_absent_package_belongs_to_something(package: str, kind: str | None) -> None:
+    assert absent_kind(package) == kind
+
+
+def test_a_package_of_the_workspace_is_not_absent(tmp_path: Path) -> None:
+    (tmp_path / 'urdf').mkdir()
+    (tmp_path / 'urdf' / 'package.xml').write_text('<package format="3"><name>urdf</name></package>')
+    assert Index((), [tmp_path]).absent('urdf') is None
+    assert Index().absent('urdf') == 'robot descriptions'
+
+
+def test_only_the_program_tells_that_a_package_is_absent() -> None:
+    index = Index()
+    program = index.find_program(f'{index.absent_prefix}/lib/joy/joy_node')
+    assert program is not None
+    assert (program.kind, program.file) == ('absent', 'joysticks and keyboards')
+    assert index.prefix('joy') is None
+    assert 'joy' not in index.packages()

@@ -1,0 +1,110 @@
+"""A plain script that sees the real clock runs in real time; whoever cannot see it runs as fast as can be."""
+
+from __future__ import annotations
+
+import datetime
+import sys
+import time
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from greenlet import getcurrent
+
+from edulaunch.engine.processes import current_process
+from edulaunch.engine.processes.ambient import script_sees_the_clock
+from edulaunch.engine.sim import real_threads
+from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
+from edulaunch.engine.sim.task import AmbientTask
+
+
+class World:
+    """A real world whose time passes while somebody waits."""
+
+    def __init__(self) -> None:
+        self.now_ns = 5 * 10**18
+
+    def monotonic_ns(self) -> int:
+        return self.now_ns
+
+    time_ns = monotonic_ns
+
+    def wait(self, seconds: float) -> bool:
+        self.now_ns += round(seconds * 1e9)
+        return False
+
+    def clear(self) -> None:
+        """Nothing was rung."""
+
+
+@pytest.fixture
+def world(monkeypatch: pytest.MonkeyPatch) -> World:
+    made = World()
+    monkeypatch.setattr(real_threads, 'time', made)
+    monkeypatch.setattr(real_threads.threading, 'Event', lambda: made)
+    return made
+
+
+def spun(task: AmbientTask, seconds: float) -> list[float]:
+    """When a callback every 0.1 s came, in simulated seconds, while the task waited in pieces of 0.05 s."""
+    sim, ticks = task.sim, list[float]()
+
+    def tick(at_ns: int) -> None:
+        ticks.append(round((sim.now_ns - began) / 1e9, 2))
+        sim.schedule(max(at_ns, sim.now_ns) + 10**8, lambda: tick(at_ns + 10**8))
+
+    began = sim.now_ns
+    sim.schedule(began + 10**8, lambda: tick(began + 10**8))
+    while sim.now_ns < began + seconds * 1e9:
+        task.park(sim.now_ns + 5 * 10**7)
+    return ticks
+
+
+def test_simulated_time_is_real_time(world: World) -> None:
+    task = AmbientTask(Simulation())
+    task.real_threads = real_threads.RealThreads(task)
+    task.real_threads.keep_time()
+    assert task.sim.now_ns == world.now_ns
+    assert spun(task, 1.0)[:9] == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]
+    assert world.now_ns - 5 * 10**18 == pytest.approx(10**9, abs=6 * 10**7)
+    world.now_ns += 10**9  # the script slept
+    before = task.sim.now_ns
+    task.park(before + 1)
+    assert task.sim.now_ns >= before + 10**9
+
+
+def test_otherwise_no_time_passes_in_the_real_world(world: World) -> None:
+    task = AmbientTask(Simulation())
+    assert len(spun(task, 1.0)) in (9, 10) and world.now_ns == 5 * 10**18
+
+
+@pytest.mark.parametrize(
+    'names, file, sees',
+    [
+        ({'time': time}, 'script.py', True),
+        ({'now': time.monotonic}, 'script.py', True),
+        ({'sleep': time.sleep}, 'script.py', True),
+        ({'datetime': datetime.datetime}, 'script.py', True),
+        ({'rclpy': sys, 'zero': 0}, 'script.py', False),
+        ({'time': time}, pytest.__file__, False),
+        ({'time': time}, None, False),
+    ],
+)
+def test_a_script_sees_it_when_its_code_has_a_name_for_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, names: dict[str, Any], file: str | None, sees: bool
+) -> None:
+    main: Any = ModuleType('__main__')
+    if file is not None:
+        main.__file__ = str(tmp_path / file)
+    monkeypatch.setitem(sys.modules, '__main__', main)
+    monkeypatch.delitem(globals(), 'time')  # this file is on the stack, too
+    monkeypatch.delitem(globals(), 'datetime')
+    here: Any = getcurrent()
+    before = here.__dict__.pop('task', None)
+    found: dict[str, Any] = {**names, 'ask': script_sees_the_clock, 'process': current_process}
+    try:
+        exec(compile('sees, start_ns = ask(), process().sim.start_ns', str(tmp_path / 'script.py'), 'exec'), found)
+    finally:
+        here.task = before if before is not None else AmbientTask(Simulation())
+    assert (found['sees'], found['start_ns'] != EPOCH_NS) == (sees, sees)

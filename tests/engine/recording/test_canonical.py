@@ -1,0 +1,104 @@
+"""A digest is the same wherever things lie."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import edulaunch
+from edulaunch.engine.recording.canonical import canonical
+
+ROOTS = [
+    ['/tmp', '@tmp'],
+    ['/home/me', '@home'],
+    ['/home/me/ws', '@cwd'],
+    ['/usr/lib/python3.11', '@stdlib'],
+    ['/', '@x'],
+    ['', '@y'],
+]
+EMPTY: dict[str, Any] = {
+    **dict.fromkeys(('processes', 'logs', 'notes', 'parameters', 'calls', 'output', 'topics'), []),
+    'launch': {},
+    'roots': ROOTS,
+}
+
+
+@pytest.mark.parametrize(
+    'text, short',
+    [
+        ('/tmp/tmpabc', '@tmp/tmpabc'),
+        ('/tmpabc /tmp.old /tmp-1 /tmp', '/tmpabc /tmp.old /tmp-1 @tmp'),
+        ('in /tmp. (/tmp) "/tmp/a" a=/tmp:/tmp', 'in @tmp. (@tmp) "@tmp/a" a=@tmp:@tmp'),
+        ('/home/tmp/x /home/me/ws/tmp /home/me/wsx', '/home/tmp/x @cwd/tmp @home/wsx'),
+        ('file:///tmp/x \x1b[31m/tmp/y\x1b[0m a\\n/tmp', 'file://@tmp/x \x1b[31m@tmp/y\x1b[0m a\\n@tmp'),
+        ('a/tmp ~/tmp ./tmp no path', 'a/tmp ~/tmp ./tmp no path'),
+    ],
+)
+def test_a_root_counts_where_a_path_begins_with_it(text: str, short: str) -> None:
+    assert canonical({**EMPTY, 'notes': [[0, None, 'kind', text]]})['notes'] == [[0, None, 'kind', short]]
+
+
+def test_calls_and_messages_of_any_type_may_name_files() -> None:
+    topic = {'type': 'mine/msg/Where', 'messages': [[1, ['/tmp/a', []]]]}
+    short = canonical({**EMPTY, 'calls': [[0, ['/tmp/b']]], 'topics': [topic]})
+    assert short['calls'] == [[0, ['@tmp/b']]] and short['topics'][0]['messages'] == [[1, ['@tmp/a', []]]]
+
+
+DIED = """Traceback (most recent call last):
+  File "/home/me/ws/x.py", line 3, in go
+    json.loads(text)
+  File "/usr/lib/python3.11/json/__init__.py", line 346, in loads
+    return _default_decoder.decode(s)
+           ^^^^^^^^^^^^^^^^^^^^^^^^^^
+ValueError: no
+"""
+KEPT = """Traceback (most recent call last):
+  File "@cwd/x.py", line 3, in go
+    json.loads(text)
+ValueError: no
+"""
+
+
+def test_frames_of_libraries_do_not_count() -> None:
+    """Neither in one piece nor as launch prints them, with another program's lines between them."""
+    rows = [[0, 'x-1', 'stderr', DIED]]
+    rows += [[0, 'launch', 'stdout', f'[x-1] {line}'] for line in DIED.splitlines(keepends=True)]
+    rows.insert(5, [0, 'other-2', 'stdout', '    indented\n'])
+    kept = [[0, 'x-1', 'stderr', KEPT]]
+    kept += [[0, 'launch', 'stdout', f'[x-1] {line}'] for line in KEPT.splitlines(keepends=True)]
+    found = canonical({**EMPTY, 'output': rows})['output']
+    assert [row for row in found if row[1] != 'other-2'] == kept and [0, 'other-2', 'stdout', '    indented\n'] in found
+
+
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['python3', {script!r}], output='screen')])
+"""
+TELLS = """import json, os, sys, tempfile
+print(os.getcwd(), __file__, os.path.realpath(__file__), os.path.expanduser('~'), sys.executable, sys.prefix, json.__file__)
+print(tempfile.gettempdir(), os.environ['HOME'])
+json.loads('{')
+"""
+
+
+def test_a_program_that_prints_its_folders_has_the_same_digest_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    digests = set()
+    for number, name in enumerate(('here', 'some/where/else')):
+        folder = tmp_path / f'real-{number}' / name
+        for part in ('launch', 'home', 'work', 'tmp'):
+            (folder / part).mkdir(parents=True)
+        (tmp_path / f'link-{number}').symlink_to(folder)
+        monkeypatch.chdir(folder / 'work')
+        monkeypatch.setenv('HOME', str(folder / 'home'))
+        monkeypatch.setattr('tempfile.tempdir', str(folder / 'tmp'))
+        script = os.path.join(tmp_path, f'link-{number}', 'launch', 'tells.py')
+        Path(script).write_text(TELLS)
+        file = Path(script).with_name('tells.launch.py')
+        file.write_text(LAUNCH.format(script=script))
+        recording = edulaunch.run(file, duration_s=1.0)
+        digests.add(recording.digest())
+    assert len(digests) == 1, recording.output

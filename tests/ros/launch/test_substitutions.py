@@ -1,0 +1,123 @@
+"""Substitutions beyond the probes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from launch import LaunchContext
+from launch.substitutions import (
+    AnonName,
+    Command,
+    EqualsSubstitution,
+    FileContent,
+    FindExecutable,
+    IfElseSubstitution,
+    LaunchConfiguration,
+    LaunchLogDir,
+    LocalSubstitution,
+    PathJoinSubstitution,
+    PathSubstitution,
+    PythonExpression,
+    StringJoinSubstitution,
+    SubstitutionFailure,
+    ThisLaunchFile,
+    ThisLaunchFileDir,
+)
+
+
+def test_a_local_may_be_indexed_and_need_not_be_a_text() -> None:
+    context = LaunchContext()
+    context.extend_locals({'table': {'name': 'n'}, 'event': Path('/a/b')})
+    assert LocalSubstitution("table['name']").perform(context) == 'n'
+    assert LocalSubstitution('event.parent').perform(context) == Path('/a')
+
+
+def test_this_launch_file() -> None:
+    context = LaunchContext()
+    context.extend_locals({'current_launch_file_path': '/a/b.py', 'current_launch_file_directory': '/a'})
+    assert (ThisLaunchFile().perform(context), ThisLaunchFileDir().perform(context)) == ('/a/b.py', '/a')
+
+
+def test_an_anonymous_name_is_the_same_each_time_and_in_each_run() -> None:
+    context, other = LaunchContext(), LaunchContext()
+    name = AnonName('a-b.c')
+    assert name.perform(context) == name.perform(context) == name.perform(other)
+    assert name.perform(context).startswith('a_b_c_edulaunch_')
+
+
+def test_one_value_of_two_is_needed() -> None:
+    with pytest.raises(RuntimeError, match='One of if_value and else_value must be specified'):
+        IfElseSubstitution('true')
+    assert [IfElseSubstitution(c, 'a').perform(LaunchContext()) for c in ('yes', 'off')] == ['a', '']
+
+
+def test_a_file_that_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(SubstitutionFailure, match=f'File not found: {tmp_path}/x'):
+        FileContent(str(tmp_path / 'x')).perform(LaunchContext())
+    (tmp_path / 'x').write_text('ü\n')
+    assert FileContent(str(tmp_path / 'x')).perform(LaunchContext()) == 'ü\n'
+
+
+def test_the_log_folder_is_made_when_asked_for(tmp_path: Path, fresh_simulation: Any) -> None:
+    fresh_simulation.env['ROS_HOME'] = str(tmp_path)
+    assert Path(LaunchLogDir().perform(LaunchContext())).parent == tmp_path / 'log'
+
+
+def test_commands_see_the_environment_of_the_launch(fresh_simulation: Any) -> None:
+    fresh_simulation.env['SEEN'] = 'yes'
+    assert Command("sh -c 'echo $SEEN'").perform(LaunchContext()) == 'yes\n'
+
+
+def test_a_command_with_warnings_logs_them(capsys: Any) -> None:
+    assert Command("sh -c 'echo oh >&2; echo out'", on_stderr='warn').perform(LaunchContext()) == 'out\n'
+    assert '[WARNING] [root]: executed command showed stderr output.' in capsys.readouterr().out
+
+
+def test_a_command_that_the_simulation_knows_runs_in_it(fresh_simulation: Any) -> None:
+    def run(process: Any) -> int:
+        from edulaunch.engine.sim.task import current_task
+
+        current_task().sleep_until(process.sim.now_ns + 10**9)
+        process.stdout.write(' '.join(process.argv))
+        return 0
+
+    fresh_simulation.host.ros2 = run
+    assert Command('ros2 pkg list').perform(LaunchContext()) == 'ros2 pkg list'
+    assert fresh_simulation.sim.elapsed_s == 1.0
+
+
+def test_executables_are_looked_for_on_the_path_of_the_launch(tmp_path: Path, fresh_simulation: Any) -> None:
+    program = tmp_path / 'my_tool'
+    program.touch(mode=0o755)
+    fresh_simulation.env['PATH'] = str(tmp_path)
+    assert FindExecutable(name='my_tool').perform(LaunchContext()) == str(program)
+
+
+def test_expressions_may_use_other_modules() -> None:
+    assert PythonExpression("os.path.join('a', str(sin(0)))", ['os', 'math']).perform(LaunchContext()) == 'a/0.0'
+
+
+def test_chance_in_an_expression_comes_from_the_simulation() -> None:
+    def draw() -> str:
+        return PythonExpression('random.random()', ['random']).perform(LaunchContext())
+
+    first = draw()
+    assert first != draw()
+
+
+@given(st.floats(allow_nan=False))
+def test_numbers_equal_themselves_however_written(number: float) -> None:
+    assert EqualsSubstitution(number, f'{number!r}').perform(LaunchContext()) == 'true'
+
+
+def test_paths_and_texts_are_joined() -> None:
+    context = LaunchContext()
+    context.launch_configurations['x'] = 'X'
+    path = PathSubstitution('/a') / 'b' / ['c_', LaunchConfiguration('x'), '.py']
+    assert path.perform(context) == '/a/b/c_X.py'
+    assert StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context) == 'a,bX'
+    assert PathJoinSubstitution(['a', '/b', 'c']).perform(context) == '/b/c'

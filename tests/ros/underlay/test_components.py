@@ -1,0 +1,113 @@
+"""Containers: nodes that are loaded into a running process, listed and unloaded."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
+from rcl_interfaces.msg import Parameter, ParameterValue
+
+import edulaunch
+from edulaunch.engine.packages import Index
+
+LOAD, UNLOAD, LIST = (f'/ComponentManager/_container/{verb}' for verb in ('load_node', 'unload_node', 'list_nodes'))
+
+
+def load(stage: Any, plugin: str, package: str = 'composition', **fields: Any) -> Any:
+    reply = stage.ask(LOAD, LoadNode, package_name=package, plugin_name=plugin, **fields)
+    stage.until((stage.sim.now_ns - stage.sim.start_ns) / 1e6 + 10)
+    return reply[0]
+
+
+@pytest.mark.parametrize(
+    'container', ['component_container', 'component_container_mt', 'component_container_isolated', 'component_container_event']
+)
+def test_nodes_are_loaded_listed_and_unloaded(stage: Any, container: str) -> None:
+    stage.start('rclcpp_components', container)
+    stage.until(10)
+    first, second = load(stage, 'composition::Talker'), load(stage, 'composition::Listener')
+    assert (first.success, first.unique_id, first.full_node_name) == (True, 1, '/talker')
+    assert (second.success, second.unique_id, second.full_node_name) == (True, 2, '/listener')
+    stage.until(1100)
+    assert stage.texts()[-2:] == ["Publishing: 'Hello World: 1'", 'I heard: [Hello World: 1]']
+    listed = stage.ask(LIST, ListNodes)
+    stage.until(1200)
+    gone, unknown = stage.ask(UNLOAD, UnloadNode, unique_id=1), stage.ask(UNLOAD, UnloadNode, unique_id=7)
+    stage.until(3500)
+    assert (list(listed[0].unique_ids), list(listed[0].full_node_names)) == ([1, 2], ['/talker', '/listener'])
+    assert gone[0].success
+    assert (unknown[0].success, unknown[0].error_message) == (False, 'No node found with unique_id: 7')
+    assert stage.texts()[-1] == 'No node found with unique_id: 7'  # and the talker is silent
+    assert load(stage, 'composition::Talker').unique_id == 3
+
+
+def test_a_component_gets_its_name_namespace_remappings_and_parameters(stage: Any) -> None:
+    stage.start('rclcpp_components', 'component_container', '--ros-args', '-r', '__node:=box', '-r', 'chatter:=elsewhere')
+    stage.until(10)
+    value = Parameter(name='use_sim_time', value=ParameterValue(type=1, bool_value=False))
+    fields = {'node_name': 'tom', 'node_namespace': '/zoo', 'remap_rules': ['chatter:=news'], 'parameters': [value]}
+    reply = stage.ask(
+        '/box/_container/load_node', LoadNode, package_name='composition', plugin_name='composition::Talker', **fields
+    )
+    stage.until(1100)
+    assert reply[0].full_node_name == '/zoo/tom'
+    assert [message.data for message in stage.messages('/zoo/news')] == ['Hello World: 1']
+
+
+@pytest.mark.parametrize(
+    ('package', 'plugin', 'message', 'help'),
+    [
+        (
+            'nothing',
+            'nothing::Node',
+            'Could not find requested resource in ament index',
+            "no components of a package 'nothing' are here",
+        ),
+        ('composition', 'composition::Taker', 'Failed to find class with the requested plugin name.', 'composition::Talker'),
+    ],
+)
+def test_what_is_not_there_is_told_in_the_words_of_ros(stage: Any, package: str, plugin: str, message: str, help: str) -> None:
+    stage.start('rclcpp_components', 'component_container')
+    stage.until(10)
+    reply = load(stage, plugin, package)
+    assert (reply.success, reply.error_message) == (False, message)
+    assert help in stage.texts()[-1]
+
+
+def test_every_component_of_every_package_can_be_loaded(stage: Any) -> None:
+    from rclcpp_components.component_container import components_of, packages_with_components
+
+    stage.start('rclcpp_components', 'component_container')
+    stage.until(10)
+    names = [(package, name) for package in packages_with_components(Index()) for name in components_of(Index(), package)]
+    failed = {name: reply.error_message for package, name in names if not (reply := load(stage, name, package)).success}
+    text = 'Component constructor threw an exception: robot_description parameter must not be empty'
+    assert len(names) >= 13 and failed == {'robot_state_publisher::RobotStatePublisher': text}
+
+
+def test_a_launch_file_loads_its_components() -> None:
+    recording = edulaunch.run('composition', 'composition_demo_launch.py', duration_s=2.5)
+    said = ''.join(line.text for line in recording.output)
+    assert "Loaded node '/talker' in container '/my_container'" in said and '[listener]: I heard: [Hello World: 2]' in said
+
+
+@pytest.mark.parametrize(
+    ('words', 'nodes'),
+    [
+        (['manual_composition'], ['talker', 'listener', 'Server', 'Client']),
+        (['linktime_composition'], ['talker', 'listener', 'Server', 'Client']),
+        (['dlopen_composition', '/x/lib/libserver_component.so', 'libclient_component.so'], ['Server', 'Client']),
+    ],
+)
+def test_components_in_one_program_without_a_container(stage: Any, words: list[str], nodes: list[str]) -> None:
+    stage.start('composition', *words)
+    stage.until(2100)
+    assert [node.name for node in stage.graph.nodes if node.name != 'hand'] == nodes
+    assert stage.texts()[-1] == 'Got result: [5]'
+
+
+def test_dlopen_composition_names_what_it_needs(stage: Any) -> None:
+    process = stage.start('composition', 'dlopen_composition', 'libtalk.so')
+    stage.until(10)
+    assert process.returncode == 1 and 'libtalker_component.so' in stage.tape.outputs[0][1]
