@@ -45,8 +45,10 @@ def test_importing_changes_no_path_and_loads_nothing_heavy() -> None:
 
 @pytest.mark.processes
 def test_every_room_can_be_imported_before_ros_can_be() -> None:
-    rooms = sorted(path.parent.name for path in (Path(edulaunch.__file__).parent).glob('*/__init__.py'))
-    assert 'plan' in rooms
+    folder = Path(edulaunch.__file__).parent
+    places = [path.parent.relative_to(folder) for depth in ('*', '*/*') for path in folder.glob(f'{depth}/__init__.py')]
+    rooms = sorted('.'.join(place.parts) for place in places)
+    assert 'advice.plan' in rooms
     assert (
         fresh(
             f'import edulaunch, importlib\nfor room in {rooms}: importlib.import_module("edulaunch." + room)\nprint("launch" in sys.modules)'
