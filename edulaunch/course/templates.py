@@ -73,7 +73,7 @@ def _files(name: str, course: str) -> dict[str, bytes]:
 
 def _classroom(requirements: str) -> dict[str, bytes]:
     """A command for each check of each exercise."""
-    from edugrade.export.classroom import autograding, tests, workflow
+    from edugrade.classes.export.classroom import autograding, tests, workflow
 
     found = [test for name, path in _exercises() for test in tests(f'{name}={EXERCISES}/{path}')]
     install = f'pip install -r {REQUIREMENTS}'
@@ -88,7 +88,7 @@ def _gradescope(requirements: str) -> dict[str, bytes]:
     """An autograder for each exercise."""
     import tempfile
 
-    from edugrade.export.gradescope import build
+    from edugrade.classes.export.gradescope import build
 
     files = {}
     with tempfile.TemporaryDirectory() as folder:

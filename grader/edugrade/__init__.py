@@ -11,8 +11,8 @@ In reading order:
 - the runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`; `in_place.py` where nothing can be forked
 - what they came to: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
 - the reports: `reports/`; what a student has done: `noted.py`, `progress_file.py`
-- who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`; `batch/`, `export/`, `similar.py`,
-  `verify.py`, `course_check.py`, `doctor.py`
+- who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
+- a plug-in: `classes/`, the tools for whole classes
 """
 
 from __future__ import annotations

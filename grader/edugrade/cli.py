@@ -26,16 +26,16 @@ if TYPE_CHECKING:
 
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
 VERBS = {
-    'batch': '.batch.command',
-    'classroom': '.export.classroom',
+    'batch': '.classes.batch.command',
+    'classroom': '.classes.export.classroom',
     'course': '.course_check',
-    'doctor': '.doctor',
-    'export': '.export.platforms',
-    'gradescope': '.export.gradescope',
+    'doctor': '.classes.doctor',
+    'export': '.classes.export.platforms',
+    'gradescope': '.classes.export.gradescope',
     'schema': '.cli:schema_command',
-    'similar': '.similar',
-    'sign': '.verify:sign_command',
-    'verify': '.verify',
+    'similar': '.classes.similar',
+    'sign': '.classes.verify:sign_command',
+    'verify': '.classes.verify',
 }
 """Words that may stand in the place of a path, and the modules with their `main` (or another function)."""
 FORKING = ('batch', 'doctor')

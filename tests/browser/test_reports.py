@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from edugrade.batch.entries import Entry
-from edugrade.batch.tables import class_page
+from edugrade.classes.batch.entries import Entry
+from edugrade.classes.batch.tables import class_page
 from edugrade.reports.page import page
 
 from tests.grader.made_report import FAILED, PASSED, report

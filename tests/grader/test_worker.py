@@ -106,8 +106,8 @@ worker_pid = tried(os.getpid)
 got = [tried(lambda: ['a' * 300_000, 1.5, None])[1:], tried(eat), tried(loop), tried(lambda: 1 / 0), worker_pid != os.getpid()]
 got.append(tried(lambda: sorted(os.listdir('/proc/self/fd'))) if sys.platform.startswith('linux') else ['0', '1', '2'])
 import edugrade.worker
-tried(lambda: __import__('edugrade.similar') and None)
-got.append('edugrade.similar' in sys.modules)
+tried(lambda: __import__('edugrade.classes.similar') and None)
+got.append('edugrade.classes.similar' in sys.modules)
 print(json.dumps(got))
 """
 

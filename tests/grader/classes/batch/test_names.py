@@ -10,8 +10,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from edugrade.batch.entries import Entry, Finder
-from edugrade.batch.names import Student, namer, plain_name
+from edugrade.classes.batch.entries import Entry, Finder
+from edugrade.classes.batch.names import Student, namer, plain_name
 
 from edulaunch.errors import UnusableInput
 

@@ -10,10 +10,10 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from .evidence import Scenario
-from .job import Limits
-from .runner import Runner
-from .submission import Submission
+from ..evidence import Scenario
+from ..job import Limits
+from ..runner import Runner
+from ..submission import Submission
 
 # What a hostile launch file would do. `settings` is given; each line is (layer, attempt, code that raises when it is refused).
 _ATTEMPTS = (
@@ -101,7 +101,7 @@ def examine(limits: Limits | None = None) -> Iterator[Finding]:
 
 
 def _settings(folder: str, port: int) -> dict[str, Any]:
-    from .rubrics.catalogue import exercises, rubrics_folder
+    from ..rubrics.catalogue import exercises, rubrics_folder
 
     secret = os.path.join(folder, 'other_student.launch.py')
     with open(secret, 'w', encoding='utf-8') as file:

@@ -13,7 +13,7 @@ from edugrade.cli import main
 
 pytestmark = pytest.mark.processes
 
-SOLUTION = Path(__file__).parents[2] / 'solutions' / 'static_frame.launch.py'
+SOLUTION = Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py'
 
 
 @pytest.fixture(scope='module')

@@ -8,8 +8,8 @@ import subprocess
 import sys
 
 import pytest
+from edugrade.classes.doctor import Finding, examine, report
 from edugrade.cli import main
-from edugrade.doctor import Finding, examine, report
 from edugrade.job import Limits
 from edugrade.sandbox import landlock, seccomp
 

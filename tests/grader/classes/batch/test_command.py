@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
-from edugrade.batch.entries import Entry
-from edugrade.batch.store import Store
-from edugrade.batch.tables import class_csv, class_page
+from edugrade.classes.batch.entries import Entry
+from edugrade.classes.batch.store import Store
+from edugrade.classes.batch.tables import class_csv, class_page
 from edugrade.cli import main
 
-SOLUTIONS = Path(__file__).parents[3] / 'solutions'
+SOLUTIONS = Path(__file__).parents[4] / 'solutions'
 STUDENTS = ('anna', 'bert', 'carl', 'dora')
 
 

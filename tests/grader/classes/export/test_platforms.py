@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from edugrade.classes.export.platforms import Mark, marks_of
 from edugrade.cli import main
-from edugrade.export.platforms import Mark, marks_of
 
 from edulaunch.errors import UnusableInput
 

@@ -14,14 +14,14 @@ from typing import Any
 
 from edulaunch.errors import UnusableInput
 
-from .files import read_given, write_whole
-from .grading import grade, plan_work
-from .job import Limits
-from .options import add_common
-from .reports.document import document, json_text, receipt
-from .reports.terminal import printable
-from .submission import Submission
-from .variant import CourseSecret, Variant
+from ..files import read_given, write_whole
+from ..grading import grade, plan_work
+from ..job import Limits
+from ..options import add_common
+from ..reports.document import document, json_text, receipt
+from ..reports.terminal import printable
+from ..submission import Submission
+from ..variant import CourseSecret, Variant
 
 LARGEST_KEY, LARGEST_REPORT = 10_000, 50_000_000
 MAKE = 'openssl genpkey -algorithm ed25519 -out key.pem; openssl pkey -in key.pem -pubout -out public.pem'

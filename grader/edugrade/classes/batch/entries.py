@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..files import read_regular
-from ..sandbox.remove_tree import remove_tree
-from ..submission import ENDINGS, LARGEST_BYTES, exercise_of, package_at
-from ..worker import TooLong, cpu_limit
+from ...files import read_regular
+from ...sandbox.remove_tree import remove_tree
+from ...submission import ENDINGS, LARGEST_BYTES, exercise_of, package_at
+from ...worker import TooLong, cpu_limit
 from .names import ARCHIVES, Student, namer, plain_name
 from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
 

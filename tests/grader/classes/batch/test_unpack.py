@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from edugrade.batch.unpack import Bounds, unpack
+from edugrade.classes.batch.unpack import Bounds, unpack
 
 from edulaunch.errors import UnusableInput
 

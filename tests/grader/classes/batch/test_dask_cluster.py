@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from edugrade.batch.entries import Entry
-from edugrade.batch.store import Store
+from edugrade.classes.batch.entries import Entry
+from edugrade.classes.batch.store import Store
 from edugrade.cli import main
 
 pytest.importorskip('distributed', reason='the extra "dask"')
@@ -23,7 +23,7 @@ pytestmark = [
     pytest.mark.filterwarnings('ignore::ResourceWarning'),
     pytest.mark.filterwarnings('ignore::pytest.PytestUnraisableExceptionWarning'),
 ]
-SOLUTION = Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py'
+SOLUTION = Path(__file__).parents[4] / 'solutions' / 'static_frame.launch.py'
 CLUSTER = """
 import os, sys
 from distributed import Client, LocalCluster

@@ -11,15 +11,15 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..files import write_whole
-from ..grading import Work, grade, plan_work
-from ..job import Limits
-from ..options import is_personal
-from ..reports.document import document, receipt
-from ..results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
-from ..submission import Submission
-from ..variant import CourseSecret
-from ..verdicts import REPORT_IT
+from ...files import write_whole
+from ...grading import Work, grade, plan_work
+from ...job import Limits
+from ...options import is_personal
+from ...reports.document import document, receipt
+from ...results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
+from ...submission import Submission
+from ...variant import CourseSecret
+from ...verdicts import REPORT_IT
 from .entries import Entry
 from .store import Result, Store
 
@@ -97,7 +97,7 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
 
 def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
     """Grade on this machine, `jobs` runs at a time."""
-    from ..grading import progress_bar
+    from ...grading import progress_bar
 
     works = [work for _, work in todo]
     with progress_bar(sum(len(work.scenarios) for work in works)) as advance:
@@ -110,7 +110,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
     """Write the page of a submission, when one is wanted, and then the result."""
     try:
         if options.html and not options.only:
-            from ..reports.page import page
+            from ...reports.page import page
 
             keep_page(store.path(entry, '.html', options.html), page([report], []))
         found = document(report)

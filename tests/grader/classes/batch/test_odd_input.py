@@ -12,7 +12,7 @@ import pytest
 from edugrade.cli import main
 from edugrade.sandbox.remove_tree import remove_tree
 
-SOLUTION = (Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py').read_text()
+SOLUTION = (Path(__file__).parents[4] / 'solutions' / 'static_frame.launch.py').read_text()
 NAME = 'static_frame.launch.py'
 SLOW_TEXT = (
     'class Slow(Exception):\n    def __str__(self):\n        while True:\n            pass\n\n\n'

@@ -12,10 +12,10 @@ from typing import Any
 
 from edulaunch.errors import UnusableInput
 
-from ..files import read_regular, write_whole
-from ..reports.document import json_text
-from ..results import ALL_PASSED, BROKEN_GRADER, GRADER_BROKE, PASSED, SOME_FAILED, UNUSABLE_INPUT, VERDICTS, rounded
-from ..sandbox.remove_tree import remove_tree
+from ...files import read_regular, write_whole
+from ...reports.document import json_text
+from ...results import ALL_PASSED, BROKEN_GRADER, GRADER_BROKE, PASSED, SOME_FAILED, UNUSABLE_INPUT, VERDICTS, rounded
+from ...sandbox.remove_tree import remove_tree
 from .entries import Entry
 
 LARGEST_RESULT = 10_000_000

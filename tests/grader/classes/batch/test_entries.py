@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from edugrade.batch.entries import NOTHING, Entry, Finder
+from edugrade.classes.batch.entries import NOTHING, Entry, Finder
 
 from edulaunch.errors import UnusableInput
 

@@ -17,9 +17,9 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
+from ...files import read_regular, write_whole
 from ..batch.store import Store
 from ..batch.tables import csv_text, first_problem, plain
-from ..files import read_regular, write_whole
 
 
 class Mark(NamedTuple):

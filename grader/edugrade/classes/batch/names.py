@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..files import read_given, read_regular
+from ...files import read_given, read_regular
 
 ARCHIVES = ('.zip', '.tar', '.tar.gz', '.tgz', '.tar.bz2', '.tbz2')
 LARGEST_METADATA = 20_000_000
@@ -66,7 +66,7 @@ def plain_name(name: str) -> str:
 
 
 def _stem(name: str) -> str:
-    from ..submission import ENDINGS
+    from ...submission import ENDINGS
 
     ending = next(
         (ending for ending in sorted((*ENDINGS, *ARCHIVES), key=len, reverse=True) if name.lower().endswith(ending)), ''

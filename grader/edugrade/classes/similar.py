@@ -18,14 +18,14 @@ from zlib import crc32
 
 from edulaunch.errors import UnusableInput
 
+from ..course import find_course, read_course
+from ..files import write_whole
+from ..reports.markup import Markup, element, html_page, table_row
+from ..reports.terminal import printable
+from ..submission import Submission
+from ..worker import TooLong, cpu_limit
 from .batch.store import Store
-from .course import find_course, read_course
-from .files import write_whole
-from .reports.markup import Markup, element, html_page, table_row
-from .reports.terminal import printable
-from .submission import Submission
 from .verify import find_submission
-from .worker import TooLong, cpu_limit
 
 TOKENS, WINDOW = 9, 4  # tokens in a fingerprint, fingerprints of which the smallest is kept
 MOST_TOKENS = 50_000

@@ -12,11 +12,11 @@ import shutil
 from pathlib import Path
 
 import pytest
+from edugrade.classes.similar import Code, Work, alike, fingerprints, similar_page
 from edugrade.cli import main
-from edugrade.similar import Code, Work, alike, fingerprints, similar_page
 from edugrade.worker import cpu_limit
 
-SOLUTION = (Path(__file__).parents[2] / 'solutions' / 'follow.launch.py').read_text()
+SOLUTION = (Path(__file__).parents[3] / 'solutions' / 'follow.launch.py').read_text()
 OWN = """
 def bring(turtle, number):
     settings = {'turtlename': turtle}
@@ -73,7 +73,7 @@ def test_a_hostile_text_takes_no_time() -> None:
     assert list(itertools.islice(fingerprints('').prints, 1)) == []
 
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 @pytest.fixture

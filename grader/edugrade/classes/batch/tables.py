@@ -11,8 +11,8 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from ..files import write_whole
-from ..reports.markup import Markup, element, html_page, table_row
+from ...files import write_whole
+from ...reports.markup import Markup, element, html_page, table_row
 
 if TYPE_CHECKING:
     from .store import Store

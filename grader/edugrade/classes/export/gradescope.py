@@ -18,17 +18,17 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 from edulaunch.version import __version__
 
+from ...files import read_given, read_regular, write_whole
+from ...grading import grade, plan_work
+from ...job import Limits
+from ...reports.document import document, explanation, json_text
+from ...reports.terminal import printable, sandbox_line
+from ...reports.wording import at_level, level_of
+from ...results import BROKEN_GRADER, GRADER_BROKE, PASSED
+from ...rubrics.catalogue import find_rubric
+from ...submission import Submission, exercise_of
+from ...variant import CourseSecret
 from ..batch.entries import Finder
-from ..files import read_given, read_regular, write_whole
-from ..grading import grade, plan_work
-from ..job import Limits
-from ..reports.document import document, explanation, json_text
-from ..reports.terminal import printable, sandbox_line
-from ..reports.wording import at_level, level_of
-from ..results import BROKEN_GRADER, GRADER_BROKE, PASSED
-from ..rubrics.catalogue import find_rubric
-from ..submission import Submission, exercise_of
-from ..variant import CourseSecret
 
 LARGEST_WHEEL = 200_000_000
 LONGEST_OUTPUT = 8000

@@ -18,10 +18,10 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 from edulaunch.version import __version__
 
-from ..files import read_regular
-from ..grading import Work
-from ..results import BROKEN_GRADER
-from ..verdicts import REPORT_IT
+from ...files import read_regular
+from ...grading import Work
+from ...results import BROKEN_GRADER
+from ...verdicts import REPORT_IT
 from .entries import Entry
 from .store import Store
 from .work import Options, keep, keep_document, keep_page, refusal
@@ -53,7 +53,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
             ): entry
             for number, (entry, work) in enumerate(todo)
         }
-        from ..grading import progress_bar
+        from ...grading import progress_bar
 
         with progress_bar(len(entries)) as advance:
             for future in as_completed(entries, loop=client.loop):

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from edugrade.classes.export.classroom import tests as classroom_tests
 from edugrade.cli import main
-from edugrade.export.classroom import tests as classroom_tests
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 
 
 def test_workflow_and_autograding_ask_for_the_same(tmp_path: Path) -> None:

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 from edulaunch.errors import UnusableInput
 
-from ..files import write_whole
-from ..results import BROKEN_GRADER
-from ..rubrics.catalogue import exercises, find_rubric
-from ..submission import exercise_of
+from ...files import write_whole
+from ...results import BROKEN_GRADER
+from ...rubrics.catalogue import exercises, find_rubric
+from ...submission import exercise_of
 from .entries import Entry, Finder, refuse_nothing
 from .names import ARCHIVES
 from .store import Result, Store
@@ -21,7 +21,7 @@ Results = Sequence[tuple[Entry, Result | None]]
 
 def main(words: Sequence[str]) -> int:
     """Grade a class. Returns the exit code: 0, or 3 when somebody is without a verdict through a fault of the grader."""
-    from ..options import read_batch_options
+    from ...options import read_batch_options
 
     options = read_batch_options(words)
     how = Options.of(options)
@@ -65,7 +65,7 @@ def _write_tables(results: Results, csv: str | None, html: str | None, junit: st
     if csv is not None:
         write_whole(csv, class_csv(results))
     if junit is not None:
-        from ..reports.junit import junit_text
+        from ...reports.junit import junit_text
 
         write_whole(junit, junit_text([found for _, found in results if found]))
     if html is not None:

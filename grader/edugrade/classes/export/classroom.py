@@ -18,9 +18,9 @@ import yaml
 from edulaunch.errors import UnusableInput
 from edulaunch.version import __version__
 
-from ..course import find_course, read_course
-from ..files import write_whole
-from ..rubrics.catalogue import find_rubric
+from ...course import find_course, read_course
+from ...files import write_whole
+from ...rubrics.catalogue import find_rubric
 
 MINUTES = 2
 

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from edugrade.classes.export.gradescope import refused, results, run
 from edugrade.cli import main
-from edugrade.export.gradescope import refused, results, run
 
-SOLUTION = Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py'
+SOLUTION = Path(__file__).parents[4] / 'solutions' / 'static_frame.launch.py'
 # What the specification knows, and of which type (gradescope-autograders.readthedocs.io, "Output Format").
 TOP = {
     'score': (int, float),
