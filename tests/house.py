@@ -15,6 +15,8 @@ EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 UNDERLAY = PACKAGE / 'ros' / 'python'
 WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')
 """Wings of several rooms; each other wing is one room."""
+AS_PREFIX = ('bin', 'programs', 'python', 'share', 'shell')
+"""What of the wing `ros` is an install prefix, and no package of edulaunch."""
 RULES = ('advice.errors', 'advice.plans', 'advice.recordings', 'advice.sources', 'advice.workspaces')
 """Folders of rules, which are no rooms of their own."""
 FACADE = ('__main__', 'checking')
@@ -35,7 +37,7 @@ def modules() -> dict[str, Path]:
         for base, packages in places
         for package in packages
         for path in sorted((base / package).rglob('*.py'))
-        if path.parent == PACKAGE / 'ros' or PACKAGE / 'ros' not in path.parents or base != ROOT
+        if PACKAGE / 'ros' not in path.parents or base != ROOT or path.relative_to(PACKAGE / 'ros').parts[0] not in AS_PREFIX
     }
 
 

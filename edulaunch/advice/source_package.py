@@ -44,6 +44,7 @@ def workspace_at(path: str) -> Workspace:
     """The workspace or package folder at `path`."""
     from edulaunch.advice.workspace.sources import source_packages
     from edulaunch.engine.packages import Index
+    from edulaunch.ros.sources import read_source
 
-    index = Index((), [path])
+    index = Index((), [path], read_source=read_source)
     return Workspace(os.path.abspath(path), index, source_packages(index))

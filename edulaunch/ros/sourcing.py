@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING
 
-from edulaunch.engine.underlay_place import note_sourced, put_on_prefix_path, sourced_workspaces, underlay_prefix, underlay_python
+from edulaunch.engine.underlay_place import underlay_prefix, underlay_python
 from edulaunch.errors import ForeignRosError
 
 if TYPE_CHECKING:
@@ -41,6 +41,8 @@ def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
         if place not in sys.path:
             sys.path.insert(0, place)
         install()
+        from edulaunch.engine.packages.sourced import put_on_prefix_path
+
         put_on_prefix_path()
     if workspaces:
         _source_workspaces(workspaces)
@@ -48,13 +50,14 @@ def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
 
 def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
     from edulaunch.engine.interfaces import install
-    from edulaunch.engine.packages import Index
     from edulaunch.engine.packages.discovery import install_folders
     from edulaunch.engine.packages.index import interfaces_of
+    from edulaunch.engine.packages.sourced import add_workspaces, put_on_prefix_path, sourced_index
+    from edulaunch.ros.sources import read_source
 
     built, sources = install_folders(workspaces)
-    note_sourced(sources)
-    index = Index(built, sourced_workspaces())
+    add_workspaces(sources, read_source)
+    index = sourced_index(built)
     _INDEXES[:] = [index]
     for package in index.packages():
         index.prefix(package)

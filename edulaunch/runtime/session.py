@@ -22,6 +22,7 @@ from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.errors import UnusableInput
+from edulaunch.ros.sources import read_source
 from edulaunch.ros.sourcing import source
 from edulaunch.runtime.launch_process import LaunchRun
 from edulaunch.runtime.launching import find_launch_file
@@ -244,7 +245,7 @@ def _nanoseconds(duration_s: float) -> int:
 def index_for(workspaces: Sequence[PathLike]) -> Index:
     """An index of the workspaces over the underlay."""
     built, sources = install_folders(workspaces)
-    return Index([*built, underlay_prefix()], sources)
+    return Index([*built, underlay_prefix()], sources, read_source=read_source)
 
 
 def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:

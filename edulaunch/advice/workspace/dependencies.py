@@ -9,6 +9,7 @@ from typing import NamedTuple
 from edulaunch.advice.workspace.sources import Dependency, SourcePackage, source_packages
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages import Index
+from edulaunch.ros.sources import read_source
 
 NOT_NEEDED = (
     *('ament_*', 'rosidl_*', 'cmake', 'catkin', 'pkg-config', 'launch_testing_ament_cmake'),
@@ -34,7 +35,7 @@ class Missing(NamedTuple):
 
 def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
     """The packages below `path`, and each dependency of theirs that neither the underlay nor the workspace has."""
-    index = Index((), [path])
+    index = Index((), [path], read_source=read_source)
     packages = source_packages(index)
     here = list(index.packages())
     missing = []

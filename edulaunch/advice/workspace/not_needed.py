@@ -58,12 +58,14 @@ def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
 def _colcon(words: Sequence[str], folder: str) -> str:
     from edulaunch.engine.packages import Index
     from edulaunch.engine.packages.discovery import find_workspaces, install_folders
+    from edulaunch.ros.sources import read_source
 
     if words[:1] == ['test']:
         return 'colcon test: the tests of packages run with pytest here, in the folder of the package: python3 -m pytest'
     if words[:1] and words[0] not in _BUILDING:
         return f'colcon {words[0]}: not needed here; `edulaunch pkg check` looks for mistakes in packages.'
-    names = list(Index((), install_folders(find_workspaces(folder, {}))[1], underlay=None).packages())
+    sources = install_folders(find_workspaces(folder, {}))[1]
+    names = list(Index((), sources, read_source=read_source, underlay=None).packages())
     if not names:
         return (
             'colcon build: nothing has to be built here, and no package is here either: go to the folder of your workspace, '

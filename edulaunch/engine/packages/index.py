@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from edulaunch.engine.packages.absent import absent_kind
 from edulaunch.engine.packages.prefix import Prefix, Underlay, expand_prefixes
-from edulaunch.engine.packages.reading import Contents, PackageWarning, Program
+from edulaunch.engine.packages.reading import Contents, PackageWarning, Program, SourceReader
 from edulaunch.engine.packages.workspace import Workspace
 from edulaunch.engine.underlay_place import underlay_prefix
 
@@ -60,7 +60,9 @@ class Index:
 
     :param prefixes: install prefixes, or colcon `install/` folders of either layout.
     :param workspaces: folders with source packages.
+    :param read_source: reads their build files; an index without workspaces needs none.
     :param underlay: the built-in packages' prefix; None for an index without them.
+    :ivar workspaces: the source workspaces, in order of search.
     """
 
     def __init__(
@@ -68,17 +70,22 @@ class Index:
         prefixes: Iterable[str | os.PathLike[str]] = (),
         workspaces: Iterable[str | os.PathLike[str]] = (),
         *,
+        read_source: SourceReader | None = None,
         underlay: str | None = underlay_prefix(),
     ) -> None:
+        self.read_source = read_source
         self._warnings: list[PackageWarning] = []
+        self.workspaces = [self._workspace(os.fspath(folder)) for folder in workspaces]
         expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
-        self._places: list[Place] = [
-            *(Workspace(os.fspath(folder), self._warnings) for folder in workspaces),
-            *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
-        ]
+        self._places: list[Place] = [*self.workspaces, *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay))]
         self._underlay = underlay
         if underlay is not None:
             self._places.append(Underlay(underlay))
+
+    def _workspace(self, folder: str) -> Workspace:
+        if self.read_source is None:
+            raise TypeError('an Index of source workspaces needs read_source')
+        return Workspace(folder, self.read_source, self._warnings)
 
     @property
     def warnings(self) -> tuple[PackageWarning, ...]:
@@ -148,11 +155,6 @@ class Index:
             return {}
         folder = place.package_folder(package)
         return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
-
-    @property
-    def workspaces(self) -> list[Workspace]:
-        """The source workspaces, in order of search."""
-        return [place for place in self._places if isinstance(place, Workspace)]
 
     def contents(self, package: str) -> Contents | None:
         """What the build file of a source package installs; None when the package comes from elsewhere."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 
 class PackageWarning(NamedTuple):
@@ -81,6 +81,13 @@ class Manifest(NamedTuple):
     name: str
     build_type: str
     folder: str
+
+
+class SourceReader(Protocol):
+    """Reads the build file of a source package, without running it; `edulaunch.ros.sources` has one for setup.py and CMake."""
+
+    def __call__(self, manifest: Manifest, /) -> Contents:
+        """Return what the package installs; what a build would reject is among the warnings of the contents."""
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:

@@ -11,7 +11,15 @@ import os
 import weakref
 
 from edulaunch.engine.packages.prefix import is_python
-from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning, Program, find_packages, read_manifest
+from edulaunch.engine.packages.reading import (
+    Contents,
+    Manifest,
+    PackageWarning,
+    Program,
+    SourceReader,
+    find_packages,
+    read_manifest,
+)
 
 
 class Image:
@@ -165,11 +173,13 @@ class Workspace:
     """One source workspace; packages are found at the first question, and read one by one.
 
     :param folder: the workspace, its `src/`, or a single package.
-    :param warnings: where everything goes that a build would reject.
+    :param read_source: reads the build file of a package.
+    :param warnings: the list to which everything is added that a build would reject.
     """
 
-    def __init__(self, folder: str, warnings: list[PackageWarning]) -> None:
+    def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning]) -> None:
         self.folder = os.path.abspath(folder)
+        self._read_source = read_source
         self._image = Image(self.folder)
         self.path = self._image.path
         self._warnings = warnings
@@ -231,7 +241,7 @@ class Workspace:
         """What the package installs; read at the first question."""
         contents = self._contents.get(package)
         if contents is None:
-            contents = self._contents[package] = _read(self._manifests()[package])
+            contents = self._contents[package] = self._read_source(self._manifests()[package])
             self._warnings += contents.warnings
         return contents
 
@@ -259,13 +269,3 @@ class Workspace:
                     f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
                 )
             )
-
-
-def _read(manifest: Manifest) -> Contents:
-    if manifest.build_type == 'ament_python':
-        from edulaunch.engine.packages.setup_script import read_setup_script
-
-        return read_setup_script(manifest)
-    from edulaunch.engine.packages.cmake import read_cmake_lists
-
-    return read_cmake_lists(manifest)

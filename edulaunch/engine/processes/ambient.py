@@ -12,14 +12,13 @@ from collections.abc import Callable
 from types import FrameType
 
 from edulaunch.engine.graph.graph import Graph
-from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.sourced import sourced_index, sourced_path
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.whose_code import is_own
 from edulaunch.engine.sim.real_threads import RealThreads, start_real_thread
 from edulaunch.engine.sim.task import AmbientTask, Task, current_task
-from edulaunch.engine.underlay_place import sourced_path, sourced_workspaces, underlay_prefix
 
 CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable, vars(time).values()))))
 """Whoever has one of these among its global names looks at the real clock, or waits for it."""
@@ -65,7 +64,7 @@ def make_ambient_process(task: AmbientTask) -> Process:
     if script_sees_the_clock():
         task.real_threads.keep_time()
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
-    host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], sourced_workspaces()), env=dict(os.environ))
+    host = Host(task.sim, Graph(task.sim), sourced_index(prefixes), env=dict(os.environ))
     return ambient_process_on(host, task)
 
 

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.packages import Index
+from edulaunch.ros.sources import read_source
 
 SEEDS = Path(__file__).resolve().parents[3] / '..' / 'shared' / 'seeds'
 FILES = (SEEDS / 'files').resolve()
@@ -58,7 +59,7 @@ class Places:
         """What the oracle had for this file, all other packages being placeholders."""
         if file.startswith('large_projects/stage1/'):
             return Index([self.stage1, self.standin], underlay=None)
-        return Index([self.standin], [FILES], underlay=None)
+        return Index([self.standin], [FILES], read_source=read_source, underlay=None)
 
     def environ(self) -> dict[str, str]:
         return {'USER': 'student', 'PATH': os.pathsep.join((str(self._tools), '/usr/bin', '/bin'))}

@@ -10,6 +10,7 @@ import pytest
 
 from edulaunch.advice.plan import make_plan
 from edulaunch.engine.packages import Index
+from edulaunch.ros.sources import read_source
 from tests.advice.plan.conftest import FILES, SEEDS, seed_rows
 
 PLANS = [(row, entry) for row, entry in seed_rows() if entry['outcome'] == 'plan']
@@ -44,6 +45,8 @@ def without_places(text: str) -> str:
 
 @pytest.mark.parametrize(('file', 'args', 'error'), strict_rows())
 def test_without_placeholders_the_outcome_is_that_of_a_real_machine(file: str, args: list[str], error: str | None) -> None:
-    plan = make_plan(FILES / file, args, Index([], [FILES]), {'USER': 'student', 'PATH': '/usr/bin:/bin'})
+    plan = make_plan(
+        FILES / file, args, Index([], [FILES], read_source=read_source), {'USER': 'student', 'PATH': '/usr/bin:/bin'}
+    )
     found = plan['error'] and f'{plan["error"]["type"]}: {plan["error"]["text"]}'
     assert (found and without_places(found)) == (error and without_places(error))

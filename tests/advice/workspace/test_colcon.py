@@ -13,6 +13,7 @@ import pytest
 import edulaunch
 from edulaunch.advice.workspace.new_package import NewPackage, create_package
 from edulaunch.engine.packages import Index
+from edulaunch.ros.sources import read_source
 from edulaunch.runtime.session import index_for
 
 SEEDS = Path(__file__).resolve().parents[4] / 'shared' / 'seeds' / 'files'
@@ -61,4 +62,4 @@ def test_a_package_made_here_builds_and_runs(built: Path, tmp_path: Path) -> Non
     index = index_for([built / 'install'])
     assert index.executables('my_package') == ['my_node']
     assert index.prefix('my_package') == str(built / 'install' / 'my_package')
-    assert Index([], [built]).executables('my_package') == ['my_node']
+    assert Index([], [built], read_source=read_source).executables('my_package') == ['my_node']

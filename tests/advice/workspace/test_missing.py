@@ -12,6 +12,7 @@ from edulaunch.advice import judge_sources
 from edulaunch.advice.wording import help_of_facts
 from edulaunch.advice.workspace.missing import installed_file, missing_executable, missing_launch_file, missing_package
 from edulaunch.engine.packages import Index
+from edulaunch.ros.sources import read_source
 
 
 @pytest.fixture
@@ -26,7 +27,7 @@ def robo(workspace: Any, node: str) -> Any:
 
 @pytest.fixture
 def index(robo: Any) -> Index:
-    return Index([], [robo.folder])
+    return Index([], [robo.folder], read_source=read_source)
 
 
 def test_ros2_launch_tells_of_a_launch_file_that_is_not_installed(robo: Any) -> None:
@@ -113,7 +114,9 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
 
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
     robo.write('robo/setup.cfg', '')
-    assert missing_executable(Index([], [robo.folder]), 'robo', 'drive')['about'] == 'packages.no-setup-cfg'
+    assert (
+        missing_executable(Index([], [robo.folder], read_source=read_source), 'robo', 'drive')['about'] == 'packages.no-setup-cfg'
+    )
 
 
 def test_a_package_with_an_unreadable_package_xml_is_named_with_its_line(index: Index, robo: Any) -> None:
@@ -157,14 +160,16 @@ def test_what_is_advised_finds_the_launch_file(workspace: Any, file: str, data: 
     workspace.python('robo', data=data)
     workspace.write('robo/launch/other.launch.py')
     workspace.write(f'robo/{file}', 'def generate_launch_description():\n    return None\n')
-    said = help_of_facts(missing_launch_file(Index([], [workspace.folder]), 'robo', file.rpartition('/')[2]))
+    said = help_of_facts(
+        missing_launch_file(Index([], [workspace.folder], read_source=read_source), 'robo', file.rpartition('/')[2])
+    )
     assert said.partition('does not install it; ')[2].removesuffix(' to data_files of setup.py') == help
 
 
 def test_a_package_whose_build_stops_says_so_instead_of_what_is_missing(robo: Any) -> None:
     setup = (robo.folder / 'robo' / 'setup.py').read_text()
     robo.write('robo/setup.py', setup.replace("name='robo'", 'name=package_name'))
-    index = Index([], [robo.folder])
+    index = Index([], [robo.folder], read_source=read_source)
     said = f"{robo.folder}/robo/setup.py:3: a build stops with NameError: name 'package_name' is not defined"
     assert missing_launch_file(index, 'robo', 'go.launch.py')['reason'] == said
     assert missing_executable(index, 'robo', 'drive')['reason'] == said

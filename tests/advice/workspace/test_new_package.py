@@ -15,6 +15,7 @@ from edulaunch.advice.workspace.new_package import NewPackage, create_package, m
 from edulaunch.advice.workspace.package_files import LICENSES
 from edulaunch.engine.packages import Index
 from edulaunch.errors import PackageError
+from edulaunch.ros.sources import read_source
 
 
 @pytest.fixture
@@ -71,7 +72,7 @@ def test_a_cmake_package_has_its_own_files(create: Callable[..., list[str]], tmp
         'creating ./robo/src/wheel_parts.cpp',
     ]
     assert 'class WheelParts' in (tmp_path / 'robo/include/robo/wheel_parts.hpp').read_text()
-    assert list(Index([], [tmp_path]).native_executables('robo')) == ['drive']
+    assert list(Index([], [tmp_path], read_source=read_source).native_executables('robo')) == ['drive']
 
 
 def test_a_new_package_is_found_and_runs(create: Callable[..., list[str]], tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.absent import absent_kind
+from edulaunch.ros.sources import read_source
 
 
 @pytest.mark.parametrize(
@@ -29,7 +30,7 @@ def test_an_absent_package_belongs_to_something(package: str, kind: str | None) 
 def test_a_package_of_the_workspace_is_not_absent(tmp_path: Path) -> None:
     (tmp_path / 'urdf').mkdir()
     (tmp_path / 'urdf' / 'package.xml').write_text('<package format="3"><name>urdf</name></package>')
-    assert Index((), [tmp_path]).absent('urdf') is None
+    assert Index((), [tmp_path], read_source=read_source).absent('urdf') is None
     assert Index().absent('urdf') == 'robot descriptions'
 
 

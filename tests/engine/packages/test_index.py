@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.reading import Contents, Manifest
+from edulaunch.ros.sources import read_source
 
 SETUP = """
 from setuptools import setup
@@ -43,7 +45,7 @@ def test_overlays_come_first_then_prefixes_then_the_underlay(workspace: Any, tmp
     for name in ('alpha', 'gamma'):
         (underlay / 'share' / name).mkdir(parents=True)
         (underlay / 'share' / name / 'console_scripts.txt').write_text('go = gamma.go:main\n')
-    index = Index([prefix], [workspace.path], underlay=str(underlay))
+    index = Index([prefix], [workspace.path], read_source=read_source, underlay=str(underlay))
     overlay = index.search_paths()[0]
     assert index.search_paths() == [overlay, str(prefix), str(underlay)]
     assert index.packages() == {'alpha': overlay, 'beta': overlay, 'gamma': str(underlay)}
@@ -164,7 +166,7 @@ def test_built_in_programs_stand_in_for_those_that_a_workspace_would_build_from_
         'project(turtlesim)\nadd_executable(turtlesim_node a.cpp)\n'
         'add_executable(own_node b.cpp)\ninstall(TARGETS turtlesim_node own_node DESTINATION lib/turtlesim)',
     )
-    index = Index(workspaces=[workspace.path])
+    index = Index(workspaces=[workspace.path], read_source=read_source)
     path = index.find_executable('turtlesim', 'turtlesim_node')
     assert path is not None and path.startswith(index.search_paths()[0]) and index.executables('turtlesim') == ['turtlesim_node']
     program = index.find_program(path)
@@ -250,3 +252,17 @@ def test_what_is_no_longer_installed_goes_though_somebody_else_uses_the_folder(w
     second = workspace.index()
     assert second.share('alpha') == share
     assert os.listdir(f'{share}/launch') == ['b.launch.py']
+
+
+def test_source_workspaces_need_a_reader_of_their_build_files(tmp_path: Path) -> None:
+    with pytest.raises(TypeError, match='needs read_source'):
+        Index(workspaces=[tmp_path])
+    read: list[str] = []
+
+    def reader(manifest: Manifest) -> Contents:
+        read.append(manifest.name)
+        return Contents()
+
+    (tmp_path / 'package.xml').write_text('<package><name>robo</name></package>', encoding='utf-8')
+    assert Index(workspaces=[tmp_path], read_source=reader).executables('robo') == []
+    assert read == ['robo']

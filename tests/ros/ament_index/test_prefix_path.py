@@ -16,8 +16,9 @@ from ament_index_python import (
     get_search_paths,
 )
 
+from edulaunch.engine.packages.sourced import sourced_path
 from edulaunch.engine.processes import current_process
-from edulaunch.engine.underlay_place import sourced_path, underlay_prefix
+from edulaunch.engine.underlay_place import underlay_prefix
 
 
 def with_path(value: str | None, body: Callable[[], Any]) -> Any:

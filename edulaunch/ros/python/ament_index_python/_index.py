@@ -35,4 +35,4 @@ def _index_of(path: str, sourced: Index) -> Index:
     folders = [workspace.folder for workspace in sourced.workspaces if workspace.path in named]
     generated = {workspace.path for workspace in sourced.workspaces}
     prefixes = [prefix for prefix in existing(path) if prefix not in generated]
-    return Index(prefixes, folders, underlay=underlay if underlay in named else None)
+    return Index(prefixes, folders, read_source=sourced.read_source, underlay=underlay if underlay in named else None)

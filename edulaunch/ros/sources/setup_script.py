@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
-from edulaunch.engine.packages.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
-from edulaunch.engine.packages.static_values import Unknown, first_unknown
+from edulaunch.ros.sources.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
+from edulaunch.ros.sources.static_values import Unknown, first_unknown
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
 """With one of these a script may define names that do not stand in it."""
@@ -122,7 +122,7 @@ class _SetupScript:
         """The keywords of the setup() call."""
         import ast
 
-        from edulaunch.engine.packages.static_python import StaticPython
+        from edulaunch.ros.sources.static_python import StaticPython
 
         try:
             with open(self.file, 'rb') as stream:

@@ -1,6 +1,6 @@
 """Reads Python text without running it: a small interpreter that knows assignments, loops and harmless calls.
 
-Everything it does not know becomes an :class:`~edulaunch.engine.packages.static_values.Unknown`, which travels
+Everything it does not know becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which travels
 through the expression it stands in, so that one clever line in a setup.py costs only the value it makes.
 """
 
@@ -10,7 +10,7 @@ import ast
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edulaunch.engine.packages.static_values import METHODS, PATH_ATTRIBUTES, Module, PathText, Unknown, callables, first_unknown
+from edulaunch.ros.sources.static_values import METHODS, PATH_ATTRIBUTES, Module, PathText, Unknown, callables, first_unknown
 
 _STEPS = 20_000
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from edulaunch.engine.packages.cmake_text import Command, commands, expand
 from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
+from edulaunch.ros.sources.cmake_text import Command, commands, expand
 
 _INTERFACES = ('.msg', '.srv', '.action')
 _MARKERS = 'share/ament_index/resource_index/packages'

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.packages.static_values import find_packages
+from edulaunch.ros.sources.static_values import find_packages
 
 if TYPE_CHECKING:
     from configparser import ConfigParser

@@ -1,0 +1,48 @@
+"""What is sourced in this interpreter, as a terminal in which `setup.bash` was sourced: prefixes, and source workspaces."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from edulaunch.engine.packages.index import Index
+from edulaunch.engine.packages.reading import SourceReader
+from edulaunch.engine.underlay_place import underlay_prefix
+
+
+class _Sourced:
+    """The state of this interpreter; `path` is None as long as nothing was sourced."""
+
+    def __init__(self) -> None:
+        self.path: str | None = None
+        self.workspaces: list[str] = []
+        self.read_source: SourceReader | None = None
+
+
+_SOURCED = _Sourced()
+
+
+def put_on_prefix_path(prefixes: Sequence[str] = ()) -> None:
+    """Put prefixes in front of this interpreter's AMENT_PREFIX_PATH, and the underlay behind it, as sourcing ROS 2 does."""
+    before = [folder for folder in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if folder]
+    os.environ['AMENT_PREFIX_PATH'] = os.pathsep.join(dict.fromkeys((*prefixes, *before, underlay_prefix())))
+    _SOURCED.path = os.environ['AMENT_PREFIX_PATH']
+
+
+def sourced_path() -> str:
+    """Return AMENT_PREFIX_PATH as sourcing left it in this interpreter, whatever a program has made of it since."""
+    return os.environ.get('AMENT_PREFIX_PATH', '') if _SOURCED.path is None else _SOURCED.path
+
+
+def add_workspaces(folders: Sequence[str], read_source: SourceReader) -> None:
+    """Remember source workspaces, for programs that this interpreter starts by itself.
+
+    :param read_source: reads the packages in them.
+    """
+    _SOURCED.workspaces += [folder for folder in folders if folder not in _SOURCED.workspaces]
+    _SOURCED.read_source = read_source
+
+
+def sourced_index(prefixes: Sequence[str] = ()) -> Index:
+    """Return an index of the source workspaces that were sourced, then of `prefixes`, over the underlay."""
+    return Index(prefixes, _SOURCED.workspaces, read_source=_SOURCED.read_source)

@@ -1,0 +1,21 @@
+"""Reads the build files of source packages, setup.py and CMakeLists.txt, without running them.
+
+`read_source` is what an `Index` of source workspaces is made with. `setup_script.py` reads a setup.py (`static_python.py` and
+`static_values.py` are the small interpreter for it, `setup_tables.py` reads setup.cfg and pyproject.toml); `cmake.py` reads a
+CMakeLists.txt (`cmake_text.py` has its syntax).
+"""
+
+from __future__ import annotations
+
+from edulaunch.engine.packages.reading import Contents, Manifest
+
+
+def read_source(manifest: Manifest) -> Contents:
+    """Return what a source package installs, by its build type; see `edulaunch.engine.packages.reading.SourceReader`."""
+    if manifest.build_type == 'ament_python':
+        from edulaunch.ros.sources.setup_script import read_setup_script  # late: most runs read one kind of package, or none
+
+        return read_setup_script(manifest)
+    from edulaunch.ros.sources.cmake import read_cmake_lists
+
+    return read_cmake_lists(manifest)
