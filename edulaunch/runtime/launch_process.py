@@ -80,7 +80,7 @@ class LaunchRun:
         """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""
         from launch import LaunchDescription, LaunchService
         from launch.actions import IncludeLaunchDescription
-        from launch.launch_description_sources import AnyLaunchDescriptionSource
+        from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
 
         include = IncludeLaunchDescription(AnyLaunchDescriptionSource(self.path), launch_arguments=list(self.arguments.items()))
         service = LaunchService(argv=list(process.argv), noninteractive=not self.interactive, debug=self.debug)

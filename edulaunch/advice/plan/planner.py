@@ -123,7 +123,7 @@ class Planner:
     def _let_something_end(self) -> None:
         if self._host.end_next():
             return
-        from launch.events import Shutdown
+        from launch.events.shutdown import Shutdown
 
         if not self._service.context.is_shutdown:
             self._service.emit_event(Shutdown(reason='idle'))
@@ -150,9 +150,9 @@ class Planner:
 
         import launch.logging
         from launch.actions.include_launch_description import IncludeLaunchDescription
-        from launch.event_handlers.general import OnShutdown
+        from launch.event_handlers.on_shutdown import OnShutdown
         from launch.launch_description import LaunchDescription
-        from launch.launch_description_sources import AnyLaunchDescriptionSource
+        from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
         from launch.launch_service import LaunchService
 
         from edulaunch.advice.plan.assumptions import include_if_there
@@ -180,7 +180,7 @@ class Planner:
         self._reason = self._reason or event.reason
 
     def _end_of_first_visit(self) -> Any:
-        from launch.actions.opaque import OpaqueFunction
+        from launch.actions.opaque_function import OpaqueFunction
 
         def keep(context: Any) -> None:
             self._configurations = _plain(dict(context.launch_configurations))

@@ -194,7 +194,7 @@ class ImaginedLifecycles:
 
     @staticmethod
     def _tell(context: LaunchContext, node: Any, label: str, start: str, goal: str) -> None:
-        from launch_ros.events.lifecycle import StateTransition
+        from launch_ros.events.lifecycle.state_transition import StateTransition
         from lifecycle_msgs.msg import TransitionEvent
 
         message: Any = TransitionEvent()

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Any
 from launch._failure import is_students
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
-from launch.event_handlers.general import OnActionEventBase
+from launch.event_handlers.on_action_event_base import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 from edulaunch.advice.plan.rehearsal import MOST_REACTIONS
 from edulaunch.advice.plan.wording import Branch
 
 if TYPE_CHECKING:
-    from launch.events import Event
+    from launch.event import Event
     from launch.launch_context import LaunchContext
 
 _is_students = lru_cache(maxsize=256)(is_students)

@@ -140,7 +140,7 @@ def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[s
     from edulaunch.ros.sourcing import source
 
     source()
-    from ros2launch.api import load_launch_file
+    from ros2launch.api.api import load_launch_file
 
     from edulaunch.engine.processes.current import current_process
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from launch.event import Event
 from launch.event_handler import BaseEventHandler, HandlerTable
-from launch.events import Event
 
 
 class About(Event):

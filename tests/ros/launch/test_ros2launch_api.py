@@ -10,7 +10,7 @@ from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
-from ros2launch.api import (
+from ros2launch.api.api import (
     arguments_text,
     is_launch_file,
     launch_a_launch_file,

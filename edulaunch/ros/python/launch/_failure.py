@@ -16,7 +16,7 @@ from edulaunch.engine.facts import facts_of
 from edulaunch.engine.nearest import nearest_file
 
 from ._engine import running_process
-from .launch_description_source import InvalidLaunchFileError
+from .invalid_launch_file_error import InvalidLaunchFileError
 
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index

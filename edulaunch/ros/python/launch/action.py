@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from ._bases import ParsedByFrontend, ReadOnly
 from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
-from .conditions import Condition
-from .events import ExecutionComplete
+from .condition import Condition
+from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
 
 if TYPE_CHECKING:

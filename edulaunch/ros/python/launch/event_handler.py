@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING, Any
 
 from ._bases import ReadOnly, StableRepr
-from .events import Event
+from .event import Event
 from .launch_description_entity import SomeEntitiesType
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from edulaunch.engine.read_only import ReadOnly
 
 from ._engine import environment, process_state, running_process
 from ._run_notes import names_read
+from .event import Event
 from .event_handler import BaseEventHandler, HandlerTable
-from .events import Event
 from .substitution import Substitution
 
 if TYPE_CHECKING:

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from ._bases import StableRepr
-from ._lazy import has_ros_paths
 
 if TYPE_CHECKING:
     import asyncio
@@ -50,7 +49,3 @@ SomeEntitiesType = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity]
 """One entity or several."""
 
 SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, collections.abc.Iterable)
-
-SomeActionsType, SomeActionsType_types_tuple = SomeEntitiesType, SomeEntitiesType_types_tuple  # as ROS 2 Humble calls them
-
-has_ros_paths(__name__)

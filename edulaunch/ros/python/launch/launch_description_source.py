@@ -1,13 +1,11 @@
-"""Where a launch description comes from."""
+"""The base class of launch descriptions that come from files."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ._argument_search import load_once
 from ._bases import ReadOnly
-from ._lazy import has_ros_paths
 from .launch_context import LaunchContext
 from .substitution import SomeSubstitutionsType
 from .substitutions.text_substitution import TextSubstitution
@@ -90,32 +88,3 @@ class LaunchDescriptionSource:
         :raises RuntimeError: here, where no way to load one is known.
         """
         raise RuntimeError(f"LaunchDescriptionSource: no launch description, and no way to load one from '{location}'")
-
-
-class InvalidLaunchFileError(Exception):
-    """A launch file cannot be loaded.
-
-    :param extension: of the file, without its dot.
-    :param likely_errors: what each loader that was tried said; the first becomes `__cause__`.
-    """
-
-    def __init__(self, extension: str = '', *, likely_errors: Sequence[BaseException] = ()) -> None:
-        self._extension = extension
-        self.likely_errors = list(likely_errors)
-        if self._extension and self.likely_errors:
-            self.__cause__ = self.likely_errors[0]
-        super().__init__(self._text())
-
-    def __str__(self) -> str:
-        return self._text()
-
-    def _text(self) -> str:
-        if not self._extension or not self.likely_errors:
-            return 'The launch file may have a syntax error, or its format is unknown'
-        first = 'Caught exception' if len(self.likely_errors) == 1 else 'Caught multiple exceptions'
-        lines = [f'{first} when trying to load file of format [{self._extension}]:']
-        lines += [f' - {type(error).__name__}: {error}' for error in self.likely_errors]
-        return '\n'.join(lines)
-
-
-has_ros_paths(__name__)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from .actions.events import EmitEvent, RegisterEventHandler
+from .actions.emit_event import EmitEvent
 from .actions.execute_process import ExecuteProcess
-from .actions.opaque import LogInfo
+from .actions.log_info import LogInfo
+from .actions.register_event_handler import RegisterEventHandler
 from .launch_description import LaunchDescription
 from .substitution import Substitution
 from .utilities.texts import normalize_to_list_of_substitutions

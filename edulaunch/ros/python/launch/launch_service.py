@@ -17,9 +17,12 @@ from ._beside import Company, run_beside_tasks, run_beside_threads
 from ._engine import new_event_loop, running_process
 from ._failure import note_failure
 from ._origin import note_origin
+from .event import Event
 from .event_handler import BaseEventHandler
-from .event_handlers.general import OnIncludeLaunchDescription, OnShutdown
-from .events import Event, IncludeLaunchDescription, Shutdown
+from .event_handlers.on_include_launch_description import OnIncludeLaunchDescription
+from .event_handlers.on_shutdown import OnShutdown
+from .events.include_launch_description import IncludeLaunchDescription
+from .events.shutdown import Shutdown
 from .launch_context import LaunchContext
 from .launch_description_entity import LaunchDescriptionEntity
 from .logging import get_logger, launch_config, log_launch_config

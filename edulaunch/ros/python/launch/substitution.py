@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ._bases import ParsedByFrontend, StableRepr
-from ._lazy import has_ros_paths
 
 if TYPE_CHECKING:
     from .launch_context import LaunchContext
@@ -38,6 +37,3 @@ SomeSubstitutionsType = str | Substitution | Iterable[str | Substitution]
 """A text, a substitution, or several of them, which are joined without a separator."""
 
 SomeSubstitutionsType_types_tuple = (str, Substitution, collections.abc.Iterable)
-
-
-has_ros_paths(__name__)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from launch.substitutions.values import LocalSubstitution
+from launch.substitutions.local_substitution import LocalSubstitution
 
 from edulaunch.engine.graph.names import namespace_problem, node_name_problem
 

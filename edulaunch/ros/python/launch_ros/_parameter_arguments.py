@@ -12,7 +12,7 @@ from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
 from ._parameter_origins import Given, ParameterOrigins, in_force
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
-from .utilities.parameters import evaluate_parameter_dict
+from .utilities.evaluate_parameters import evaluate_parameter_dict
 
 if TYPE_CHECKING:
     from pathlib import Path

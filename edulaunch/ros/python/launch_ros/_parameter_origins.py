@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from launch.substitutions.values import LaunchConfiguration
+from launch.substitutions.launch_configuration import LaunchConfiguration
 
 from edulaunch.engine.graph.parameters import pattern_matches
 

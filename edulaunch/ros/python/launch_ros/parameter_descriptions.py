@@ -163,7 +163,7 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     """The file's text with its substitutions performed."""
     import yaml
     from launch.frontend.parse_substitution import parse_substitution
-    from launch.substitutions.text_substitution import SubstitutionFailure
+    from launch.substitutions.substitution_failure import SubstitutionFailure
 
     assumed = assumptions()
     if assumed is not None and assumed.lacks_file(str(path)):

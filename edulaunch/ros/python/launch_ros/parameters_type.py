@@ -7,39 +7,48 @@ uniform lists, or
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from launch._lazy import has_ros_paths
-from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.substitution import Substitution
 
 SomeParameterFile = Any
 """A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
+
+
 SomeParameterName = Any
 """A text, a substitution, or a tuple of both."""
+
+
 SomeParameterValue = Any
 """See the table in the ROS documentation of `Node`: what each kind of value becomes."""
+
+
 SomeParametersDict = Mapping[Any, Any]
+
+
 SomeParameters = Sequence[Any]
 
+
 ParameterFile = Sequence[Substitution]
+
+
 ParameterName = tuple[Substitution, ...]
+
+
 ParameterValue = Any
 """A literal, a uniform tuple of literals, substitutions, or a tuple of substitutions for each item."""
+
+
 ParametersDict = dict[ParameterName, Any]
+
+
 Parameters = Sequence[Any]
 """Of ParameterFile, ParametersDict and Parameter."""
 
+
 EvaluatedParameterValue = str | int | float | bool | bytes | tuple[Any, ...]
+
+
 EvaluatedParameters = tuple[Any, ...]
 """Of Path, dict of names and plain values, and Parameter."""
-
-SomeRemapRule = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
-"""A pair (from, to) as a launch file writes it."""
-SomeRemapRules = Iterable[SomeRemapRule]
-RemapRule = tuple[tuple[Substitution, ...], tuple[Substitution, ...]]
-"""The same pair, normalized."""
-RemapRules = Sequence[RemapRule]
-
-
-has_ros_paths(__name__)

@@ -88,7 +88,7 @@ class ROSAdapter:
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     """The adapter of a launch, made at first use and shut down with launch."""
     if _KEY not in context.get_locals_as_dict():
-        from launch.event_handlers.general import OnShutdown
+        from launch.event_handlers.on_shutdown import OnShutdown
 
         adapter = ROSAdapter(argv=list(context.argv or ()))
         context.extend_globals({_KEY: adapter})
@@ -104,7 +104,7 @@ def get_ros_node(context: LaunchContext) -> Node:
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
-    from launch.event_handlers.general import OnShutdown
+    from launch.event_handlers.on_shutdown import OnShutdown
 
     from edulaunch.engine.processes import current_process
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from launch._lazy import has_ros_paths
-from launch.event_handlers.processes import OnProcessIO
-from launch.events.process import ProcessIO
+from launch.event_handlers.on_process_io import OnProcessIO
+from launch.events.process.process_io import ProcessIO
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 

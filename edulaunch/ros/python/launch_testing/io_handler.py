@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator
 from typing import Any, Generic, TypeVar
 
 from launch._lazy import has_ros_paths
-from launch.events.process import ProcessExited, ProcessIO, RunningProcessEvent
+from launch.events.process.process_exited import ProcessExited
+from launch.events.process.process_io import ProcessIO
+from launch.events.process.running_process_event import RunningProcessEvent
 
 from edulaunch.engine.sim.sync import Condition
 

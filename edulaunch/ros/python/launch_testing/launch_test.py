@@ -70,7 +70,7 @@ class LaunchTest:
 
     def show_arguments(self) -> int:
         """Print the launch arguments of the (first) description; returns 0."""
-        from ros2launch.api import arguments_text
+        from ros2launch.api.api import arguments_text
 
         description, _ = self.load()[0].description(lambda: None)
         current_process().stdout.write(arguments_text(description) + '\n')

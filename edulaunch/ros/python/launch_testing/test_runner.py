@@ -6,8 +6,8 @@ import unittest
 from collections.abc import Sequence
 from typing import Any
 
-from launch.actions.events import RegisterEventHandler
 from launch.actions.include_launch_description import IncludeLaunchDescription
+from launch.actions.register_event_handler import RegisterEventHandler
 from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from launch.launch_description import LaunchDescription
 from launch.launch_description_source import LaunchDescriptionSource

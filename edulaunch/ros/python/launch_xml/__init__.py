@@ -1,5 +1,7 @@
 """Launch files in XML."""
 
-from launch._lazy import lazy_exports
+from . import launch_description_sources
+from .entity import Entity
+from .parser import Parser
 
-__getattr__, __dir__ = lazy_exports(__name__, {'': 'launch_description_sources', 'entity': 'Entity', 'parser': 'Parser'})
+__all__ = ['Entity', 'Parser', 'launch_description_sources']

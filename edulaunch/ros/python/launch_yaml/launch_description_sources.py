@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launch.launch_description_sources import FrontendLaunchDescriptionSource
+from launch.launch_description_sources.frontend_launch_description_source import FrontendLaunchDescriptionSource
 from launch.substitution import SomeSubstitutionsType
 
 from .parser import Parser

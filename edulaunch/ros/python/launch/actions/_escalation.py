@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.spec import Signals
 
-from ..events import matches_action
-from ..events.process import SignalProcess
+from ..events.matchers import matches_action
+from ..events.process.signal_process import SignalProcess
 from ..substitution import Substitution
-from ..substitutions.evaluated import PythonExpression
+from ..substitutions.python_expression import PythonExpression
 from ..utilities.texts import perform_substitutions
-from .events import EmitEvent
-from .opaque import OpaqueFunction
+from .emit_event import EmitEvent
+from .opaque_function import OpaqueFunction
 from .timer_action import TimerAction
 
 if TYPE_CHECKING:

@@ -8,20 +8,19 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from .._engine import running_process
-from ..conditions import evaluate_condition_expression
+from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
+from ..event import Event
 from ..event_handler import BaseEventHandler
-from ..events import Event, Shutdown
-from ..events.process import (
-    ProcessExited,
-    ProcessIO,
-    ProcessStarted,
-    ProcessStderr,
-    ProcessStdout,
-    ProcessTargetedEvent,
-    RunningProcessEvent,
-    ShutdownProcess,
-    SignalProcess,
-)
+from ..events.process.process_exited import ProcessExited
+from ..events.process.process_io import ProcessIO
+from ..events.process.process_started import ProcessStarted
+from ..events.process.process_stderr import ProcessStderr
+from ..events.process.process_stdout import ProcessStdout
+from ..events.process.process_targeted_event import ProcessTargetedEvent
+from ..events.process.running_process_event import RunningProcessEvent
+from ..events.process.shutdown_process import ShutdownProcess
+from ..events.process.signal_process import SignalProcess
+from ..events.shutdown import Shutdown
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..logging import get_logger, get_output_loggers
 from ..logging._output import normalize_output_configuration

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 from .._bases import ReadOnly
 from .._engine import environment
 from ..action import Action
-from ..descriptions import Executable
-from ..event_handlers.general import OnActionEventBase
-from ..events.process import ProcessExited
+from ..descriptions.executable import Executable
+from ..event_handlers.on_action_event_base import OnActionEventBase
+from ..events.process.process_exited import ProcessExited
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..substitution import SomeSubstitutionsType, Substitution
-from ..substitutions.values import LaunchConfiguration
+from ..substitutions.launch_configuration import LaunchConfiguration
 from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 from ._process_run import DEFAULT_OUTPUT_FORMAT, ProcessOptions

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ..descriptions import Executable, Substitutions, Variables
+from ..descriptions.executable import Executable, Substitutions, Variables
 from ..substitution import SomeSubstitutionsType
 from .execute_local import ExecuteLocal
 

@@ -8,8 +8,13 @@ from typing import TYPE_CHECKING, Any
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..substitution import SomeSubstitutionsType
-from .configurations import PopLaunchConfigurations, PushLaunchConfigurations, ResetLaunchConfigurations, SetLaunchConfiguration
-from .environment import PopEnvironment, PushEnvironment, ResetEnvironment
+from .pop_environment import PopEnvironment
+from .pop_launch_configurations import PopLaunchConfigurations
+from .push_environment import PushEnvironment
+from .push_launch_configurations import PushLaunchConfigurations
+from .reset_environment import ResetEnvironment
+from .reset_launch_configurations import ResetLaunchConfigurations
+from .set_launch_configuration import SetLaunchConfiguration
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext

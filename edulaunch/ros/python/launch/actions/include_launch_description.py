@@ -15,10 +15,10 @@ from .._run_notes import note_declared, note_include, note_undeclared, tell_wron
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..launch_description_source import LaunchDescriptionSource
-from ..launch_description_sources import AnyLaunchDescriptionSource
+from ..launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
 from ..substitution import SomeSubstitutionsType
 from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
-from .configurations import SetLaunchConfiguration
+from .set_launch_configuration import SetLaunchConfiguration
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 from .._bases import ReadOnly
 from ..action import Action
 from ..event_handler import EventHandler
-from ..event_handlers.general import OnShutdown
-from ..events import TimerEvent
+from ..event_handlers.on_shutdown import OnShutdown
+from ..events.timer_event import TimerEvent
 from ..launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
 from ..substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from ..utilities.type_utils import ensure_argument_type, normalize_typed_substitution, perform_typed_substitution
-from .opaque import OpaqueFunction
+from .opaque_function import OpaqueFunction
 
 if TYPE_CHECKING:
     import asyncio

@@ -1,12 +1,26 @@
 """Launch files in formats other than Python: what XML and YAML have in common, and how to extend both."""
 
-from .._lazy import lazy_exports
+from typing import TYPE_CHECKING
 
-_EXPORTS = {
-    '': 'parse_substitution type_utils',
-    'entity': 'Entity =type_utils',
-    'expose': 'expose_action=expose expose_substitution=expose',
-    'invalid_frontend_launch_file_error': 'InvalidFrontendLaunchFileError',
-    'parser': 'Parser',
-}
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+from .._late import late_names
+
+if TYPE_CHECKING:
+    from . import parse_substitution as parse_substitution
+    from . import type_utils as type_utils
+    from .entity import Entity as Entity
+    from .expose import expose_action as expose_action
+    from .expose import expose_substitution as expose_substitution
+    from .invalid_frontend_launch_file_error import InvalidFrontendLaunchFileError as InvalidFrontendLaunchFileError
+    from .parser import Parser as Parser
+else:
+    __all__, __getattr__, __dir__ = late_names(
+        __name__,
+        {
+            'Entity': 'entity',
+            'InvalidFrontendLaunchFileError': 'invalid_frontend_launch_file_error',
+            'Parser': 'parser',
+            'expose_action': 'expose',
+            'expose_substitution': 'expose',
+        },
+        modules=('parse_substitution', 'type_utils'),
+    )

@@ -9,7 +9,6 @@ from typing import Any
 
 from edulaunch.engine.nearest import nearest
 
-from .._lazy import has_ros_paths
 from . import places
 
 Pair = tuple[str, Any, int]
@@ -129,6 +128,3 @@ def check_is_list_entity(data_type: Any) -> bool:
         return False
     item_type = (data_type.__args__ or (None,))[0]
     return isinstance(item_type, type) and issubclass(item_type, Entity)
-
-
-has_ros_paths(__name__)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..launch_description_source import InvalidLaunchFileError
+from ..invalid_launch_file_error import InvalidLaunchFileError
 
 
 class InvalidFrontendLaunchFileError(InvalidLaunchFileError):

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from edulaunch.engine.read_only import ReadOnly
 
-from .._lazy import has_ros_paths
 from ..substitution import Substitution
 
 if TYPE_CHECKING:
@@ -36,13 +35,6 @@ class TextSubstitution(Substitution):
         return self._text
 
 
-class SubstitutionFailure(RuntimeError):
-    """A substitution could not be evaluated."""
-
-
 def describe_all(substitutions: Iterable[Substitution]) -> str:
     """Several substitutions that are joined: `'a' + LaunchConfig('b')`."""
     return ' + '.join([substitution.describe() for substitution in substitutions])
-
-
-has_ros_paths(__name__)

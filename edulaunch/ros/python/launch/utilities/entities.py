@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .._lazy import has_ros_paths
 from ..launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 
 if TYPE_CHECKING:
@@ -64,6 +63,3 @@ def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, includes: li
         for sub_entity in sub_entities:
             _visit(sub_entity, context, includes, pairs)
         del includes[depth:]
-
-
-has_ros_paths(__name__)

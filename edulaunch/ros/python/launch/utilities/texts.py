@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .._lazy import has_ros_paths
 from ..substitution import SomeSubstitutionsType, Substitution
 from ..substitutions.text_substitution import TextSubstitution
 
@@ -50,6 +49,3 @@ def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) 
     """Evaluate each and join the texts without a separator."""
     text = plain_text(subs)
     return ''.join([context.perform_substitution(sub) for sub in subs]) if text is None else text
-
-
-has_ros_paths(__name__)

@@ -10,7 +10,6 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, List, Union  # noqa: UP035
 
-from .._lazy import has_ros_paths
 from ..substitution import Substitution
 from ._yaml_values import YAML_BOOLEANS, load_yaml_value
 from .texts import normalize_to_list_of_substitutions, perform_substitutions
@@ -280,6 +279,3 @@ def is_a_subclass(obj: Any, entity_type: Any) -> bool:
 
 
 FilePath = Union[bytes, str, 'os.PathLike[str]']
-
-
-has_ros_paths(__name__)

@@ -9,12 +9,13 @@ from launch._engine import running_process
 from launch.event_handler import EventHandler
 from launch.substitution import SomeSubstitutionsType
 
-from ..events.lifecycle import ChangeState, StateTransition
+from ..events.lifecycle.change_state import ChangeState
+from ..events.lifecycle.state_transition import StateTransition
 from ..ros_adapters import call_service, get_ros_node
 from .node import Node
 
 if TYPE_CHECKING:
-    from launch.events import Event
+    from launch.event import Event
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -64,7 +65,7 @@ class LifecycleNode(Node):
 
 def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
     """An action that sends the ChangeState event that is handled just now."""
-    from launch.actions.opaque import OpaqueFunction
+    from launch.actions.opaque_function import OpaqueFunction
 
     def send(context: LaunchContext) -> None:
         event: Event = context.locals.event

@@ -7,14 +7,16 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from launch.action import Action
-from launch.actions.events import EmitEvent, RegisterEventHandler
-from launch.actions.opaque import OpaqueFunction
+from launch.actions.emit_event import EmitEvent
+from launch.actions.opaque_function import OpaqueFunction
+from launch.actions.register_event_handler import RegisterEventHandler
 from launch.event_handler import EventHandler
 from launch.logging import get_logger
 from launch.substitution import SomeSubstitutionsType
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
-from ..events.lifecycle import ChangeState, StateTransition
+from ..events.lifecycle.change_state import ChangeState
+from ..events.lifecycle.state_transition import StateTransition
 from ..events.matchers import matches_node_name
 
 if TYPE_CHECKING:
@@ -82,7 +84,7 @@ class _Sequence:
     """
 
     def __init__(self, name: str, numbers: list[int]) -> None:
-        from ..event_handlers import OnStateTransition
+        from ..event_handlers.on_state_transition import OnStateTransition
 
         self.name = name
         self._is_of_node = matches_node_name(name)

@@ -1,4 +1,4 @@
-"""Loading nodes into a running container."""
+"""The actions `ComposableNodeContainer` and `LoadComposableNodes`, each of which needs the other."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch._engine import inside
-from launch._lazy import has_ros_paths
 from launch.action import Action
 from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 from launch.utilities.type_utils import ensure_argument_type
 
-from ..descriptions import ComposableNode
+from ..descriptions.composable_node import ComposableNode
 from ..ros_adapters import call_service
-from ..utilities.names import add_node_name, get_node_name_count, make_namespace_absolute, prefix_namespace
-from ..utilities.parameters import evaluate_parameters
+from ..utilities.evaluate_parameters import evaluate_parameters
+from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
 from ..utilities.to_parameters_list import to_parameters_list
+from ..utilities.track_node_names import add_node_name, get_node_name_count
 from .node import Node
 
 if TYPE_CHECKING:
@@ -194,6 +194,3 @@ def _parameters(description: ComposableNode, request: Any, context: LaunchContex
 def _messages(context: LaunchContext, request: Any, evaluated: Any) -> list[Any]:
     parameters = to_parameters_list(context, request.node_name, request.node_namespace, evaluated)
     return [parameter.to_parameter_msg() for parameter in parameters]
-
-
-has_ros_paths(__name__)

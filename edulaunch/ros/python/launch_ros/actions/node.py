@@ -15,10 +15,13 @@ from launch.utilities.type_utils import ensure_argument_type
 
 from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
-from ..parameters_type import RemapRule, SomeParameters, SomeRemapRules
-from ..substitutions import ExecutableInPackage
-from ..utilities.names import add_node_name, make_namespace_absolute, normalize_remap_rules, prefix_namespace
-from ..utilities.parameters import normalize_parameters
+from ..parameters_type import SomeParameters
+from ..remap_rule_type import RemapRule, SomeRemapRules
+from ..substitutions.executable_in_package import ExecutableInPackage
+from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
+from ..utilities.normalize_parameters import normalize_parameters
+from ..utilities.normalize_remap_rule import normalize_remap_rules
+from ..utilities.track_node_names import add_node_name
 from ._node_extensions import NodeActionExtension, get_extensions, instantiate_extension
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from launch.actions.timer_action import TimerAction
-from launch.events import TimerEvent
+from launch.events.timer_event import TimerEvent
 from launch.utilities.type_utils import perform_typed_substitution
 
 from ..ros_adapters import get_ros_node

@@ -1,17 +1,24 @@
 """What the actions here are built with."""
 
-from launch._lazy import lazy_exports
+from .evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
+from .namespace_utils import is_namespace_absolute, is_root_namespace, make_namespace_absolute, prefix_namespace
+from .normalize_parameters import normalize_parameter_dict, normalize_parameters
+from .normalize_remap_rule import normalize_remap_rule, normalize_remap_rules
+from .to_parameters_list import to_parameters_list
+from .track_node_names import add_node_name, get_node_name_count
 
-_EXPORTS = {
-    'names': (
-        'add_node_name=track_node_names get_node_name_count=track_node_names is_namespace_absolute=namespace_utils '
-        'is_root_namespace=namespace_utils make_namespace_absolute=namespace_utils normalize_remap_rule '
-        'normalize_remap_rules=normalize_remap_rule prefix_namespace=namespace_utils'
-    ),
-    'parameters': (
-        'evaluate_parameter_dict=evaluate_parameters evaluate_parameters normalize_parameter_dict=normalize_parameters '
-        'normalize_parameters'
-    ),
-    'to_parameters_list': 'to_parameters_list',
-}
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__all__ = [
+    'add_node_name',
+    'evaluate_parameter_dict',
+    'evaluate_parameters',
+    'get_node_name_count',
+    'is_namespace_absolute',
+    'is_root_namespace',
+    'make_namespace_absolute',
+    'normalize_parameter_dict',
+    'normalize_parameters',
+    'normalize_remap_rule',
+    'normalize_remap_rules',
+    'prefix_namespace',
+    'to_parameters_list',
+]

@@ -1,0 +1,48 @@
+"""Names of a package that are imported when somebody uses them first (PEP 562).
+
+A launch file uses a handful of launch's ninety classes, each of which has a module of its own as in ROS 2. Importing all of them
+takes 30 ms, so the `__init__` of a package with many modules names them twice: below `TYPE_CHECKING` as plain imports, which
+editors and type checkers read, and in a table for :func:`late_names`. A test holds that the two say the same.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from importlib import import_module
+from typing import Any
+
+
+def late_names(
+    package: str,
+    names: Mapping[str, str],
+    *,
+    modules: Iterable[str] = (),
+    attributes: Iterable[str] = (),
+    eager: Iterable[str] = (),
+) -> tuple[list[str], Callable[[str], Any], Callable[[], list[str]]]:
+    """Make the `__all__`, `__getattr__` and `__dir__` of a package.
+
+    Its modules are attributes without an import, too, as they are in ROS 2 (`launch.actions.timer_action.TimerAction`).
+
+    :param package: name of the package.
+    :param names: what it exports, each with the module of the package that defines it.
+    :param modules: modules of the package that are exported themselves.
+    :param attributes: modules that are only attributes.
+    :param eager: what the package has imported already. A function that has the name of its module must be among them: the
+        import of the module would put the module in its place.
+    """
+    exported = [*modules, *eager, *names]
+    known = {*modules, *attributes, *names.values()}
+
+    def __getattr__(name: str) -> Any:
+        if name in names:
+            value = getattr(import_module(f'{package}.{names[name]}'), name)
+        elif name in known:
+            value = import_module(f'{package}.{name}')
+        else:
+            raise AttributeError(f'module {package!r} has no attribute {name!r}')
+        setattr(sys.modules[package], name, value)
+        return value
+
+    return exported, __getattr__, lambda: sorted(exported)

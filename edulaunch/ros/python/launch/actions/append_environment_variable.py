@@ -1,0 +1,61 @@
+"""The action `AppendEnvironmentVariable`."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from .._bases import ReadOnly
+from ..action import Action
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from ..utilities.type_utils import is_substitution, normalize_typed_substitution, perform_typed_substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class AppendEnvironmentVariable(Action):
+    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is
+    not there.
+
+    :param prepend: add at the beginning; a boolean, or substitutions that give one.
+    :param separator: between the values, by default that of search paths.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeSubstitutionsType,
+        prepend: bool | SomeSubstitutionsType = False,
+        separator: SomeSubstitutionsType = os.pathsep,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+        as_text = isinstance(prepend, str) or is_substitution(prepend)
+        given: Any = prepend
+        self.__prepend: Any = normalize_to_list_of_substitutions(given) if as_text else normalize_typed_substitution(given, bool)
+        self.__separator = normalize_to_list_of_substitutions(separator)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
+
+    @property
+    def prepend(self) -> bool | list[Substitution]:
+        """Whether the value goes to the beginning."""
+        prepend: bool | list[Substitution] = self.__prepend
+        return prepend
+
+    separator: ReadOnly[list[Substitution]] = ReadOnly('What stands between the values, as substitutions.')
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it."""
+        name = perform_substitutions(context, self.__name)
+        value = perform_substitutions(context, self.__value)
+        if name in context.environment:
+            old = context.environment[name]
+            parts = [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
+            value = perform_substitutions(context, self.__separator).join(parts)
+        context.environment[name] = value

@@ -1,0 +1,18 @@
+"""The action `PopEnvironment`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..action import Action
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PopEnvironment(Action):
+    """Restore the environment variables saved by the last `PushEnvironment`."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the variables to what they were at the last PushEnvironment; RuntimeError when there was none."""
+        context._pop_environment()

@@ -1,0 +1,18 @@
+"""The action `ResetEnvironment`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..action import Action
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class ResetEnvironment(Action):
+    """Give all environment variables the values they had when the launch began."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the variables to what they were when the launch began."""
+        context._reset_environment()

@@ -1,0 +1,30 @@
+"""The action `SetEnvironmentVariable`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._bases import ReadOnly
+from ..action import Action
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class SetEnvironmentVariable(Action):
+    """Set an environment variable of launch's process, which later processes inherit."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set it."""
+        name = perform_substitutions(context, self.__name)
+        context.environment[name] = perform_substitutions(context, self.__value)

@@ -1,0 +1,37 @@
+"""A text read as a boolean, for conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ..substitution import Substitution
+from ..utilities.texts import perform_substitutions
+from .invalid_condition_expression_error import InvalidConditionExpressionError
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+VALID_TRUE_EXPRESSIONS = ['true', '1']
+
+
+VALID_FALSE_EXPRESSIONS = ['false', '0']
+
+
+def evaluate_condition_expression(context: LaunchContext, expression: Iterable[Substitution]) -> bool:
+    """Join the substitutions; `true` and `1` are true, `false` and `0` are false, in any case, with spaces
+    around.
+
+    :raises InvalidConditionExpressionError: for any other text, 'yes' and 'on' included.
+    """
+    expression = list(expression)
+    text = perform_substitutions(context, expression).strip().lower()
+    if text in VALID_TRUE_EXPRESSIONS:
+        return True
+    if text in VALID_FALSE_EXPRESSIONS:
+        return False
+    valid = ', '.join(VALID_TRUE_EXPRESSIONS + VALID_FALSE_EXPRESSIONS)
+    expanded_from = ' + '.join(repr(substitution) for substitution in expression)
+    raise InvalidConditionExpressionError(
+        f"invalid condition expression, expected one of [{valid}] but got '{text}', expanded from '{expanded_from}'"
+    )

@@ -1,0 +1,20 @@
+"""The condition `IfCondition`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._expression_condition import _ExpressionCondition
+
+if TYPE_CHECKING:
+    pass
+
+
+class IfCondition(_ExpressionCondition):
+    """Execute the action only if the expression is `true` or `1` (any case); `false` and `0` are the only
+    other texts.
+
+    :raises InvalidConditionExpressionError: on evaluation, for any other text.
+    """
+
+    _word = 'if'

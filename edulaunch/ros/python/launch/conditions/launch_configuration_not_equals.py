@@ -1,0 +1,19 @@
+"""The condition `LaunchConfigurationNotEquals`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .launch_configuration_equals import LaunchConfigurationEquals
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
+    """True when the launch configuration has not exactly the given text; None means "is set"."""
+
+    _sign = 'is not'
+
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        return not super()._predicate_func(context)

@@ -1,0 +1,19 @@
+"""The condition `UnlessCondition`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._expression_condition import _ExpressionCondition
+
+if TYPE_CHECKING:
+    pass
+
+
+class UnlessCondition(_ExpressionCondition):
+    """Execute the action only if the expression is `false` or `0` (any case).
+
+    :raises InvalidConditionExpressionError: on evaluation, for a text that is neither true nor false.
+    """
+
+    _word = 'unless'

@@ -1,0 +1,5 @@
+"""Descriptions of programs."""
+
+from .executable import Executable
+
+__all__ = ['Executable']

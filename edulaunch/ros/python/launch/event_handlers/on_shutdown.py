@@ -1,0 +1,53 @@
+"""The event handler `OnShutdown`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ..event import Event
+from ..event_handler import BaseEventHandler
+from ..events.shutdown import Shutdown
+from ..launch_description_entity import SomeEntitiesType
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+    ShutdownReaction = SomeEntitiesType | Callable[[Shutdown, LaunchContext], SomeEntitiesType | None]
+
+
+class OnShutdown(BaseEventHandler):
+    """Reacts when the launch is asked to end.
+
+    :param on_shutdown: an entity, several, or a callable (event, context) that may return entities.
+    """
+
+    def __init__(self, *, on_shutdown: ShutdownReaction, **kwargs: Any) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, Shutdown), **kwargs)
+        self.__on_shutdown: Any = on_shutdown
+
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
+        """The entities, or what the callable returns."""
+        super().handle(event, context)
+        answer: SomeEntitiesType | None = (
+            self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown
+        )
+        return answer
+
+    @property
+    def handler_description(self) -> str:
+        """The callable, or the entities."""
+        return str(self.__on_shutdown)
+
+    @property
+    def matcher_description(self) -> str:
+        """Which events are handled, in words."""
+        return 'event issubclass of launch.events.Shutdown'
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """The handler in words, and its entities."""
+        text = super().describe()[0]
+        if callable(self.__on_shutdown):
+            return text, []
+        entities = self.__on_shutdown
+        return text, list(entities) if hasattr(entities, '__iter__') else [entities]

@@ -1,0 +1,14 @@
+"""Matchers of actions in events."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ..action import Action
+
+
+def matches_action(target_action: Action) -> Callable[[Action], bool]:
+    """A matcher for exactly this action."""
+    return lambda action: action is target_action

@@ -1,0 +1,43 @@
+"""The event `ProcessIO`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..._bases import ReadOnly
+from .running_process_event import RunningProcessEvent
+
+if TYPE_CHECKING:
+    pass
+
+
+class ProcessIO(RunningProcessEvent):
+    """Something went over one of the streams of a process.
+
+    :param text: the bytes, which need not be whole lines.
+    :param fd: 0 for stdin, 1 for stdout, 2 for stderr.
+    """
+
+    name = 'launch.events.process.ProcessIO'
+
+    def __init__(self, *, text: bytes, fd: int, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__text = text
+        self.__fd = fd
+
+    text: ReadOnly[bytes] = ReadOnly('The bytes.')
+
+    @property
+    def from_stdin(self) -> bool:
+        """Whether the process is to read it."""
+        return self.__fd == 0
+
+    @property
+    def from_stdout(self) -> bool:
+        """Whether it came from the standard output."""
+        return self.__fd == 1
+
+    @property
+    def from_stderr(self) -> bool:
+        """Whether it came from the standard error."""
+        return self.__fd == 2

@@ -1,0 +1,25 @@
+"""Matchers of programs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .process_targeted_event import ProcessMatcher
+
+if TYPE_CHECKING:
+    pass
+
+
+def matches_pid(pid: int) -> ProcessMatcher:
+    """The process with this number."""
+    return lambda action: action.process_details is not None and action.process_details['pid'] == pid
+
+
+def matches_name(name: str) -> ProcessMatcher:
+    """The process with this unique name, such as 'talker-1'."""
+    return lambda action: action.process_details is not None and action.process_details['name'] == name
+
+
+def matches_executable(executable: str) -> ProcessMatcher:
+    """Processes whose program's path ends with this."""
+    return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)

@@ -1,0 +1,19 @@
+"""The event `ProcessStderr`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .process_io import ProcessIO
+
+if TYPE_CHECKING:
+    pass
+
+
+class ProcessStderr(ProcessIO):
+    """A process has written to its standard error."""
+
+    name = 'launch.events.process.ProcessStderr'
+
+    def __init__(self, *, text: bytes, **kwargs: Any) -> None:
+        super().__init__(text=text, fd=2, **kwargs)

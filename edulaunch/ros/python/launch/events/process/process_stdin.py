@@ -1,0 +1,19 @@
+"""The event `ProcessStdin`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .process_io import ProcessIO
+
+if TYPE_CHECKING:
+    pass
+
+
+class ProcessStdin(ProcessIO):
+    """A process is to read text on its standard input."""
+
+    name = 'launch.events.process.ProcessStdin'
+
+    def __init__(self, *, text: bytes, **kwargs: Any) -> None:
+        super().__init__(text=text, fd=0, **kwargs)

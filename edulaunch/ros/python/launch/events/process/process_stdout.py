@@ -1,0 +1,19 @@
+"""The event `ProcessStdout`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .process_io import ProcessIO
+
+if TYPE_CHECKING:
+    pass
+
+
+class ProcessStdout(ProcessIO):
+    """A process has written to its standard output."""
+
+    name = 'launch.events.process.ProcessStdout'
+
+    def __init__(self, *, text: bytes, **kwargs: Any) -> None:
+        super().__init__(text=text, fd=1, **kwargs)

@@ -1,0 +1,29 @@
+"""`ProcessMatcher` and `ProcessTargetedEvent`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from ..._bases import ReadOnly
+from ...event import Event
+
+if TYPE_CHECKING:
+    from ...actions.execute_local import ExecuteLocal
+
+
+ProcessMatcher = Callable[['ExecuteLocal'], bool]
+
+
+class ProcessTargetedEvent(Event):
+    """Base of all events that are meant for some processes.
+
+    :param process_matcher: decides for which; called with each action that has started a process.
+    """
+
+    name = 'launch.events.process.ProcessTargetedEvent'
+
+    def __init__(self, *, process_matcher: ProcessMatcher) -> None:
+        self.__process_matcher = process_matcher
+
+    process_matcher: ReadOnly[ProcessMatcher] = ReadOnly('Decides which processes are meant.')

@@ -1,0 +1,28 @@
+"""The event `Shutdown`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .._bases import ReadOnly
+from ..event import Event
+
+if TYPE_CHECKING:
+    pass
+
+
+class Shutdown(Event):
+    """Ends the whole launch: processes get signals, timers are cancelled, nothing new is started.
+
+    :param reason: for people, and for `LocalSubstitution('event.reason')`.
+    :param due_to_sigint: the user pressed ctrl-c, so a terminal has told the processes already.
+    """
+
+    name = 'launch.events.Shutdown'
+
+    def __init__(self, *, reason: str = 'reason not given', due_to_sigint: bool = False) -> None:
+        self.__reason = reason
+        self.__due_to_sigint = due_to_sigint
+
+    reason: ReadOnly[str] = ReadOnly('Why.')
+    due_to_sigint: ReadOnly[bool] = ReadOnly('Whether ctrl-c was pressed.')

@@ -1,0 +1,35 @@
+"""A function that loads launch files of any format."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from ..invalid_launch_file_error import InvalidLaunchFileError as InvalidLaunchFileError
+from .frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file
+from .python_launch_file_utilities import get_launch_description_from_python_launch_file
+
+if TYPE_CHECKING:
+    from ..launch_description import LaunchDescription
+
+
+def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
+    """The description in the file: `.py` files are tried as Python first, others last.
+
+    :raises InvalidLaunchFileError: when nobody can read it, with what each loader said.
+    """
+    extension = os.path.splitext(launch_file_path)[1].lower().lstrip('.')
+    loaders: list[Callable[[str], LaunchDescription]] = [
+        get_launch_description_from_frontend_launch_file,
+        get_launch_description_from_python_launch_file,
+    ]
+    if extension == 'py':
+        loaders.reverse()
+    errors: list[Exception] = []
+    for load in loaders:
+        try:
+            return load(launch_file_path)
+        except Exception as error:
+            errors.append(error)
+    raise InvalidLaunchFileError(extension, likely_errors=errors)

@@ -1,0 +1,26 @@
+"""A function that loads launch files of any frontend."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..frontend.invalid_frontend_launch_file_error import InvalidFrontendLaunchFileError as InvalidFrontendLaunchFileError
+
+if TYPE_CHECKING:
+    from ..frontend.parser import Parser
+    from ..launch_description import LaunchDescription
+
+
+def get_launch_description_from_frontend_launch_file(
+    frontend_launch_file_path: str, *, parser: type[Parser] | None = None
+) -> LaunchDescription:
+    """The description in the file.
+
+    :param parser: of its format; without one all are tried, those first that know the file's extension.
+    :raises InvalidFrontendLaunchFileError: when no parser can read it.
+    """
+    from ..frontend.parser import Parser
+
+    root, found = (parser or Parser).load(frontend_launch_file_path)
+    description: LaunchDescription = found.parse_description(root)
+    return description

@@ -1,0 +1,59 @@
+"""Functions that load Python launch files."""
+
+from __future__ import annotations
+
+from types import FunctionType, ModuleType
+from typing import TYPE_CHECKING, Any
+
+from .._engine import load_module
+from .._run_notes import note_wrong_return
+from ..frontend.invalid_frontend_launch_file_error import InvalidFrontendLaunchFileError as InvalidFrontendLaunchFileError
+
+if TYPE_CHECKING:
+    from ..launch_description import LaunchDescription
+
+
+GENERATE = 'generate_launch_description'
+
+
+class InvalidPythonLaunchFileError(Exception):
+    """A Python launch file lacks `generate_launch_description()`."""
+
+
+def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
+    """Execute the file as the module `python_launch_file`.
+
+    The file's folder is not put on `sys.path`. `print`, `time`, `random` and the like are those of the
+    running simulation.
+    """
+    return load_module(python_launch_file_path, 'python_launch_file')
+
+
+def get_launch_description_from_python_launch_file(python_launch_file_path: str) -> LaunchDescription:
+    """What the file's `generate_launch_description()` returns.
+
+    :raises InvalidPythonLaunchFileError: when it has no such function.
+    :raises Exception: whatever the file raises.
+    """
+    module = load_python_launch_file_as_module(python_launch_file_path)
+    if not hasattr(module, GENERATE):
+        raise _no_function(python_launch_file_path, module)
+    description: LaunchDescription = module.generate_launch_description()
+    if not hasattr(description, 'get_launch_arguments'):
+        note_wrong_return(module.generate_launch_description)
+    return description
+
+
+def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
+    """The error, with the line of a function whose name is nearly right."""
+    from edulaunch.engine.facts import with_facts
+    from edulaunch.engine.nearest import nearest
+
+    error: Any = InvalidPythonLaunchFileError(f"launch file at '{path}' does not contain the required function '{GENERATE}()'")
+    functions = {name: value for name, value in vars(module).items() if isinstance(value, FunctionType)}
+    near = nearest(GENERATE, functions)
+    if near is not None:
+        code = functions[near].__code__
+        error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno
+        with_facts(error, 'launch.no-generate', near=near)
+    return error  # type: ignore[no-any-return]

@@ -1,0 +1,6 @@
+"""`SomeActionsType`, as ROS 2 Humble calls `SomeEntitiesType`."""
+
+from .launch_description_entity import SomeEntitiesType as SomeActionsType
+from .launch_description_entity import SomeEntitiesType_types_tuple as SomeActionsType_types_tuple
+
+__all__ = ['SomeActionsType', 'SomeActionsType_types_tuple']

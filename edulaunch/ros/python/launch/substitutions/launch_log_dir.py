@@ -1,0 +1,25 @@
+"""The substitution `LaunchLogDir`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..substitution import Substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LaunchLogDir(Substitution):
+    """The folder of this launch's log files. Asking for it makes it."""
+
+    def describe(self) -> str:
+        """`LaunchLogDir()`."""
+        return 'LaunchLogDir()'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The folder."""
+        from ..logging import launch_config
+
+        log_dir: str = launch_config.log_dir
+        return log_dir

@@ -1,0 +1,35 @@
+"""The substitution `PathJoinSubstitution`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from .._bases import ReadOnly
+from ..substitution import Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions
+from .text_substitution import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PathJoinSubstitution(Substitution):
+    """The parts joined with the path separator, by the rules of `os.path.join`.
+
+    :param substitutions: each a text or one substitution (a list inside the list is a TypeError in Jazzy).
+    """
+
+    def __init__(self, substitutions: Iterable[str | Substitution]) -> None:
+        self.__substitutions = normalize_to_list_of_substitutions(substitutions)
+
+    substitutions: ReadOnly[list[Substitution]] = ReadOnly('The parts.')
+
+    def describe(self) -> str:
+        """`PathJoin(''a' + LaunchConfig('b')')`."""
+        return f"PathJoin('{describe_all(self.__substitutions)}')"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The joined path."""
+        return os.path.join(*[context.perform_substitution(part) for part in self.__substitutions])

@@ -1,0 +1,28 @@
+"""The substitution `PathSubstitution`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..substitution import SomeSubstitutionsType, Substitution
+from .path_join_substitution import PathJoinSubstitution
+from .string_join_substitution import StringJoinSubstitution
+
+if TYPE_CHECKING:
+    pass
+
+
+class PathSubstitution(PathJoinSubstitution):
+    """As pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
+    '.launch.py']`.
+
+    Newer than Jazzy's first release; here so that files written for it run.
+    """
+
+    def __init__(self, path: SomeSubstitutionsType) -> None:
+        super().__init__([path] if isinstance(path, (str, Substitution)) else path)
+
+    def __truediv__(self, part: SomeSubstitutionsType) -> PathSubstitution:
+        """The path continued by one part; a list is joined to one part first."""
+        whole = part if isinstance(part, (str, Substitution)) else StringJoinSubstitution(part)
+        return PathSubstitution([*self.substitutions, whole])

@@ -1,0 +1,54 @@
+"""The substitution `PythonExpression`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+
+from .._bases import ReadOnly
+from .._engine import import_for_expression
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from .text_substitution import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PythonExpression(Substitution):
+    """`str(eval(text))` of the joined text.
+
+    Names of the `math` module may be used bare; other modules by their names. Texts that come from launch
+    configurations must be put in quotes inside the expression, or they are taken for Python names.
+
+    :param python_modules: the modules that the expression may use.
+    :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.
+    """
+
+    def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
+        self.__expression = normalize_to_list_of_substitutions(expression)
+        self.__python_modules = normalize_to_list_of_substitutions(python_modules)
+
+    expression: ReadOnly[list[Substitution]] = ReadOnly('The expression, as substitutions.')
+    python_modules: ReadOnly[list[Substitution]] = ReadOnly('The modules the expression may use.')
+
+    def describe(self) -> str:
+        """`PythonExpr('1+1', ['math'])`."""
+        modules = ', '.join(module.describe() for module in self.__python_modules)
+        return f'PythonExpr({describe_all(self.__expression)}, [{modules}])'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The value as text."""
+        names: dict[str, Any] = {}
+        for substitution in self.__python_modules:
+            module = import_for_expression(perform_substitutions(context, [substitution]))
+            if module.__name__ == 'math':
+                names.update(vars(module))
+            names[module.__name__] = module
+        expression = perform_substitutions(context, self.__expression)
+        try:
+            return str(eval(expression, {}, names))
+        except (NameError, SyntaxError, TypeError) as error:
+            with_facts(error, 'launch.expression', expression=expression)
+            raise

@@ -1,0 +1,34 @@
+"""The substitution `ThisLaunchFile`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+from ..substitution import Substitution
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class ThisLaunchFile(Substitution):
+    """The path of the current launch file, absolute.
+
+    "Current" is the file included last, also after its include has returned, as in ROS 2.
+
+    :raises SubstitutionFailure: on evaluation, outside of launch files.
+    """
+
+    _local: ClassVar[str] = 'current_launch_file_path'
+
+    def describe(self) -> str:
+        """`ThisLaunchFile()`."""
+        return f'{type(self).__name__}()'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The path."""
+        known = context.get_locals_as_dict()
+        if self._local not in known:
+            raise SubstitutionFailure(f'{type(self).__name__} used outside of a launch file (in a script)')
+        path: str = known[self._local]
+        return path

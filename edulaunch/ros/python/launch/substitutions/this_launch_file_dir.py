@@ -1,0 +1,21 @@
+"""The substitution `ThisLaunchFileDir`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .this_launch_file import ThisLaunchFile
+
+if TYPE_CHECKING:
+    pass
+
+
+class ThisLaunchFileDir(ThisLaunchFile):
+    """The folder of the current launch file, absolute.
+
+    "Current" is the file included last, also after its include has returned, as in ROS 2.
+
+    :raises SubstitutionFailure: on evaluation, outside of launch files.
+    """
+
+    _local = 'current_launch_file_directory'

@@ -1,0 +1,3 @@
+"""`FilePath` at its path in ROS 2."""
+
+from .type_utils import FilePath as FilePath

@@ -1,0 +1,21 @@
+"""An old place of the matcher of node names."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from .. import matchers
+
+if TYPE_CHECKING:
+    pass
+
+
+def matches_node_name(node_name: str) -> Callable[[Any], bool]:
+    """The old place of :func:`launch_ros.events.matchers.matches_node_name`: as there, with a warning."""
+    warnings.warn(
+        'launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
+        stacklevel=2,
+    )
+    return matchers.matches_node_name(node_name)

@@ -1,0 +1,45 @@
+"""The substitution `Parameter`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from launch._bases import ReadOnly
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class Parameter(Substitution):
+    """The value that the nearest :class:`~launch_ros.actions.SetParameter` gave to a parameter, as a text.
+
+    :param default: used when there is none.
+    :raises SubstitutionFailure: on evaluation, when there is neither.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, *, default: SomeSubstitutionsType | None = None) -> None:
+        super().__init__()
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__default = None if default is None else normalize_to_list_of_substitutions(default)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly("The parameter's name.")
+    default: ReadOnly[list[Substitution] | None] = ReadOnly('The default.')
+
+    def describe(self) -> str:
+        """As `ros2 launch -s` shows it."""
+        name = ' + '.join(sub.describe() for sub in self.name)
+        return f'Parameter({name})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
+        name = perform_substitutions(context, self.name)
+        for entry in reversed(context.launch_configurations.get('global_params', [])):
+            if isinstance(entry, tuple) and entry[0] == name:
+                return str(entry[1])
+        if self.__default is not None:
+            return perform_substitutions(context, self.__default)
+        from launch.substitutions.substitution_failure import SubstitutionFailure
+
+        raise SubstitutionFailure(f"parameter '{name}' not found")

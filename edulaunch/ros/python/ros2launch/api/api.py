@@ -1,0 +1,156 @@
+"""Finding a launch file, and showing or launching what is in it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+
+if TYPE_CHECKING:
+    from launch.launch_description import LaunchDescription
+
+Arguments = Iterable[str]
+HEADING = "Arguments (pass arguments as '<name>:=<value>'):"
+
+
+class MultipleLaunchFilesError(Exception):
+    """Several files of a package have the name.
+
+    :ivar paths: all of them.
+    """
+
+    def __init__(self, msg: str, paths: list[str]) -> None:
+        super().__init__(msg)
+        self.paths = paths
+
+
+def get_share_file_path_from_package(*, package_name: str, file_name: str | None) -> str:
+    """The path of the one file of that name anywhere below the package's share directory.
+
+    :raises PackageNotFoundError: when there is no such package.
+    :raises FileNotFoundError: when there is no such file.
+    :raises MultipleLaunchFilesError: when there are several.
+    """
+    try:
+        share = get_package_share_directory(package_name)
+    except PackageNotFoundError as error:
+        raise PackageNotFoundError(f"Package '{package_name}' not found: {error}") from error
+    found = [
+        os.path.join(folder, name)
+        for folder, _, names in sorted(os.walk(share, followlinks=True))
+        for name in sorted(names)
+        if name == file_name
+    ]
+    if not found:
+        raise FileNotFoundError(
+            f"file '{file_name}' was not found in the share directory of package '{package_name}' which is at '{share}'"
+        )
+    if len(found) > 1:
+        raise MultipleLaunchFilesError(
+            f"file '{file_name}' was found more than once in the share directory of package '{package_name}': {found}", found
+        )
+    return found[0]
+
+
+def is_launch_file(path: str) -> bool:
+    """Whether it is a file with a name that a launch file may have."""
+    from launch.frontend.parser import Parser
+
+    extensions = ['py', *Parser.get_file_extensions_from_parsers()]
+    return os.path.isfile(path) and any(path.endswith('.' + extension) for extension in extensions)
+
+
+def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
+    """(name, value) of each `name:=value`; of several with one name the last counts.
+
+    :raises RuntimeError: for a text of another form.
+    """
+    parsed: dict[str, str] = {}
+    for argument in launch_arguments:
+        name, sign, value = argument.partition(':=')
+        if not (name and sign and value):
+            raise RuntimeError(f"malformed launch argument '{argument}', expected format '<name>:=<value>'")
+        parsed[name] = value
+    return list(parsed.items())
+
+
+def load_launch_file(path: str) -> LaunchDescription:
+    """What the launch file describes, without launching it.
+
+    :raises InvalidLaunchFileError: when it cannot be loaded.
+    """
+    from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
+
+    return get_launch_description_from_any_launch_file(path)
+
+
+def print_a_launch_file(*, launch_file_path: str) -> None:
+    """Write the description as a tree."""
+    from launch.launch_introspector import LaunchIntrospector
+
+    _print(LaunchIntrospector().format_launch_description(load_launch_file(launch_file_path)))
+
+
+def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
+    """Write the launch arguments: what `ros2 launch -s` shows."""
+    description = load_launch_file(launch_file_path)
+    _print(HEADING)  # first: an included file that cannot be read is complained of below it
+    _print(arguments_text(description).removeprefix(HEADING + '\n'))
+
+
+def arguments_text(launch_description: LaunchDescription) -> str:
+    """The launch arguments of a description as `ros2 launch -s` shows them."""
+    lines = [HEADING]
+    arguments = launch_description.get_launch_arguments()
+    for argument in arguments:
+        star = '*' if argument._conditionally_included else ''
+        lines += ['', f"    '{argument.name}':{star}", *(f'        {line}' for line in argument.description.splitlines())]
+        if argument.default_value is not None:
+            lines.append(f'        (default: {" + ".join(part.describe() for part in argument.default_value)})')
+    if any(argument._conditionally_included for argument in arguments):
+        lines += ['', '* argument(s) which are only used if specific conditions occur']
+    if not arguments:
+        lines += ['', '  No arguments.']
+    return '\n'.join(lines)
+
+
+def launch_a_launch_file(
+    *,
+    launch_file_path: str,
+    launch_file_arguments: Arguments,
+    noninteractive: bool = False,
+    args: object = None,
+    option_extensions: object = None,
+    debug: bool = False,
+) -> int:
+    """Launch the file and wait for its end; returns the exit code.
+
+    :param launch_file_arguments: texts `name:=value`.
+    :param noninteractive: no terminal is attached.
+    :raises RuntimeError: for a malformed argument.
+    """
+    from launch.actions.include_launch_description import IncludeLaunchDescription
+    from launch.launch_description import LaunchDescription
+    from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+    from launch.launch_service import LaunchService
+
+    texts = list(launch_file_arguments)
+    service = LaunchService(argv=texts, noninteractive=noninteractive, debug=debug)
+    service.include_launch_description(
+        LaunchDescription(
+            [
+                IncludeLaunchDescription(
+                    AnyLaunchDescriptionSource(launch_file_path), launch_arguments=parse_launch_arguments(texts)
+                )
+            ]
+        )
+    )
+    return service.run()
+
+
+def _print(text: str) -> None:
+    from edulaunch.engine.processes import current_process
+
+    current_process().stdout.write(text + '\n')
