@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from edulaunch.engine import attached
+from edulaunch.engine import attached, outside
 from edulaunch.version import __version__ as __version__
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
@@ -70,6 +70,15 @@ attached.PLACES.update(
     ros2=('edulaunch.desk.cli.ros2.commands', 'main'),
     completions=('edulaunch.desk.cli.candidates', 'ros2_words'),
 )
+
+
+def _process_of_a_script(task: Any) -> Any:
+    from edulaunch.runtime.ambient import make_ambient_process
+
+    return make_ambient_process(task)
+
+
+outside.make_process = _process_of_a_script
 
 
 def __getattr__(name: str) -> Any:

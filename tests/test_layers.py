@@ -21,7 +21,6 @@ ROOMS = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 
 LARGEST_TYPE_CIRCLE = 3
 """How many files outside of the engine may need each other's names for their types."""
 REAL_CLOCK = {
-    'processes/ambient.py',
     'sim/pacing.py',
     'sim/real_pace.py',
     'sim/real_threads.py',

@@ -6,8 +6,8 @@ import re
 import shlex
 from typing import NamedTuple
 
-from edulaunch.engine.processes.shell_grammar import stands_for_more
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime.shell.grammar import stands_for_more
 
 SHELL_SIGNS = '|&;<>'
 QUIET = '--quiet'

@@ -167,7 +167,7 @@ class Machine:
         self._write('stderr', note)
         found = session.snapshot()
         if not line.quiet:
-            for text in said_at_the_end(found, since_s=began_s, helped=session.host.asides.helped):
+            for text in said_at_the_end(found, since_s=began_s, helped=session.host.hints.helped):
                 self._write('stderr', f'{text}\n')
         return found
 
@@ -268,7 +268,7 @@ class Machine:
         if process.returncode is None:
             process.send_signal(Signals.SIGKILL)
         if words[:1] == ['run'] and not line.quiet:
-            for text in said_at_the_end(session.glance(), None, began_s, session.host.asides.helped, process.name):
+            for text in said_at_the_end(session.glance(), None, began_s, session.host.hints.helped, process.name):
                 self._write('stderr', f'{text}\n')
         elif is_doctor(argv):
             self._write('stdout', doctors_text(session, reader_here()))

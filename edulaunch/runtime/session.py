@@ -24,6 +24,7 @@ from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.errors import UnusableInput
 from edulaunch.ros.sources import read_source
 from edulaunch.ros.sourcing import source
+from edulaunch.runtime.fittings import command_set, hint_of
 from edulaunch.runtime.launch_process import LaunchRun
 from edulaunch.runtime.launching import find_launch_file
 
@@ -74,7 +75,8 @@ class Session:
             self.graph,
             self.index,
             env=machine_environment(env, self.index),
-            ros2=lambda process: attached('ros2')(process),
+            command_set=command_set(),
+            hint_of=hint_of,
             stdin=stdin,
         )
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None

@@ -49,7 +49,9 @@ def findings(rule: str, which: str) -> list[Finding]:
         from edulaunch.advice.plan import rehearse
 
         with Session(workspaces=[path] if path.is_dir() else []) as session:
-            return judge_plan(rehearse(str(file), arguments, session.index, session.host.env, ros2=session.host.ros2))
+            return judge_plan(
+                rehearse(str(file), arguments, session.index, session.host.env, command_set=session.host.command_set)
+            )
     return judge(_run(path, file, arguments, seconds, is_interrupted))
 
 

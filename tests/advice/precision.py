@@ -65,7 +65,7 @@ def _of_launch(folder: Path, words: list[str], workspace: list[Path], seconds: f
         first = words[0] if workspace else str(folder / words[0])
         path = find_launch_file(session.index, first, words[1] if workspace else None)
         given = dict(word.split(':=') for word in words if ':=' in word)
-        rehearsal = rehearse(path, given, session.index, session.host.env, ros2=session.host.ros2)
+        rehearsal = rehearse(path, given, session.index, session.host.env, command_set=session.host.command_set)
         if rehearsal.plan['error'] is not None:
             return judge_plan(rehearsal)
         session.launch(path, None, given)

@@ -164,5 +164,5 @@ def explain(
         path = find_launch_file(session.index, path_or_package, file)
         given = {name: str(value) for name, value in (arguments or {}).items()}
         host = session.host
-        rehearsal = rehearse(path, given, session.index, host.env, assume_packages=assume_packages, ros2=host.ros2)
+        rehearsal = rehearse(path, given, session.index, host.env, assume_packages=assume_packages, command_set=host.command_set)
     return Explanation(rehearsal, where)

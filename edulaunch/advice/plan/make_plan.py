@@ -11,7 +11,7 @@ from edulaunch.advice.plan.planner import Plan, Planner
 from edulaunch.advice.plan.wording import Branch
 from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.workspace import Image
-from edulaunch.engine.processes.host import CommandRunner
+from edulaunch.engine.processes.commands import CommandSet
 from edulaunch.errors import UnusableInput
 
 
@@ -55,7 +55,7 @@ def make_plan(
     environ: Mapping[str, str],
     *,
     assume_packages: bool = False,
-    ros2: CommandRunner | None = None,
+    command_set: CommandSet | None = None,
 ) -> Plan:
     """What `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
 
@@ -63,13 +63,13 @@ def make_plan(
     :param environ: the environment variables that launch would see.
     :param assume_packages: give every package that is missing an empty share folder, and do not look
         executables up.
-    :param ros2: what runs the `ros2 ...` commands whose output the launch file needs; without one there is no such command.
+    :param command_set: the tools and the shell that run commands whose output the launch file needs; default: there are none.
     :returns: `arguments` (declared), `configurations` (after the first visit), `given`, `error` (None, or a
         dict of type, text, stage, origin and help), `items` in order, `log` (warnings and errors),
         `warnings`, `stdout`, `shutdown_reason`.
     :raises UnusableInput: for an argument that is no 'name:=value'.
     """
-    return rehearse(path, arguments, index, environ, assume_packages=assume_packages, ros2=ros2).plan
+    return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan
 
 
 class Rehearsal(NamedTuple):
@@ -96,7 +96,7 @@ def rehearse(
     environ: Mapping[str, str],
     *,
     assume_packages: bool = False,
-    ros2: CommandRunner | None = None,
+    command_set: CommandSet | None = None,
 ) -> Rehearsal:
     """As :func:`make_plan`, with more to show.
 
@@ -104,7 +104,7 @@ def rehearse(
     """
     given = _given(arguments)
     assuming = AssumingIndex(index) if assume_packages else None
-    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ, ros2)
+    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ, command_set)
     planner.assumptions = None if assuming is None else assuming.assumptions
     plan = planner.plan()
     missing = planner.assumptions

@@ -23,11 +23,12 @@ from edulaunch.engine.attached import attached
 from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.commands import CommandSet
 from edulaunch.engine.processes.watchdog import RunawayProgram, Watchdog
 from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.runtime.shell import SimulatedShell
 
 if TYPE_CHECKING:
-    from edulaunch.engine.processes.host import CommandRunner
     from edulaunch.engine.processes.process import Process
 
 FORMAT = 1
@@ -47,13 +48,19 @@ class Planner:
     """
 
     def __init__(
-        self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str], ros2: CommandRunner | None
+        self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str], command_set: CommandSet | None
     ) -> None:
         self._path = path
         self._given = given
         self._notes = Notes()
         self._sim = Simulation()
-        self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ, ros2=ros2)
+        self._host = RehearsalHost(
+            self._sim,
+            Graph(self._sim, self._notes),
+            index,
+            env=environ,
+            command_set=command_set or CommandSet(shell=SimulatedShell()),
+        )
         self._host.watchdog = Watchdog(self._sim, TURN_LIMIT_S)
         self._items: list[Plan] = []
         self._processes = 0

@@ -84,7 +84,8 @@ class RehearsalHost(Host):
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
         """For the code of a launch file: `ros2 pkg` and the like run, anything else seems to end at once, without output."""
-        if os.path.basename(spec.argv[0]) == 'ros2' and spec.argv[1:2] and spec.argv[1] in LOOKING_UP and self.ros2 is not None:
+        tool = os.path.basename(spec.argv[0])
+        if tool == 'ros2' and tool in self.command_set.tools and spec.argv[1:2] and spec.argv[1] in LOOKING_UP:
             return super().start(spec, on_output, on_exit, index=index)
         process = self._imagine(spec, on_exit)
         self.sim.schedule(self.sim.now_ns, lambda: process.end(0))

@@ -77,7 +77,7 @@ def _of_launch(target: str, arguments: argparse.Namespace) -> list[Finding]:
             return judge_sources(_folder_of(first, session.index.share(first)))
         path = find_launch_file(session.index, first, file)
         host = session.host
-        rehearsal = rehearse(path, given, session.index, host.env, ros2=host.ros2)
+        rehearsal = rehearse(path, given, session.index, host.env, command_set=host.command_set)
         if rehearsal.plan['error'] is not None:
             return judge_plan(rehearsal)
         session.launch(path, None, given)

@@ -86,7 +86,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
         recording = session.recording()
-        for line in [] if arguments.quiet else said_at_the_end(recording, helped=session.host.asides.helped):
+        for line in [] if arguments.quiet else said_at_the_end(recording, helped=session.host.hints.helped):
             print(line, file=sys.stderr)
         for warning in session.index.warnings:
             print(f'warning: {warning}', file=sys.stderr)

@@ -203,7 +203,7 @@ class Terminal:
         """The command has run to its end: what it launched or ran is judged."""
         if self.words[:2] in ADVISED and '--quiet' not in self.words:
             session, typed = self._terminals.session, self.process.name if self.process else ''
-            said = said_at_the_end(session.glance(), self._reader, self._began_s, session.host.asides.helped, typed)
+            said = said_at_the_end(session.glance(), self._reader, self._began_s, session.host.hints.helped, typed)
             self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)
         elif is_doctor(self.words):

@@ -1,9 +1,10 @@
-"""Whose code is running."""
+"""The process whose code runs now."""
 
 from __future__ import annotations
 
+from edulaunch.engine import outside
 from edulaunch.engine.processes.process import Process
-from edulaunch.engine.sim.task import AmbientTask, current_task
+from edulaunch.engine.sim.task import current_task
 
 
 def current_process() -> Process:
@@ -15,12 +16,5 @@ def current_process() -> Process:
     task = current_task()
     process: Process | None = task.owner
     if process is None:
-        process = task.owner = _ambient_process(task)
+        process = task.owner = outside.make_process(task)
     return process
-
-
-def _ambient_process(task: object) -> Process:
-    from edulaunch.engine.processes.ambient import make_ambient_process
-
-    assert isinstance(task, AmbientTask)
-    return make_ambient_process(task)

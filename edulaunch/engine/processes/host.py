@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shlex
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol
@@ -12,13 +11,13 @@ from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.graph.parameter_files import Entry
 from edulaunch.engine.graph.ros_arguments import entries_of_file
 from edulaunch.engine.graph.tracer import Tracer
-from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.packages import Index
 from edulaunch.engine.processes import real_machine
-from edulaunch.engine.processes.asides import Asides
+from edulaunch.engine.processes.commands import CommandSet, Known
+from edulaunch.engine.processes.deferred_hints import DeferredHints, HintOf
 from edulaunch.engine.processes.finding import Overlay
 from edulaunch.engine.processes.process import OnExit, OnOutput, Process
-from edulaunch.engine.processes.programs import python_command, run_program
-from edulaunch.engine.processes.spec import SHELLS, ProcessSpec
+from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.real_pace import RealPace
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.task import running_task
@@ -30,45 +29,6 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.watchdog import Watchdog
 
 FIRST_PID = 1001
-WRAPPERS = (
-    'alacritty',
-    'chrt',
-    'env',
-    'gdb',
-    'gdbserver',
-    'gnome-terminal',
-    'gnome-terminal.wrapper',
-    'ionice',
-    'kitty',
-    'konsole',
-    'lxterminal',
-    'mate-terminal',
-    'nice',
-    'nohup',
-    'perf',
-    'python',
-    'python3',
-    'screen',
-    'setsid',
-    'stdbuf',
-    'strace',
-    'sudo',
-    'taskset',
-    'terminator',
-    'time',
-    'tmux',
-    'valgrind',
-    'x-terminal-emulator',
-    'xfce4-terminal',
-    'xterm',
-)
-SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
-
-
-class CommandRunner(Protocol):
-    """Runs a `ros2 ...` command inside a simulated process and returns its exit code."""
-
-    def __call__(self, process: Process) -> object: ...
 
 
 class GeneratedFile(Protocol):
@@ -85,7 +45,8 @@ class Host:
     """Owns the processes of one simulation. `watchdog` stops those that never give their turn back, if one is set.
 
     :param env: the environment that programs inherit.
-    :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
+    :param command_set: the tools and the shell of the machine; default: it has none.
+    :param hint_of: gives the hint below an error, see :class:`DeferredHints`; default: there are no hints.
     :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
         of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
     :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
@@ -105,7 +66,8 @@ class Host:
         index: Index,
         *,
         env: Mapping[str, str],
-        ros2: CommandRunner | None = None,
+        command_set: CommandSet | None = None,
+        hint_of: HintOf | None = None,
         stdin: Mapping[str, Any] | None = None,
     ) -> None:
         self.sim = sim
@@ -116,10 +78,10 @@ class Host:
         self.processes: list[Process] = []
         self.real_programs: list[RealProcess] = []
         self.pace = RealPace(sim)
-        self.ros2 = ros2
+        self.command_set = command_set or CommandSet()
         self._stdin = dict(stdin or {})
         self.unread_stdin = list(self._stdin)
-        self.asides = Asides()
+        self.hints = DeferredHints(hint_of)
         self.watchdog: Watchdog | None = None
         self.is_paced = False
         self.join_network: (
@@ -211,7 +173,7 @@ class Host:
         index, starter = index or self._index_here(), self.program_here()
         if starter is not None and starter.cwd is not None:
             spec = spec._replace(cwd=starter.path(spec.cwd or ''))
-        known = self._known_command(spec, index)
+        known = self.known_command(spec, index)
         if known is None:
             from edulaunch.engine.processes.real import RealProcess
 
@@ -221,8 +183,7 @@ class Host:
             real = RealProcess(self, spec, on_output, on_exit)
             self.real_programs.append(real)
             return real
-        argv, program = known
-        process = Process(self, spec, self.next_pid(), argv, self.ros2 if program is None else _runner(program))  # type: ignore[arg-type]
+        process = Process(self, spec, self.next_pid(), known.argv, known.main)
         process.index = index
         if index is not self.index:
             process.sourced_path = os.pathsep.join(index.search_paths())
@@ -256,36 +217,15 @@ class Host:
 
     def knows(self, spec: ProcessSpec) -> bool:
         """Whether the command runs in the simulation."""
-        return self._known_command(spec, self._index_here()) is not None
+        return self.known_command(spec) is not None
 
-    def _known_command(self, spec: ProcessSpec, index: Index) -> tuple[list[str], Program | None] | None:
-        """The words that a simulated program sees, and the program (None for `ros2`); None for any other command."""
-        words = list(spec.argv)
-        if spec.shell:
-            line = ' '.join(words)
-            if SHELL_SIGNS & set(_outside_quotes(line)):
-                return self._known_line(line)
-            words = shlex.split(line)
-        for position, word in enumerate(words):
-            program = index.find_program(word)
-            if program is not None:
-                return words[position:], program
-            if os.path.basename(word) == 'ros2' and self.ros2 is not None:
-                return words[position:], None
-            if words[position + 1 : position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
-                return self._known_line(*words[position + 2 :]) if words[position + 2 :] else None
-            if position == 0 and os.path.basename(word) not in WRAPPERS:
-                break
-        return python_command(words, spec.cwd, frozenset(self.overlay(index).modules)) if _names_python(words) else None
+    def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
+        """The command of a spec, if the simulation runs it.
 
-    def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
-        """A shell line of which the simulation knows a command."""
-        from edulaunch.engine.processes.shell_grammar import parsed
-        from edulaunch.engine.processes.shell_lines import is_simulated
-
-        if not is_simulated(parsed(line), arguments, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):
-            return None
-        return ['sh', '-c', line, *arguments], Program('shell', '', 'sh', 'sh', file=line)
+        :param index: the packages among which it is looked for, if not those of the program whose code runs.
+        """
+        packages = index or self._index_here()
+        return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)
 
     def ended(self, process: Process) -> None:
         """Called by a process when it has ended."""
@@ -307,26 +247,3 @@ class Host:
         self.sim.run(until)
         for file in self.generated_files.values():
             file.remove()
-
-
-def _names_python(words: list[str]) -> bool:
-    """Whether this may be a Python program of nobody's package; anything else is not looked at closer."""
-    first = os.path.basename(words[0]) if words else ''
-    return first.endswith('.py') or first.startswith('python')
-
-
-def _runner(program: Program) -> CommandRunner:
-    return lambda process: run_program(process, program)
-
-
-def _outside_quotes(line: str) -> str:
-    """The characters of a shell line that stand outside quotation marks."""
-    kept, quote = [], ''
-    for character in line:
-        if quote:
-            quote = '' if character == quote else quote
-        elif character in '"\'':
-            quote = character
-        else:
-            kept.append(character)
-    return ''.join(kept)

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.packages.absent import REFUSED
 from edulaunch.engine.processes import real_machine
 from edulaunch.engine.processes.finding import Finder, Found, code_of, namespace, read_script, regular
+from edulaunch.engine.processes.frame_owner import is_own
 from edulaunch.engine.processes.views import PRIVATE_COPIES, VIEWS, make_view
-from edulaunch.engine.processes.whose_code import is_own
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

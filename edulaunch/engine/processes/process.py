@@ -126,16 +126,16 @@ class Process:
                 self.tracer.output(self, stream, text)
             if self.on_output is not None:
                 self.on_output(stream, text)
-                if self.host.asides.due and self.on_output is self.group.on_output:
-                    self._show_help_below(stream, text)
+                if self.host.hints.pending and self.on_output is self.group.on_output:
+                    self._show_hint_below(stream, text)
         finally:
             self.is_writing = before
 
-    def _show_help_below(self, stream: str, text: str) -> None:
-        """Help for an error that has just come to the console; not recorded."""
-        help = self.host.asides.below(text, self.group.pid, self.group.env)
-        if help and self.on_output is not None:
-            self.on_output(stream, help)
+    def _show_hint_below(self, stream: str, text: str) -> None:
+        """The hint for an error that has just come to the console; not recorded."""
+        hint = self.host.hints.below(text, self.group.pid, self.group.env)
+        if hint and self.on_output is not None:
+            self.on_output(stream, hint)
 
     def _count(self, text: str) -> None:
         """A loop that writes and never waits would fill the memory, and others would have to read all of it, long before the
@@ -227,7 +227,7 @@ class Process:
 
     def _note_waits(self, signum: int) -> None:
         """SIGTERM or SIGKILL: it did not heed Ctrl-C. Where each of its threads stands, main first."""
-        from edulaunch.engine.processes.whose_code import waiting_line
+        from edulaunch.engine.processes.frame_owner import waiting_line
 
         waits = [{'thread': task.name, **waiting_line(task)} for task in (self.task, *self.threads) if not task.finished]
         self.fact('ended by force', signum, {'signal': signum, 'waits': waits})
@@ -310,7 +310,7 @@ class Process:
     def _write_error(self, text: str, kind: str, message: str, place: Origin | None, facts: dict[str, Any]) -> None:
         """Write what ended the program, and keep it as data."""
         self.exception = {'type': kind, 'message': message, 'place': place, 'facts': facts}
-        self.host.asides.expect(text, {**self.exception, 'process': self.name}, self.group.pid)
+        self.host.hints.expect(text, {**self.exception, 'process': self.name}, self.group.pid)
         self.write('stderr', text)
 
     def _print_runaway(self, error: RunawayProgram) -> None:

@@ -30,10 +30,6 @@ def run_program(process: Process, program: Program) -> object:
         loader.roots.insert(0, program.python_roots[0])
         loader.run_module(program.module)
         return None
-    if program.kind == 'shell':
-        from edulaunch.engine.processes.shell_lines import run_line
-
-        return run_line(process, program.file)
     if program.kind in ('native', 'absent'):
         raise _cannot_run(program)
     return entry_function(process, program)()

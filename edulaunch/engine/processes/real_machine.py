@@ -17,7 +17,7 @@ from contextlib import suppress
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.processes.whose_code import is_library, is_own
+from edulaunch.engine.processes.frame_owner import is_library, is_own
 from edulaunch.engine.sim.task import AmbientTask, running_task
 
 if TYPE_CHECKING:

@@ -20,9 +20,6 @@ class Origin(NamedTuple):
         return f'{self.file}:{self.line}'
 
 
-SHELLS = ('bash', 'dash', 'sh', 'zsh')
-
-
 class ProcessSpec(NamedTuple):
     """Everything that is decided before a program starts.
 

@@ -13,8 +13,8 @@ from types import FrameType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import facts_of
+from edulaunch.engine.processes.frame_owner import is_engine, is_library
 from edulaunch.engine.processes.spec import Origin
-from edulaunch.engine.processes.whose_code import is_engine, is_library
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

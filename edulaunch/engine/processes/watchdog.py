@@ -14,7 +14,7 @@ import weakref
 from types import FrameType
 from typing import Any, NamedTuple
 
-from edulaunch.engine.processes.whose_code import is_library, is_own
+from edulaunch.engine.processes.frame_owner import is_library, is_own
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.task import Task, task_around
 

@@ -164,7 +164,7 @@ def install(name: str) -> ThisProcess:
     _module('edulaunch.engine.sim.task', current_task=lambda: task, running_task=lambda: task)
     _module('edulaunch.engine.sim.sync', sleep=time.sleep, Lock=threading.Lock)
     _module('edulaunch.engine.processes.current', current_process=lambda: process)
-    _module('edulaunch.engine.processes.whose_code', student_line=dict)
+    _module('edulaunch.engine.processes.frame_owner', student_line=dict)
     _module('edulaunch.engine.processes', current_process=lambda: process).__path__ = [_folder('processes')]
     return process
 

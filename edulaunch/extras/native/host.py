@@ -58,10 +58,11 @@ class NativeHost(Host):
     ) -> Process | RealProcess:
         """Start a program: see :meth:`Host.start`."""
         index = index or self._index_here()
-        known = self._known_command(spec, index)
+        known = self.known_command(spec, index)
         if known is not None:
-            argv, program = known
-            if program is None and not ' '.join([*argv[1:3], '']).startswith(tuple(f'{words} ' for words in HERE_COMMANDS)):
+            argv, program = known.argv, known.program
+            is_here = ' '.join([*argv[1:3], '']).startswith(tuple(f'{words} ' for words in HERE_COMMANDS))
+            if known.tool == ROS2.kind and not is_here:
                 program = ROS2
             if program is not None and program.kind in (*NATIVE_KINDS, 'ros2'):
                 return self._start_real(spec, argv, program, index, on_output, on_exit)

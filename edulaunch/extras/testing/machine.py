@@ -20,12 +20,12 @@ from typing import Any
 from greenlet import getcurrent
 
 from edulaunch.engine.packages import Index
-from edulaunch.engine.processes.ambient import ambient_process_on
 from edulaunch.engine.processes.loader import Loader
 from edulaunch.engine.processes.views import PRIVATE_COPIES
 from edulaunch.engine.sim.task import AmbientTask
 from edulaunch.errors import SimulationError
 from edulaunch.extras.testing import workspaces_of
+from edulaunch.runtime.ambient import ambient_process_on
 from edulaunch.runtime.session import Session, index_for
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}

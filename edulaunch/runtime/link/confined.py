@@ -162,11 +162,10 @@ class ConfinedHost(Host):
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
         """As `Host.start`."""
-        known = self._known_command(spec, index or self._index_here())
-        if known is None or not is_hosted(known[1]):
+        known = self.known_command(spec, index)
+        program = None if known is None else known.program
+        if known is None or program is None or not is_hosted(program):
             return super().start(spec, on_output, on_exit, index=index)
-        argv, program = known
-        assert program is not None
         hosted = HostedProgram(self, spec, self.next_pid(), on_output, on_exit)
         starter = self.program_here()
         if starter is not None:
@@ -175,7 +174,7 @@ class ConfinedHost(Host):
         self.processes.append(hosted)  # type: ignore[arg-type]
         self.tracer.process_started(hosted)
         spec = spec if spec.env is not None else spec._replace(env=self.env)
-        self.half.tell(Kind.SPAWN, dump([hosted.pid, argv, program.package, program.executable, spec_as_data(spec)]))
+        self.half.tell(Kind.SPAWN, dump([hosted.pid, known.argv, program.package, program.executable, spec_as_data(spec)]))
         return hosted
 
     def hosted(self, pid: int) -> Any:

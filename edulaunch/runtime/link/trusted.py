@@ -20,6 +20,7 @@ from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording.recorder import Recorder
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.ros.sourcing import source
+from edulaunch.runtime.fittings import hint_of
 from edulaunch.runtime.link.clock import HalfSimulation
 from edulaunch.runtime.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.runtime.link.half import Half
@@ -106,7 +107,7 @@ class Trusted:
         self.sim = HalfSimulation(seed)
         self.recorder = TrustedRecorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
-        self.host = TrustedHost(self.sim, self.graph, Index([underlay_prefix()]), env={})
+        self.host = TrustedHost(self.sim, self.graph, Index([underlay_prefix()]), env={}, hint_of=hint_of)
         self.half = self.host.half = Half(self.sim, end, trusts=False, quota=quota)
         self.messages = Messages(underlay_registry())
         self.replica = self.recorder.replica = Replica(self.half, self.graph, self.messages, self._program)

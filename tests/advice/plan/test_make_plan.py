@@ -296,14 +296,14 @@ def test_actions_that_a_function_adds_to_its_own_description_are_planned(plan: P
 
 
 def test_commands_of_ros2_answer_and_programs_that_a_file_starts_itself_end_at_once(plan: Plan) -> None:
-    ros2 = Session(env={}).host.ros2
+    command_set = Session(env={}).host.command_set
     found = plan(
         """
     import subprocess
     code = subprocess.Popen(['sleep', '60']).wait()
     prefix = subprocess.check_output(['ros2', 'pkg', 'prefix', 'turtlesim'], text=True).strip()
     return [LogInfo(msg=[str(code), ' ', prefix.rpartition('/')[2], ' ', Command('ros2 pkg prefix turtlesim')])]""",
-        ros2=ros2,
+        command_set=command_set,
     )
     assert found['error'] is None
     (said,) = [item['msg'] for item in found['items'] if item['kind'] == 'log']

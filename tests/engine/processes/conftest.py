@@ -15,6 +15,7 @@ from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.runtime.fittings import hint_of
 
 
 class ScriptIndex:
@@ -56,6 +57,7 @@ class World:
             Graph(self.sim),
             ScriptIndex(folder),
             env={'HOME': '/home/student'},  # type: ignore[arg-type]
+            hint_of=hint_of,
             stdin={'asks-1': 'first line\nsecond line\n'},
         )
         self.log: list[tuple[float, str, str]] = []

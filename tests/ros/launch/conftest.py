@@ -10,7 +10,7 @@ import pytest
 from greenlet import getcurrent
 
 from edulaunch.engine.processes import current_process
-from edulaunch.engine.processes.asides import Asides
+from edulaunch.engine.processes.deferred_hints import DeferredHints
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.task import AmbientTask
 
@@ -60,7 +60,7 @@ class FakeHost:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
-        self.asides = Asides()
+        self.hints = DeferredHints()
         self.log: list[tuple[float, str, str]] = []
         self.specs: list[Any] = []
         self.scripts: dict[str, Callable[[FakeProgram], object]] = {}

@@ -28,6 +28,8 @@ from launch.substitutions import (
     ThisLaunchFileDir,
 )
 
+from edulaunch.engine.processes.commands import CommandSet
+
 
 def test_a_local_may_be_indexed_and_need_not_be_a_text() -> None:
     context = LaunchContext()
@@ -85,7 +87,7 @@ def test_a_command_that_the_simulation_knows_runs_in_it(fresh_simulation: Any) -
         process.stdout.write(' '.join(process.argv))
         return 0
 
-    fresh_simulation.host.ros2 = run
+    fresh_simulation.host.command_set = CommandSet({'ros2': run})
     assert Command('ros2 pkg list').perform(LaunchContext()) == 'ros2 pkg list'
     assert fresh_simulation.sim.elapsed_s == 1.0
 

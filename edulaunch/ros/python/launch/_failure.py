@@ -39,7 +39,7 @@ def note_failure(error: BaseException, message: str) -> None:
     if take is not None:
         take(error)
     else:
-        process.host.asides.expect(message, {**failure_data(error), 'process': None}, process.group.pid)
+        process.host.hints.expect(message, {**failure_data(error), 'process': None}, process.group.pid)
 
 
 def failure_data(error: BaseException, index: Index | None = None) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from tf2_py.buffer_core import NS_PER_S, exception_of, message, nanoseconds, rep
 
 from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.processes.whose_code import student_line
+from edulaunch.engine.processes.frame_owner import student_line
 from edulaunch.engine.sim.sync import sleep
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.tf import TransformFailure

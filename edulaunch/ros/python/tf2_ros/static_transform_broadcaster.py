@@ -44,7 +44,7 @@ class StaticTransformBroadcaster:
         if (old.header.frame_id, old.transform) == (new.header.frame_id, new.transform):
             return
         from edulaunch.engine.processes.current import current_process
-        from edulaunch.engine.processes.whose_code import student_line
+        from edulaunch.engine.processes.frame_owner import student_line
 
         frames = {'child': new.child_frame_id, 'parent': new.header.frame_id, 'first_parent': old.header.frame_id}
         current_process().fact('static transform repeated', new.child_frame_id, {**frames, **student_line()})

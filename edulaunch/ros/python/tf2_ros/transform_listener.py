@@ -12,7 +12,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.processes.whose_code import student_line
+from edulaunch.engine.processes.frame_owner import student_line
 from tf2_ros.buffer import wire_receiver
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.parameters import pattern_matches
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.processes.whose_code import student_line, waiting_line
+from edulaunch.engine.processes.frame_owner import student_line, waiting_line
 from edulaunch.engine.sim.task import current_task, running_task
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state

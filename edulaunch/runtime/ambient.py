@@ -13,12 +13,15 @@ from types import FrameType
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages.sourced import sourced_index, sourced_path
+from edulaunch.engine.processes.commands import CommandSet
+from edulaunch.engine.processes.frame_owner import is_own
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.engine.processes.whose_code import is_own
 from edulaunch.engine.sim.real_threads import RealThreads, start_real_thread
 from edulaunch.engine.sim.task import AmbientTask, Task, current_task
+from edulaunch.runtime.fittings import hint_of
+from edulaunch.runtime.shell import SimulatedShell
 
 CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable, vars(time).values()))))
 """Whoever has one of these among its global names looks at the real clock, or waits for it."""
@@ -46,7 +49,7 @@ class AmbientProcess(Process):
     def write(self, stream: str, text: str) -> None:
         """Write to the real stream of that name."""
         target = sys.stdout if stream == 'stdout' else sys.stderr
-        target.write(text + self.host.asides.below(text, self.pid, self.env) if self.host.asides.due else text)
+        target.write(text + self.host.hints.below(text, self.pid, self.env) if self.host.hints.pending else text)
         target.flush()
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
@@ -64,7 +67,8 @@ def make_ambient_process(task: AmbientTask) -> Process:
     if script_sees_the_clock():
         task.real_threads.keep_time()
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
-    host = Host(task.sim, Graph(task.sim), sourced_index(prefixes), env=dict(os.environ))
+    commands = CommandSet(shell=SimulatedShell())
+    host = Host(task.sim, Graph(task.sim), sourced_index(prefixes), env=dict(os.environ), command_set=commands, hint_of=hint_of)
     return ambient_process_on(host, task)
 
 

@@ -1,7 +1,7 @@
 """Shell lines with commands of the simulation: `sleep 2; ros2 service call ... && ros2 topic list | grep turtle`.
 
-A real shell could not reach the simulated programs, so such a line is followed here, in simulated time. `shell_grammar` says
-which lines these are, `shell_words` what their words stand for, `shell_filters` what may stand behind a `|`.
+A real shell could not reach the simulated programs, so such a line is followed here, in simulated time. `grammar` says
+which lines these are and what their words stand for, `filters` what may stand behind a `|`.
 """
 
 from __future__ import annotations
@@ -15,26 +15,17 @@ from typing import Any
 
 from edulaunch.engine.processes.children import Child
 from edulaunch.engine.processes.process import Process
-from edulaunch.engine.processes.shell_filters import Filter, RealFilter, Sink, is_filter
-from edulaunch.engine.processes.shell_grammar import (
-    Command,
-    Expansion,
-    Job,
-    Line,
-    Pipeline,
-    Redirection,
-    commands,
-    known_words,
-    parsed,
-)
-from edulaunch.engine.processes.spec import SHELLS, ProcessSpec
+from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.sync import sleep
+from edulaunch.runtime.shell.filters import Filter, RealFilter, Sink, is_filter
+from edulaunch.runtime.shell.grammar import Command, Expansion, Job, Line, Pipeline, Redirection, commands, known_words, parsed
+from edulaunch.runtime.shell.names import SHELLS
 
 _UNITS = {'s': 1, 'm': 60, 'h': 3600}
 _NOT_FOUND = 127
 
 
-def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[list[str]], bool]) -> bool:
+def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> bool:
     """Whether a line has to be followed here: it can be read, and the simulation knows one of its commands."""
     return any(knows(words) for command in commands(line or ()) if (words := known_words(command, arguments)))
 
@@ -88,7 +79,7 @@ class Shell:
             Child(self.process, ['sh', '-c', job.text, *self._arguments], **streams)
         self.status = 0
 
-    def _knows(self, words: list[str]) -> bool:
+    def _knows(self, words: Sequence[str]) -> bool:
         return self.process.host.knows(ProcessSpec(argv=tuple(words), name=''))
 
     def _run(self, pipeline: Pipeline) -> int:
@@ -103,7 +94,7 @@ class Shell:
             if not words or words[0] in _OWN:
                 stages.append(_Ended(_OWN[words[0]](self, words, out) if words else 0))
                 out.close()
-                sink = _NOWHERE
+                sink = _NULL_SINK
             elif not is_first and not self._knows(words):
                 sink = self._filter(words, out, env, running)
                 stages.append(sink)
@@ -111,7 +102,7 @@ class Shell:
                 child = self._started(words, env, streams if is_first else {'stdin': subprocess.PIPE, **streams})
                 stages.append(child or _Ended(_NOT_FOUND))
                 running[:0] = [(child, out)] if child else []
-                sink = (child and child.stdin) or _NOWHERE
+                sink = (child and child.stdin) or _NULL_SINK
         self._wait(running)
         return stages[0].returncode or 0
 
@@ -141,22 +132,22 @@ class Shell:
         return ''.join(text.parts)
 
     def _streams(self, redirections: Sequence[Redirection], sink: Sink) -> tuple[Sink, dict[str, Any]]:
-        """Where the output goes, and what :class:`Child` is told."""
+        """Where the output goes, and the options for :class:`Child`."""
         out = sink
-        told: dict[str, Any] = {} if type(sink) is _Stream else {'stdout': sink}
+        options: dict[str, Any] = {} if type(sink) is _Stream else {'stdout': sink}
         for stream, mode, place in redirections:
             path = os.path.join(self.process.cwd or os.getcwd(), self._expansion().one(place)) if place else ''
             if stream == 'stdin':
                 with open(path, encoding='utf-8') as file:
-                    told['input'] = file.read()
+                    options['input'] = file.read()
                 continue
             where: Any = _File(path, mode) if place else subprocess.STDOUT
-            told['stderr' if stream == 'stderr' else 'stdout'] = where
+            options['stderr' if stream == 'stderr' else 'stdout'] = where
             if stream != 'stderr':
                 out = where
             if stream == 'both':
-                told['stderr'] = subprocess.STDOUT
-        return out, told
+                options['stderr'] = subprocess.STDOUT
+        return out, options
 
     def _filter(self, words: list[str], out: Sink, env: dict[str, str], running: list[tuple[Child, Sink]]) -> Any:
         if not is_filter(words):
@@ -224,14 +215,14 @@ class _Text(_Stream):
         self.parts.append(text)
 
 
-class _Nowhere(_Text):
+class _NullSink(_Text):
     """Takes text that nobody reads."""
 
     def write(self, text: str) -> None:
         """Forget it."""
 
 
-_NOWHERE = _Nowhere()
+_NULL_SINK = _NullSink()
 
 
 class _File:

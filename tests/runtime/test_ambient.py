@@ -13,10 +13,10 @@ import pytest
 from greenlet import getcurrent
 
 from edulaunch.engine.processes import current_process
-from edulaunch.engine.processes.ambient import script_sees_the_clock
 from edulaunch.engine.sim import real_threads
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.engine.sim.task import AmbientTask
+from edulaunch.runtime.ambient import script_sees_the_clock
 
 
 class World:

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from edulaunch.engine.processes.shell_grammar import parsed
 from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.runtime.shell.grammar import parsed
 
 
 @pytest.mark.parametrize(

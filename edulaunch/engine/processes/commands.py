@@ -1,0 +1,146 @@
+"""Which commands the simulation runs itself: programs of packages, Python files, tools and shell lines.
+
+Any other command is a real program.
+
+The engine knows no tool and no shell. Whoever makes a machine hands in both, as a :class:`CommandSet`.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple, Protocol
+
+from edulaunch.engine.packages import Index, Program
+from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.programs import python_command, run_program
+from edulaunch.engine.processes.spec import ProcessSpec
+
+WRAPPERS = (
+    'alacritty',
+    'chrt',
+    'env',
+    'gdb',
+    'gdbserver',
+    'gnome-terminal',
+    'gnome-terminal.wrapper',
+    'ionice',
+    'kitty',
+    'konsole',
+    'lxterminal',
+    'mate-terminal',
+    'nice',
+    'nohup',
+    'perf',
+    'python',
+    'python3',
+    'screen',
+    'setsid',
+    'stdbuf',
+    'strace',
+    'sudo',
+    'taskset',
+    'terminator',
+    'time',
+    'tmux',
+    'valgrind',
+    'x-terminal-emulator',
+    'xfce4-terminal',
+    'xterm',
+)
+"""Programs that start the command which follows them; the simulation leaves them out."""
+
+Main = Callable[[Process], object]
+"""What runs inside a simulated process; it returns the exit code."""
+
+
+class Shell(Protocol):
+    """Reads and follows the lines of a shell."""
+
+    def needs_shell(self, line: str) -> bool:
+        """Whether a line has signs that mean something to a shell; else its words are the command."""
+
+    def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
+        """The line and its arguments of a command such as `sh -c LINE ARGUMENT...`, else None."""
+
+    def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
+        """What follows a line in simulated time; None when a real shell has to.
+
+        :param knows: whether the simulation runs the command of these words.
+        """
+
+
+class Known(NamedTuple):
+    """A command that the simulation runs.
+
+    :ivar argv: the words that its process sees.
+    :ivar main: what runs in the process.
+    :ivar program: the program of a package or the Python file; None for a tool and for a shell line.
+    :ivar tool: the name of the tool, else empty.
+    """
+
+    argv: list[str]
+    main: Main
+    program: Program | None = None
+    tool: str = ''
+
+
+class CommandSet:
+    """The commands that a machine runs beside the programs of its packages.
+
+    :ivar tools: what runs the command lines that begin with a name, by that name.
+    :ivar shell: what follows shell lines; with None all of them go to a real shell.
+    """
+
+    def __init__(self, tools: Mapping[str, Main] = MappingProxyType({}), shell: Shell | None = None) -> None:
+        self.tools = tools
+        self.shell = shell
+
+    def find(self, spec: ProcessSpec, index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
+        """The command of a spec, if the simulation runs it.
+
+        :param modules: gives the top-level modules of the workspaces, which `python3 -m` may name.
+        """
+        words: Sequence[str] = spec.argv
+        if spec.shell:
+            line = ' '.join(words)
+            if self.shell is not None and self.shell.needs_shell(line):
+                return self._line([line], index, modules)
+            words = shlex.split(line)
+        for position, word in enumerate(words):
+            rest = list(words[position:])
+            program = index.find_program(word)
+            if program is not None:
+                return Known(rest, partial(run_program, program=program), program)
+            name = os.path.basename(word)
+            if name in self.tools:
+                return Known(rest, self.tools[name], tool=name)
+            script = None if self.shell is None else self.shell.script_of(rest)
+            if script is not None:
+                return self._line(script, index, modules)
+            if position == 0 and name not in WRAPPERS:
+                break
+        return _python(words, spec.cwd, modules)
+
+    def _line(self, script: Sequence[str], index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
+        """A shell line of which the simulation knows a command."""
+
+        def knows(words: Sequence[str]) -> bool:
+            return self.find(ProcessSpec(argv=tuple(words), name=''), index, modules) is not None
+
+        if self.shell is None or not script:
+            return None
+        main = self.shell.main_of(script[0], script[1:], knows)
+        return None if main is None else Known(['sh', '-c', *script], main)
+
+
+def _python(words: Sequence[str], cwd: str | None, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
+    """A command that names Python, or a Python file, itself."""
+    first = os.path.basename(words[0]) if words else ''
+    if not first.endswith('.py') and not first.startswith('python'):
+        return None
+    found = python_command(list(words), cwd, frozenset(modules()))
+    return None if found is None else Known(found[0], partial(run_program, program=found[1]), found[1])

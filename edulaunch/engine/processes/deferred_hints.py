@@ -1,0 +1,77 @@
+"""Deferred hints: the hint for an error appears later than the error arises, where the last line of its text reaches a console.
+
+A hint is no output of a program and is not recorded. So recordings are the same in every language, and a launch file's handlers
+of output see what they see in ROS 2.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+MOST_PENDING = 50
+_COLOUR = re.compile(r'\x1b\[[0-9;]*m')
+_PREFIX = re.compile(r'\[[^\]]*\] ')
+
+HintOf = Callable[[dict[str, Any], Mapping[str, str]], 'str | None']
+"""Gives the line below an error, or None: called with the error as plain data and the environment of the reader."""
+
+
+class _Pending(NamedTuple):
+    """An error whose last line is on its way to the consoles.
+
+    :ivar group: the number of the program in whose terminal the error happened.
+    :ivar shown_to: the numbers of the programs below whose output the hint has appeared.
+    """
+
+    last_line: str
+    group: int
+    error: dict[str, Any]
+    shown_to: set[int]
+
+
+class DeferredHints:
+    """The hints of one simulated machine.
+
+    :param hint_of: gives the line below an error; with None no error has a hint.
+    :ivar helped: the programs below whose error a hint has appeared.
+    """
+
+    def __init__(self, hint_of: HintOf | None = None) -> None:
+        self.pending: deque[_Pending] = deque(maxlen=MOST_PENDING)
+        self.helped: set[str] = set()
+        self._hint_of = hint_of
+
+    def expect(self, text: str, error: dict[str, Any], group: int) -> None:
+        """Note an error that is going to be written.
+
+        :param text: what is written; the hint waits for its last line.
+        :param error: type, message, file, line, facts and process, as plain data.
+        :param group: number of the program that a terminal started, in whose terminal this happens.
+        """
+        lines = [line for line in text.splitlines() if line.strip()]
+        if lines and self._hint_of is not None:
+            self.pending.append(_Pending(lines[-1], group, error, set()))
+
+    def below(self, text: str, pid: int, env: Mapping[str, str]) -> str:
+        """The hint below a text that has just come to the console of a program; '' when there is none.
+
+        :param pid: the number of that program.
+        :param env: its environment, which tells the language of the reader.
+        """
+        lines = _COLOUR.sub('', text).splitlines()
+        # Another terminal's error may have ended with the same line, for another reason.
+        for pending in sorted(self.pending, key=lambda pending: pending.group != pid):
+            line = next((line for line in lines if line.endswith(pending.last_line)), None)
+            if line is not None and pid not in pending.shown_to:
+                pending.shown_to.add(pid)
+                hint = None if self._hint_of is None else self._hint_of(pending.error, env)
+                if hint is None:
+                    return ''
+                process = pending.error.get('process')
+                self.helped.add(process or '')
+                prefix = _PREFIX.match(line) if process is not None else None
+                return f'{prefix[0] if prefix else ""}{hint}\n'
+        return ''

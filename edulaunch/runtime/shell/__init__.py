@@ -1,0 +1,47 @@
+"""The shell of the simulated machine: lines that name simulated programs are followed here, in simulated time, as a real shell
+could not reach those programs. :class:`SimulatedShell` is what a host is given; start reading in `grammar`, then `lines`.
+
+`grammar` and `lines` are imported late: few launch files have a shell line, and the two cost 3 ms.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from edulaunch.engine.processes.commands import Main
+from edulaunch.runtime.shell.names import SHELLS, SIGNS
+
+
+class SimulatedShell:
+    """Reads and follows shell lines; see :class:`edulaunch.engine.processes.commands.Shell`."""
+
+    def needs_shell(self, line: str) -> bool:
+        """Whether a sign of shells stands in the line, outside of quotation marks."""
+        return bool(SIGNS & set(_outside_quotes(line)))
+
+    def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
+        """What stands behind the `-c` of a shell; None for any other command."""
+        is_shell = os.path.basename(words[0]) in SHELLS and words[1:2] == ['-c']
+        return words[2:] if is_shell else None
+
+    def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
+        """What follows the line, if it can be read and the simulation knows one of its commands."""
+        from edulaunch.runtime.shell.grammar import parsed
+        from edulaunch.runtime.shell.lines import is_simulated, run_line
+
+        return partial(run_line, text=line) if is_simulated(parsed(line), arguments, knows) else None
+
+
+def _outside_quotes(line: str) -> str:
+    """The characters of a shell line that stand outside quotation marks."""
+    kept, quote = [], ''
+    for character in line:
+        if quote:
+            quote = '' if character == quote else quote
+        elif character in '"\'':
+            quote = character
+        else:
+            kept.append(character)
+    return ''.join(kept)
