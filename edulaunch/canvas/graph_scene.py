@@ -100,7 +100,7 @@ def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool)
     """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
-    misfits = {misfit.topic: misfit.why.lower() for misfit in recording.misfits}
+    mismatches = {mismatch.topic: mismatch.why.lower() for mismatch in recording.mismatches}
     for topic in recording.topics:
         publishers = [key for key, node in nodes.items() if topic in dict(node.publishers)]
         subscribers = [key for key, node in nodes.items() if topic in dict(node.subscriptions)]
@@ -114,8 +114,8 @@ def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool)
             marks[key] = 'no publisher'
         elif not subscribers:
             marks[key] = 'no subscriber'
-        elif topic in misfits:
-            marks[key] = f'{misfits[topic]} does not fit'
+        elif topic in mismatches:
+            marks[key] = f'{mismatches[topic]} does not fit'
     return edges, marks
 
 

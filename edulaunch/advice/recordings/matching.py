@@ -21,15 +21,15 @@ LESSON = '09_broadcaster_and_listener'
 
 def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
     """Pairs that one of the policies keeps apart."""
-    for misfit in recording.misfits:
-        if misfit.why in policies:
-            file, line = node_place(recording, misfit.subscriber)
+    for mismatch in recording.mismatches:
+        if mismatch.why in policies:
+            file, line = node_place(recording, mismatch.subscriber)
             pair = {
-                'node': speaker(recording, misfit.publisher),
-                'other': speaker(recording, misfit.subscriber),
-                'policy': misfit.why,
+                'node': speaker(recording, mismatch.publisher),
+                'other': speaker(recording, mismatch.subscriber),
+                'policy': mismatch.why,
             }
-            yield found('topic', misfit.topic, file=file, line=line, time_s=misfit.note.time_s, **pair)
+            yield found('topic', mismatch.topic, file=file, line=line, time_s=mismatch.note.time_s, **pair)
 
 
 @rule(
@@ -85,19 +85,19 @@ def quality(recording: Recording) -> Iterator[Finding]:
 def different_types(recording: Recording) -> Iterator[Finding]:
     """A pair of ends that is joined by neither type, while each of them has nobody else to talk to on that topic."""
     ends = ends_by_name(recording)
-    for misfit in recording.misfits:
-        if misfit.why != 'TYPE':
+    for mismatch in recording.mismatches:
+        if mismatch.why != 'TYPE':
             continue
-        publishers, subscriptions = ends['publisher', misfit.topic], ends['subscription', misfit.topic]
+        publishers, subscriptions = ends['publisher', mismatch.topic], ends['subscription', mismatch.topic]
         sent = {end.type for end in publishers}
-        heard = {end.type for end in subscriptions if end.node == misfit.subscriber}
-        offered = {end.type for end in publishers if end.node == misfit.publisher}
+        heard = {end.type for end in subscriptions if end.node == mismatch.subscriber}
+        offered = {end.type for end in publishers if end.node == mismatch.publisher}
         wanted = {end.type for end in subscriptions}
         if not heard & sent or not offered & wanted:
-            file, line = node_place(recording, misfit.publisher)
-            pair = {'node': speaker(recording, misfit.publisher), 'other': speaker(recording, misfit.subscriber)}
+            file, line = node_place(recording, mismatch.publisher)
+            pair = {'node': speaker(recording, mismatch.publisher), 'other': speaker(recording, mismatch.subscriber)}
             types = {'sent': sorted(offered), 'heard': sorted(heard)}
-            yield found('topic', misfit.topic, file=file, line=line, time_s=misfit.note.time_s, **pair, **types)
+            yield found('topic', mismatch.topic, file=file, line=line, time_s=mismatch.note.time_s, **pair, **types)
 
 
 @rule(

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.graph.qos import QoS
 
 if TYPE_CHECKING:
-    from edulaunch.engine.graph.graph import Graph, NodeEntry
+    from edulaunch.engine.graph.members import Members
+    from edulaunch.engine.graph.node_entry import NodeEntry
 
 RequestId = tuple['ServiceClient', int]
 """Who asked, and the number that client gave the request."""
@@ -21,7 +22,7 @@ class ServiceEnd:
     kind = 'service end'
 
     def __init__(
-        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+        self, graph: Members, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> None:
         self.graph = graph
         self.node = node
@@ -40,7 +41,7 @@ class ServiceServer(ServiceEnd):
     kind = 'service'
 
     def __init__(
-        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+        self, graph: Members, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> None:
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
@@ -61,7 +62,7 @@ class ServiceServer(ServiceEnd):
 
     def destroy(self) -> None:
         """Stop serving; waiting requests are never answered."""
-        self.graph.remove_service(self)
+        self.graph.remove_end(self)
 
 
 class ServiceClient(ServiceEnd):
@@ -74,7 +75,7 @@ class ServiceClient(ServiceEnd):
     kind = 'client'
 
     def __init__(
-        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+        self, graph: Members, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> None:
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[int, Any]] = deque()
@@ -84,14 +85,18 @@ class ServiceClient(ServiceEnd):
 
     def server_is_ready(self) -> bool:
         """Whether a server of this name and type exists now."""
-        return bool(self.graph.servers_for(self))
+        return bool(self.servers())
+
+    def servers(self) -> list[ServiceServer]:
+        """Return the servers that would get a request now, in order of creation."""
+        return [server for server in self.graph.services.get(self.service_name, ()) if server.type_name == self.type_name]
 
     def send(self, wire: Any) -> int:
         """Send a request and return its number. All servers of the name get it and the first reply counts; with no server it is
         lost, as in ROS 2.
         """
         self._sequence = sequence = self._sequence + 1
-        servers = self.graph.servers_for(self)
+        servers = self.servers()
         self.graph.tracer.request(self, sequence, wire, bool(servers))  # before anybody answers: built-in ones do so at once
         if servers:
             self.unanswered.add(sequence)
@@ -108,4 +113,4 @@ class ServiceClient(ServiceEnd):
 
     def destroy(self) -> None:
         """Leave the service; replies that are still to come are dropped."""
-        self.graph.remove_client(self)
+        self.graph.remove_end(self)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS, incompatible_policy
 
 if TYPE_CHECKING:
-    from edulaunch.engine.graph.graph import Graph, NodeEntry
+    from edulaunch.engine.graph.members import Members
+    from edulaunch.engine.graph.node_entry import NodeEntry
 
 Taken = tuple[Any, int, 'Publisher']
 """What a subscription's queue holds: (wire tuple, time of publication in ns, publisher)."""
@@ -20,7 +21,7 @@ class Endpoint:
 
     kind = 'endpoint'
 
-    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+    def __init__(self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         self.graph = graph
         self.node = node
         self.topic_name = topic_name
@@ -46,7 +47,7 @@ class Publisher(Endpoint):
 
     kind = 'publisher'
 
-    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+    def __init__(self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self._sim = graph.sim
         self.record = graph.tracer.channel(self)
@@ -79,14 +80,17 @@ class Publisher(Endpoint):
         return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
-        """Leave the topic. Doing it twice is doing it once."""
-        self.graph.remove_publisher(self)
+        """Leave the topic; does nothing the second time. What a dying program publishes afterwards is not recorded."""
+        self.record = _forget
+        for subscription in list(self.matched):
+            disconnect(self, subscription)
+        self.graph.remove_end(self)
 
 
 class WatchedPublisher(Publisher):
     """A publisher that offers a deadline or a lease: `on_publish` is called for each message, `on_life` for each sign of life."""
 
-    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+    def __init__(self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self.on_publish: list[Callable[[], object]] = []
         self.on_life: list[Callable[[], object]] = []
@@ -114,7 +118,7 @@ class Subscription(Endpoint):
     kind = 'subscription'
 
     def __init__(
-        self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+        self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self.on_ready = on_ready
@@ -142,7 +146,10 @@ class Subscription(Endpoint):
 
     def destroy(self) -> None:
         """Leave the topic; what waits in the queue is gone."""
-        self.graph.remove_subscription(self)
+        for publisher in list(self.publishers):
+            disconnect(publisher, self)
+        self.queue.clear()
+        self.graph.remove_end(self)
 
 
 def connect(publisher: Publisher, subscription: Subscription) -> None:
@@ -172,3 +179,7 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
         subscription.publishers.remove(publisher)
         publisher._tell_matched(-1)
         subscription._tell_matched(-1)
+
+
+def _forget(record: Any) -> None:
+    """Takes the place of what records the messages of a publisher."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable, Iterable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from edulaunch.engine.graph.graph import NodeEntry
+    from edulaunch.engine.graph.node_entry import NodeEntry
 
 Record = tuple[int, int, Any]
 """One publication: (time in ns, number of the publisher, wire tuple)."""

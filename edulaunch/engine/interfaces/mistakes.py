@@ -9,17 +9,33 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from edulaunch.engine.interfaces.message import Message
 from edulaunch.engine.interfaces.spec import FieldType
 from edulaunch.engine.nearest import did_you_mean, nearest
 from edulaunch.errors import InterfaceError
 
-if TYPE_CHECKING:
-    from edulaunch.engine.interfaces.registry import Registry
-
 Facts = dict[str, Any]
+
+
+class KnownTypes(Protocol):
+    """What a registry knows: where a wrong type name is looked for."""
+
+    def has(self, package: str, /) -> bool:
+        """Whether a package has interfaces."""
+
+    def homes(self, name: str, kind: str | None, /) -> list[str]:
+        """The modules that have an interface of this name."""
+
+    def packages(self) -> list[str]:
+        """The names of all packages that have interfaces."""
+
+    def types(self) -> list[str]:
+        """All full type names."""
+
+    def classes(self) -> list[type[Any]]:
+        """All classes made so far."""
 
 
 def value_facts(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
@@ -98,7 +114,7 @@ def _brief(value: Any) -> str:
 _TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", re.ASCII)
 
 
-def field_facts(error: BaseException, registry: Registry) -> dict[str, Any]:
+def field_facts(error: BaseException, registry: KnownTypes) -> dict[str, Any]:
     """Facts of an AttributeError about a message: its type and its fields; of any other error none.
 
     :param registry: its classes made so far are searched by name, since Python before 3.13 does not tell the
@@ -116,19 +132,19 @@ def field_facts(error: BaseException, registry: Registry) -> dict[str, Any]:
     return {'about': 'messages.field', 'type': type_name, 'field': name, 'near': near, 'fields': list(classes[0]._FIELDS)}
 
 
-def _candidates(error: BaseException, name: str, registry: Registry) -> list[type[Message]]:
+def _candidates(error: BaseException, name: str, registry: KnownTypes) -> list[type[Message]]:
     owner = getattr(error, 'obj', None)
     if owner is not None:
         return [type(owner)] if isinstance(owner, Message) else []
     return [cls for cls in registry.classes() if issubclass(cls, Message) and cls.__name__ == name]
 
 
-def unknown_type(registry: Registry, type_name: str) -> InterfaceError:
+def unknown_type(registry: KnownTypes, type_name: str) -> InterfaceError:
     """The error for a type name that nothing defines, with the nearest one that exists."""
     return InterfaceError(f"unknown interface '{type_name}'", help=type_help(registry, type_name))
 
 
-def type_help(registry: Registry, type_name: str) -> str | None:
+def type_help(registry: KnownTypes, type_name: str) -> str | None:
     """What may have been meant by a wrong type name."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')

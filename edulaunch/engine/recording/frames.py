@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from edulaunch.engine.recording.absent import Frames
+from edulaunch.engine.recording.messages import Messages
 from edulaunch.engine.recording.records import Frame
-
-if TYPE_CHECKING:
-    from edulaunch.engine.recording.recording import Recording
-
 
 TF_TYPE = 'tf2_msgs/msg/TFMessage'
 TOPICS = (('/tf_static', True), ('/tf', False))
 """Where transforms are published, and whether they are static; in the order in which tf2 would let them count."""
 
 
-def transform_wires(recording: Recording, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
+def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
     """All transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
 
     Messages are not built: a run has thousands.
@@ -27,7 +24,7 @@ def transform_wires(recording: Recording, topic: str) -> Iterator[tuple[float, S
             yield time_ns / 1e9, transform
 
 
-def frames_at(recording: Recording, time_s: float) -> dict[str, Frame]:
+def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
     """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
     found = Frames()
     for topic, is_static in TOPICS:
@@ -60,7 +57,7 @@ class FrameLink(NamedTuple):
         return None if self.is_static or self.last_s <= self.first_s else (self.messages - 1) / (self.last_s - self.first_s)
 
 
-def frame_links(recording: Recording) -> dict[str, FrameLink]:
+def frame_links(recording: Messages) -> dict[str, FrameLink]:
     """The links of the tf tree over the whole run, by child frame in order of first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:

@@ -21,6 +21,7 @@ class Messages:
 
     def __init__(self, content: dict[str, Any]) -> None:
         self._content = content
+        self.start_ns: int = content['start_ns']
         self._unread: str | None = None
         self._read: set[int] = set()
 

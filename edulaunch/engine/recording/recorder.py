@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.tracer import Look, Record, Tracer
 
 if TYPE_CHECKING:

@@ -28,7 +28,7 @@ from edulaunch.engine.recording.shown import Shown
 from edulaunch.errors import RecordingError
 
 if TYPE_CHECKING:
-    from edulaunch.engine.recording.misfits import Misfit
+    from edulaunch.engine.recording.mismatches import Mismatch
     from edulaunch.engine.recording.trajectory import Trajectory
 
 
@@ -50,7 +50,6 @@ class Recording(Messages, Shown):
     def __init__(self, content: dict[str, Any]) -> None:
         super().__init__(content)
         self.seed: int = content['seed']
-        self.start_ns: int = content['start_ns']
         self.duration_s: float = content['duration_ns'] / 1e9
 
     def __repr__(self) -> str:
@@ -240,11 +239,11 @@ class Recording(Messages, Shown):
         return [Fact(time / 1e9, process, kind, data, times, last / 1e9) for time, process, kind, data, times, last in rows]
 
     @cached_property
-    def misfits(self) -> list[Misfit]:
+    def mismatches(self) -> list[Mismatch]:
         """Publishers and subscriptions of one topic that could not be joined, in order of time."""
-        from edulaunch.engine.recording.misfits import misfits
+        from edulaunch.engine.recording.mismatches import mismatches
 
-        return list(misfits(self))
+        return list(mismatches(self.nodes, self.notes))
 
     @property
     def not_repeatable(self) -> list[str]:

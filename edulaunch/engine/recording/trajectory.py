@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from edulaunch.engine.recording.absent import not_recorded
-
-if TYPE_CHECKING:
-    from edulaunch.engine.recording.recording import Recording
+from edulaunch.engine.recording.messages import Messages
 
 POSE, ODOMETRY = 'turtlesim/msg/Pose', 'nav_msgs/msg/Odometry'
 
@@ -22,7 +20,7 @@ class Trajectory(NamedTuple):
     theta: Any
 
 
-def moving_things(recording: Recording) -> dict[str, str]:
+def moving_things(recording: Messages) -> dict[str, str]:
     """The turtles and robots of a recording: name to topic, turtles first ('turtle1', '/turtlesim2/turtle1', '/odom')."""
     found = {}
     for topic in recording.topics.values():
@@ -35,7 +33,7 @@ def moving_things(recording: Recording) -> dict[str, str]:
     return found
 
 
-def read_trajectory(recording: Recording, name: str) -> Trajectory:
+def read_trajectory(recording: Messages, name: str) -> Trajectory:
     """See `Recording.trajectory`."""
     import numpy as np
 

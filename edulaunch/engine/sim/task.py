@@ -9,15 +9,12 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from greenlet import GreenletExit, getcurrent, greenlet
 
 from edulaunch.engine.sim.simulation import Item, Simulation
 from edulaunch.errors import SimulationError
-
-if TYPE_CHECKING:
-    from edulaunch.engine.sim.real_threads import RealThreads
 
 POLLS_BEFORE_TIME_PASSES = 1000
 POLLS_AFTER_THAT = 20
@@ -228,12 +225,34 @@ class Task:
             self._woken = True
 
 
+class ThreadsBeside(Protocol):
+    """The real threads beside the main thread of a plain script; see `real_threads.py`."""
+
+    def keep_time(self) -> None:
+        """Make simulated time real time from now on."""
+
+    def set_the_pace(self, due_ns: int | None) -> bool:
+        """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+
+    def await_turn(self, due_ns: int | None) -> bool:
+        """Whether it is time for what is due at `due_ns`; if not, wait a moment."""
+
+    def let_begin(self) -> None:
+        """Let threads that were started just now come in."""
+
+    def ring(self) -> None:
+        """Let the main thread look again at once."""
+
+    def join(self) -> AmbientTask:
+        """Let the running thread take part."""
+
+
 class AmbientTask(Task):
     """Stands for code outside any task, such as a plain script or a notebook cell: parking it runs the simulation in place."""
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
-        self.real_threads: RealThreads | None = None  # given to it with its owner
+        self.real_threads: ThreadsBeside | None = None  # given to it with its owner
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:

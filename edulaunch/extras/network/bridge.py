@@ -7,7 +7,7 @@ from collections import OrderedDict, deque
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
 from edulaunch.engine.graph.services import ServiceClient
 from edulaunch.engine.interfaces.cdr import decode, encode
@@ -281,7 +281,7 @@ class Bridge:
         client = self._by_handle.get(event.handle)
         if client is not None:
             wire = self._decoded(client.cls.Response, event.cdr, client.service_name)
-            server = next((each for each in self.graph.servers_for(client) if is_far(each.node)), None)
+            server = next((each for each in client.servers() if is_far(each.node)), None)
             if wire is not None and server is not None:
                 self.heard += 1
                 server.respond((client, event.number), wire)

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.graph.services import ServiceClient, ServiceServer
 from edulaunch.engine.graph.topics import Endpoint, Publisher, Subscription, connect

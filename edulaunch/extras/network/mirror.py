@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.graph.names import namespace_problem, node_name_problem, topic_name_problem
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.far import (

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from edulaunch.engine.facts import facts_of
-from edulaunch.engine.graph.graph import NodeEntry
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.parameter_files import ParameterFileError
 from edulaunch.engine.graph.ros_arguments import entries_of_file
 from edulaunch.engine.graph.tracer import Look, Record

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.qos import (
     AUTOMATIC,
     BEST_EFFORT,
@@ -258,7 +259,7 @@ class Replica:
         wire = self.messages.unpacked(client.cls.Request, data)
         server = self.our(server_index, ServiceServer)
         if server is not None:
-            if server not in self.graph.servers_for(client) or not isinstance(sequence, int):
+            if server not in client.servers() or not isinstance(sequence, int):
                 raise Violation('a request for who does not serve it')
             client.unanswered.add(sequence)
             server.queue.append((wire, (client, sequence)))

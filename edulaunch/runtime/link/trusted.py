@@ -8,7 +8,8 @@ import socket
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.engine.graph.graph import Graph, NodeEntry
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
 from edulaunch.engine.graph.services import ServiceClient
 from edulaunch.engine.graph.topics import WatchedPublisher

@@ -17,7 +17,6 @@ from hypothesis import strategies as st
 from edulaunch.desk.cli.recording import lines, summarise
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.frames import frame_links
-from edulaunch.engine.recording.misfits import misfits
 from edulaunch.engine.recording.trajectory import moving_things
 from edulaunch.errors import RecordingError
 from tests.house import EXAMPLES
@@ -57,7 +56,7 @@ def text_of(parts: list[Any]) -> bytes:
 def ask_everything(data: bytes) -> Recording:
     recording = Recording.from_bytes(data)
     '\n'.join(lines(summarise(recording))).encode()
-    list(misfits(recording)), recording.service_calls, recording.frames_at(1.0), frame_links(recording)
+    recording.mismatches, recording.service_calls, recording.frames_at(1.0), frame_links(recording)
     for node in recording.nodes:
         recording.parameters(node.name)
     for topic in recording.topics:

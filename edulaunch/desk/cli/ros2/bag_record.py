@@ -13,8 +13,8 @@ from edulaunch.desk.cli.ros2 import cli_node, names
 from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.graph import qos
-from edulaunch.engine.graph.graph import NodeEntry
-from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.graph.graph import Graph
+from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.topics import Publisher
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.interfaces.cdr import encode
@@ -37,7 +37,7 @@ class BagTopic:
     :param messages: what arrives is appended here.
     """
 
-    def __init__(self, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:
+    def __init__(self, graph: Graph, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:
         first = publishers[0]
         self.name = first.topic_name
         self.cls = first.cls
@@ -46,7 +46,7 @@ class BagTopic:
         self._sim = node.process.sim
         self.is_paused = False
         self._queue: Any = ()
-        subscription = first.graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
+        subscription = graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
         self._queue = subscription.queue
         self._on_ready()
 
@@ -191,7 +191,7 @@ class BagRecorder:
 
     def _listen(self, topic: str) -> None:
         graph = self._core.graph
-        self.topics[topic] = BagTopic(self._core.entry, graph.publishers[topic], self.messages)
+        self.topics[topic] = BagTopic(graph, self._core.entry, graph.publishers[topic], self.messages)
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str, storage: str) -> None:
@@ -207,7 +207,7 @@ class Topic(Protocol):
 
     name: str
     cls: Any
-    offered: list[QoS]
+    offered: list[qos.QoS]
 
 
 def write_bag(
@@ -280,7 +280,7 @@ def _short(name: str) -> str:
     return name.replace('/msg/', '/')
 
 
-def _offered(qos: QoS) -> Any:
+def _offered(qos: qos.QoS) -> Any:
     from rosbags import interfaces
 
     def finite(nanoseconds: int) -> Any:

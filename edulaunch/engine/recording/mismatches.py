@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from edulaunch.engine.recording.recording import Recording
-    from edulaunch.engine.recording.records import Note
+from edulaunch.engine.recording.records import NodeRecord, Note
 
 _TEXT = re.compile(
     r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)'
 )
 
 
-class Misfit(NamedTuple):
+class Mismatch(NamedTuple):
     """The recorder's note of such ends, with the topic, the reason ('TYPE' or the policy), and the names of the two nodes."""
 
     note: Note
@@ -25,14 +23,17 @@ class Misfit(NamedTuple):
     subscriber: str
 
 
-def misfits(recording: Recording) -> Iterator[Misfit]:
-    """In order of time. A node that subscribes with several types hears its publisher all the same: that is no misfit."""
-    nodes = {node.name: node for node in recording.nodes}
-    for note in recording.notes:
+def mismatches(records: Iterable[NodeRecord], notes: Iterable[Note]) -> Iterator[Mismatch]:
+    """Yield the mismatches of a run in order of time.
+
+    A node that subscribes with several types, the publisher's among them, receives its messages: that is no mismatch.
+    """
+    nodes = {node.name: node for node in records}
+    for note in notes:
         match = _TEXT.fullmatch(note.text) if note.kind == 'incompatible' else None
         if match is None or match['publisher'] not in nodes or match['subscriber'] not in nodes:
             continue
         sent = {kind for name, kind in nodes[match['publisher']].publishers if name == match['topic']}
         heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}
         if match['why'] != 'TYPE' or not sent & heard:
-            yield Misfit(note, match['topic'], match['why'], match['publisher'], match['subscriber'])
+            yield Mismatch(note, match['topic'], match['why'], match['publisher'], match['subscriber'])
