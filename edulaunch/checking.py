@@ -22,6 +22,8 @@ def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
     :param exercise: the name of an exercise or of a turn, or the path of a launch file or of a package's folder.
     :param hint: the level of a hint to open (1 to 3); nothing is graded then.
     """
-    from edugrade.notebook import check as check_in_notebook
+    from edulaunch.runtime import plugins
 
-    return check_in_notebook(exercise, hint=hint, names=sys._getframe(1).f_globals)
+    check_in_notebook = plugins.offered('check')
+    found: CheckReport | Note = check_in_notebook(exercise, hint=hint, names=sys._getframe(1).f_globals)
+    return found

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
 from edulaunch.desk.machine.host import SHOWN_EVERY_S, Host, Page
+from edulaunch.desk.machine.on_network import is_walls_time
 from edulaunch.desk.machine.place import (
     Address,
     UnsafePlace,
@@ -49,7 +50,7 @@ class Hosting(Host):
         """Whether programs may have been left running in a terminal, or in one of a desk. To look at a desk is not enough."""
         if self._server is None:
             return False
-        return self._server.has_terminals() or bool(self.is_on_network) or any(page.viewer.has_programs() for page in self.pages)
+        return self._server.has_terminals() or self._has_joined() or any(page.viewer.has_programs() for page in self.pages)
 
     def soon(self, action: Callable[[], object]) -> None:
         """Do something where the machine runs, and look again at what is due; from any thread."""
@@ -66,13 +67,14 @@ class Hosting(Host):
         """See `Living.is_on_network`."""
         return None if self._server is None else self._server.terminals.is_on_network
 
+    def _has_joined(self) -> bool:
+        return self._server is not None and self._server.terminals.has_joined
+
     def join_network(self, joins: bool) -> str:
         """Join, or leave; returns what to say. While it has joined time goes on by itself.
 
         What runs in the time of the simulation stays there: the next launch joins.
         """
-        from edulaunch.extras.network.switch import is_walls_time
-
         assert self._server is not None
         self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)
         if self.joins_next:
@@ -138,7 +140,7 @@ class Hosting(Host):
         server = self._server
         assert server is not None
         is_seen = any(page.is_shown() for page in self.pages)
-        if not (is_seen or server.has_terminals() or self.is_on_network):
+        if not (is_seen or server.has_terminals() or self._has_joined()):
             self._is_going = False
             return
         if not self._is_going:

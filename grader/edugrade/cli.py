@@ -6,8 +6,9 @@ import argparse
 import errno
 import io
 import os
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
@@ -25,19 +26,9 @@ if TYPE_CHECKING:
 
 
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
-VERBS = {
-    'batch': '.classes.batch.command',
-    'classroom': '.classes.export.classroom',
-    'course': '.course_check',
-    'doctor': '.classes.doctor',
-    'export': '.classes.export.platforms',
-    'gradescope': '.classes.export.gradescope',
-    'schema': '.cli:schema_command',
-    'similar': '.classes.similar',
-    'sign': '.classes.verify:sign_command',
-    'verify': '.classes.verify',
-}
-"""Words that may stand in the place of a path, and the modules with their `main` (or another function)."""
+VERBS = {'course': 'edugrade.course_check:main', 'schema': 'edugrade.cli:schema_command'}
+"""Words that may stand in the place of a path, and their functions; plug-ins bring more."""
+MAYBE_A_VERB = re.compile('[a-z][a-z_-]*')
 FORKING = ('batch', 'doctor')
 """Those of them that are about submissions of others, which are to be confined."""
 
@@ -77,18 +68,33 @@ def _broke(error: Exception) -> int:
 
 
 def _command(words: list[str]) -> int:
-    if words and words[0] in VERBS and not os.path.isfile(words[0]):
-        from importlib import import_module
-
-        if words[0] in FORKING and not CAN_FORK:
-            from .in_place import NEEDED
-
-            raise UnusableInput(f'edugrade {words[0]}: this system cannot confine what others wrote', help=NEEDED)
-        module, _, name = VERBS[words[0]].partition(':')
-        exit_code: int = getattr(import_module(module, __package__), name or 'main')(words[1:])
+    verb = _verb(words[0]) if words and MAYBE_A_VERB.fullmatch(words[0]) and not os.path.isfile(words[0]) else None
+    if verb is not None:
+        exit_code: int = verb(words[1:])
         return exit_code
     options = read_options(words)
     return _hints(options) if options.hint else _grade(options)
+
+
+def _verb(word: str) -> Callable[[list[str]], int] | None:
+    """The function of a verb; None when there is none of that name.
+
+    :raises UnusableInput: when the system lacks what it needs, or it is one of a plug-in that is not installed.
+    """
+    from edulaunch.runtime import plugins
+
+    if word in FORKING and not CAN_FORK:
+        from .in_place import NEEDED
+
+        raise UnusableInput(f'edugrade {word}: this system cannot confine what others wrote', help=NEEDED)
+    place = VERBS.get(word)
+    if place is None:
+        added = plugins.grading_verbs().get(word)
+        error = plugins.absent(f'edugrade {word}') if added is None else None
+        if error is not None:
+            raise error
+        place = added.function if added is not None else None
+    return plugins.function(place) if place is not None else None
 
 
 def schema_command(words: Sequence[str]) -> int:

@@ -10,7 +10,7 @@ from edulaunch.version import __version__
 
 from .rubrics.catalogue import exercises
 
-EPILOG = """\
+EXAMPLES = """\
 examples:
   edugrade exercises/circle.launch.py                  grade a launch file; the rubric is found by its name
   edugrade exercises/large_project                     a package: its launch/large_project.launch.py is launched
@@ -18,17 +18,10 @@ examples:
   edugrade circle.launch.py --json report.json         write the report as data too
   edugrade my_try.launch.py --rubric circle            a file of another name
   edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
-  edugrade batch submissions/ --csv marks.csv          a class; --resume goes on where it was stopped
-  edugrade verify report.json                          make a mark again, and say whether it holds
-  edugrade sign report.json --key key.pem              sign a report
-  edugrade similar submissions.results                 who has code in common, side by side
-  edugrade export moodle submissions.results --out m.csv    marks for Moodle or Canvas
-  edugrade gradescope build circle                     an autograder for Gradescope
-  edugrade classroom circle                            autograding for GitHub Classroom
   edugrade course                                      whether exercises, solutions and rubrics belong together
   edugrade schema                                      the JSON schema of reports
-  edugrade doctor                                      what a submission on this machine is kept from
-
+"""
+EXIT_CODES = """
 exit codes (the worst one, of several):
   0  all checks passed
   1  some failed or could not be run
@@ -42,7 +35,7 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog='edugrade',
         description='Grade ROS 2 launch files by what they do when they are launched, in simulation.',
-        epilog=EPILOG,
+        epilog=_epilog() if argv is None or {'-h', '--help'} & set(argv) else None,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument('--version', action='version', version=f'edugrade {__version__}')
@@ -65,32 +58,12 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     return parser.parse_args(argv)
 
 
-def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
-    """Parse what follows ``edugrade batch``."""
-    parser = argparse.ArgumentParser(
-        prog='edugrade batch',
-        description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own.',
-    )
-    parser.add_argument(
-        'folder',
-        metavar='SUBMISSIONS',
-        help='a folder (or a .zip or .tar.gz of one) with a folder, an archive or a launch file for each student, such as '
-        'Moodle, Gradescope and Canvas give out; or a table, .csv: student,url (of a git repository) or student,path',
-    )
-    parser.add_argument(
-        '--name-pattern',
-        metavar='REGEX',
-        help="finds students' names in paths: a regular expression with a group (?P<student>...)",
-    )
-    parser.add_argument('--out', metavar='DIR', help='where the results go (default: SUBMISSIONS.results)')
-    parser.add_argument('--resume', action='store_true', help='keep results of the same text, rubric, engine and seed')
-    parser.add_argument('--jobs', type=_count, metavar='N', help='how many runs go at once (default: as many as processors)')
-    parser.add_argument('--dask', metavar='ADDRESS', help='grade on a Dask cluster, such as tcp://127.0.0.1:8786')
-    parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
-    parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
-    parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
-    add_common(parser)
-    return parser.parse_args(words)
+def _epilog() -> str:
+    """Examples, those of plug-ins with them, and the exit codes."""
+    from edulaunch.runtime import plugins
+
+    added = (f'  {f"edugrade {verb.example}":<52} {verb.about}\n' for verb in plugins.grading_verbs().values())
+    return ''.join((EXAMPLES, *added, EXIT_CODES))
 
 
 def add_common(parser: argparse.ArgumentParser) -> None:
@@ -130,12 +103,6 @@ def is_personal(options: argparse.Namespace) -> bool:
     if options.personal and not options.course_secret_file:
         raise UnusableInput('--personal needs the secret by which the exercises were made', help='--course-secret-file FILE')
     return bool(options.personal)
-
-
-def _count(text: str) -> int:
-    if not text.isdecimal() or not 0 < int(text) <= 1024:
-        raise argparse.ArgumentTypeError(f'{text} is not a number from 1 to 1024')
-    return int(text)
 
 
 def _seconds(text: str) -> float:

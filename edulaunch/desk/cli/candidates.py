@@ -8,9 +8,12 @@ import re
 import shlex
 import sys
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli import arguments_of, options_of
+from edulaunch.desk.cli.plugin_options import HELP, add_plugin_options
+from edulaunch.errors import UnusableInput
 from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launch_files_of
 
 if TYPE_CHECKING:
@@ -79,16 +82,17 @@ def _index_here() -> Index:
 
 
 def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | None = None) -> Iterable[str]:
-    from edulaunch.desk.cli.main import VERBS
+    from edulaunch.desk.cli.main import VERBS, all_verbs
     from edulaunch.desk.cli.main import load as load_verb
 
     if not words:
-        return [*VERBS, '--help', '--version']
+        return [*all_verbs(), '--help', '--version']
     verb = words[0]
-    if verb not in VERBS:
+    if verb not in VERBS and verb not in all_verbs():
         return []
     parser = argparse.ArgumentParser(prog=verb)
     load_verb(verb)[0](parser)
+    _add_plugin_options(verb, parser, words[1:], typed)
     options = options_of(parser)
     if typed.startswith('-'):
         return options
@@ -96,6 +100,12 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
     if last is not None and last.nargs != 0:
         return _option_values(last, typed)
     return _launch_words(words, options, typed, index) if verb in LAUNCHING else [*_choices(parser), *_paths(typed)]
+
+
+def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:
+    """Those of plug-ins, too, where an option is typed or was given."""
+    with suppress(UnusableInput):  # of a plug-in that is not installed
+        add_plugin_options(command, parser, [*words, *(HELP[:1] if typed.startswith('-') else ())])
 
 
 def _option_values(option: Any, typed: str) -> Iterable[str]:
@@ -193,6 +203,8 @@ def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index]
     if words[0] not in COMMANDS or (verbs and words[1] not in verbs):
         return []
     parser = _ros2_parser(words[0], words[1] if verbs else '')
+    if words[0] == 'launch':
+        _add_plugin_options('ros2 launch', parser, words[1:], typed)
     options = options_of(parser)
     rest = list(words[1 + bool(verbs) :])
     if typed.startswith('-') and '--ros-args' not in rest:

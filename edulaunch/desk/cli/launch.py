@@ -10,7 +10,8 @@ from types import FrameType
 from typing import TextIO
 
 from edulaunch.advice.wording import said_at_the_end
-from edulaunch.desk.cli.ros2.launch import add_launch_arguments, add_network, prefix_arguments, wants_network
+from edulaunch.desk.cli.plugin_options import plugins_of
+from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import LaunchFileError, UnusableInput
@@ -23,7 +24,6 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
     add_launch_arguments(parser)
-    add_network(parser)
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument(
         '--stdin',
@@ -34,9 +34,6 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
         help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
     )
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
-    parser.add_argument(
-        '--real', action='store_true', help='run each node as a real process on the real rclpy (edulaunch network install)'
-    )
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
     parser.add_argument(
@@ -67,9 +64,6 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
             raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
-    if wants_network(arguments):
-        why = 'a launch with a machine of its own joins no real network: only the machine of the terminals does'
-        raise UnusableInput(why, help='type: ros2 launch --network ... (or --real: each node a real process)')
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
@@ -105,19 +99,12 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
-    """In the simulation, or for real.
+    """In the simulation, unless the options of a plug-in ask for something else.
 
-    :raises UnusableInput: for --real without the real rclpy, or with options that need simulated time.
+    :raises UnusableInput: when that is not possible.
     """
-    if not arguments.real:
-        return Session
-    from edulaunch.extras.native.environment import needed
-    from edulaunch.extras.network.native_session import NativeSession
-
-    if arguments.fast:
-        raise UnusableInput('--fast needs simulated time.', help='leave out --fast, or --real')
-    needed()
-    return NativeSession
+    found = [options.session_class(arguments) for options in plugins_of(arguments)]
+    return next((kind for kind in found if kind is not None), Session)
 
 
 def _stdin(word: str) -> tuple[str, str | TextIO]:

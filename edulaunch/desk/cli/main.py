@@ -12,29 +12,28 @@ from importlib import import_module
 from typing import NoReturn
 
 from edulaunch.desk.cli import options_of
+from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.version import __version__
 
 VERBS = {
     'colcon': 'Say what of building is not needed here',
-    'compare': 'Run a launch file in simulation and on the real rclpy, and say what differs',
     'completion': 'Print the script that completes commands with the Tab key',
-    'course': 'Copy the course, see how far you are, or make a course of your own',
     'doctor': 'Say what is wrong with a launch file, a package or a run, and what to do',
     'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
     'explain': 'Show what a launch file would start, and where every value comes from, without starting anything',
     'launch': 'Run a launch file, as `ros2 launch` does',
     'machine': 'Look at the machine that the terminals share, pause or stop it',
-    'network': 'Join the machine to a real ROS 2 network, let it leave, or install the real rclpy',
     'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'The same as explain; with --json, the plan of a launch file for programs',
     'python': 'Run Python with rclpy and the packages of the workspace',
     'recording': 'Look into a recording',
-    'view': 'Show the live page of the machine in a browser',
     'rosdep': 'Name the dependencies of packages that are not here',
+    'view': 'Show the live page of the machine in a browser',
 }
-HOMES = {'colcon': 'rosdep', 'network': 'machine', 'plan': 'explain', 'python': 'env', 'view': 'machine'}
+"""The built-in verbs; plug-ins bring more."""
+HOMES = {'colcon': 'rosdep', 'plan': 'explain', 'python': 'env', 'view': 'machine'}
 """Verbs that stand in the file of another one."""
 VERBATIM = ('colcon', 'python')
 """Verbs that hand on all their words, options and all."""
@@ -58,7 +57,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         from edulaunch.desk.machine.command import run
 
         return run(words[1:])
-    parser = _parser(words[0] if words else None)
+    try:
+        parser = _parser(words)
+    except UnusableInput as error:
+        return _unusable(error)
     verbatim = words[:1] != [] and words[0] in VERBATIM and words[1:] not in (['-h'], ['--help'])
     arguments, others = parser.parse_known_args(words[:1] if verbatim else words)
     if verbatim:
@@ -75,9 +77,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         code = load(arguments.verb)[1](arguments)
         sys.stdout.flush()
         return code
+    except UnusableInput as error:
+        return _unusable(error)
     except EdulaunchError as error:
         print(f'error: {error}', file=sys.stderr)
-        return 2 if isinstance(error, UnusableInput) else 1
+        return 1
     except BrokenPipeError:
         sys.stderr.close()
         return 141
@@ -89,9 +93,30 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 1
 
 
+def _unusable(error: UnusableInput) -> int:
+    print(f'error: {error}', file=sys.stderr)
+    return 2
+
+
+def all_verbs() -> dict[str, str]:
+    """The verbs, built in and of plug-ins, in alphabetical order, each with its line in the help."""
+    from edulaunch.runtime import plugins
+
+    return dict(sorted({**{word: verb.about for word, verb in plugins.verbs().items()}, **VERBS}.items()))
+
+
 def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
-    """The functions `VERB_arguments` and `VERB_verb` of the verb's file."""
-    names = vars(import_module(f'edulaunch.desk.cli.{HOMES.get(verb, verb)}'))
+    """The functions `VERB_arguments` and `VERB_verb` of the verb's file.
+
+    :raises KeyError: when there is no such verb.
+    """
+    if verb in VERBS:
+        module = f'edulaunch.desk.cli.{HOMES.get(verb, verb)}'
+    else:
+        from edulaunch.runtime import plugins
+
+        module = plugins.verbs()[verb].module
+    names = vars(import_module(module))
     return names[f'{verb}_arguments'], names[f'{verb}_verb']
 
 
@@ -114,8 +139,12 @@ def _unrecognized(words: Sequence[str], verb: str) -> str:
     return f'unrecognized arguments: {" ".join(words)}' + (f'\n  help: {near}' if near else '')
 
 
-def _parser(wanted: str | None) -> argparse.ArgumentParser:
-    """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded."""
+def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
+    """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded.
+
+    :raises UnusableInput: for a verb of one of our own plug-ins that is not installed.
+    """
+    wanted = words[0] if words else None
     parser = _Parser(
         prog='edulaunch',
         description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
@@ -124,11 +153,22 @@ def _parser(wanted: str | None) -> argparse.ArgumentParser:
     )
     parser.add_argument('--version', action='version', version=f'edulaunch {__version__}')
     verbs = parser.add_subparsers(dest='verb', metavar='VERB')
-    for verb, text in VERBS.items():
+    for verb, text in (VERBS if wanted in VERBS else all_verbs()).items():
         sub = verbs.add_parser(verb, help=text, description=text + '.', formatter_class=argparse.RawDescriptionHelpFormatter)
         if verb == wanted:
             load(verb)[0](sub)
+            add_plugin_options(verb, sub, words[1:])
+    if wanted is not None and wanted not in verbs.choices:
+        _refuse_absent(f'edulaunch {wanted}')
     return parser
+
+
+def _refuse_absent(what: str) -> None:
+    from edulaunch.runtime.plugins import absent
+
+    error = absent(what)
+    if error is not None:
+        raise error
 
 
 if __name__ == '__main__':

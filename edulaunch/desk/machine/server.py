@@ -122,7 +122,7 @@ class Server:
 
     def has_connections(self) -> bool:
         """Whether anybody is connected, known or not; a real network counts."""
-        return bool(self._connections) or (self.terminals.network is not None and self.terminals.network.bridge is not None)
+        return bool(self._connections) or self.terminals.has_joined
 
     def has_terminals(self) -> bool:
         """Whether anybody is connected who may be."""

@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.machine.host import Host, Page
-from edulaunch.desk.machine.on_network import OnNetwork
+from edulaunch.desk.machine.on_network import OnNetwork, is_walls_time
 from edulaunch.desk.view import TABS
 from edulaunch.desk.view.viewer import Viewer
 from edulaunch.engine.packages.discovery import workspaces_of_command
@@ -117,8 +117,6 @@ class Machine(OnNetwork, Host):
 
         For that everything runs again up to this instant, as if it had begun so long ago by the clock on the wall.
         """
-        from edulaunch.extras.network.switch import is_walls_time
-
         if self._loop is None:
             return 'a machine joins a network while an asyncio loop runs, as in a notebook'
         if joins and self.can_continue and not is_walls_time(self.session.sim.now_ns):

@@ -23,6 +23,7 @@ from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.pacing import RealTime
+from edulaunch.errors import UnusableInput
 from edulaunch.runtime.session import Session, index_for, machine_environment
 
 if TYPE_CHECKING:
@@ -53,9 +54,12 @@ def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], sa
     """Do what the words say; returns the exit code."""
     word, value = (words + ['status', ''])[:2] if words else ('status', '')
     if word == 'network':
-        from edulaunch.extras.network.switch import run_network
-
-        return run_network(terminals.switch(), words[1:], env, say, terminals.tell)
+        try:
+            network = terminals.switch()
+        except UnusableInput as error:
+            say(f'error: {error}\n')
+            return 2
+        return network.run(words[1:], env, say, terminals.tell)
     if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
         say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
         return 1
@@ -125,12 +129,10 @@ class Terminals(OnNetwork):
     def _join_network(
         self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str], say: Callable[[str], object]
     ) -> Callable[[], object]:
-        from edulaunch.extras.network.switch import Wish
-
-        return self.switch().join(env, Wish(link, clock, topics), self.tell, say)
+        return self.switch().join(env, link, clock, topics, self.tell, say)
 
     def _where_on_network(self) -> str | None:
-        return self.network.where() if self.network is not None and self.network.bridge is not None else None
+        return self.network.where() if self.network is not None and self.network.is_on else None
 
     def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
         """A terminal for what somebody said first.

@@ -25,7 +25,7 @@ HERE_COMMANDS = ('launch', 'run', 'component standalone')
 """Commands of ros2 that only start programs: they run in a simulation whose programs are real, as launch itself does."""
 _ROS2_FILE = """#!/bin/sh
 case "$1 $2 " in
-{here}) PYTHONPATH={home} exec {python} -m edulaunch.desk.cli.real {lock} "$@";;
+{here}) PYTHONPATH={home} exec {python} -m edulaunch.extras.network.real_command {lock} "$@";;
 esac
 exec {real} ros2 "$@"
 """

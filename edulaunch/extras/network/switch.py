@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import selectors
 import sys
-import time as wall
 import traceback
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
+from edulaunch.desk.machine.on_network import is_walls_time
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.errors import EdulaunchError
 from edulaunch.extras.network.bridge import Bridge
@@ -19,8 +19,6 @@ from edulaunch.extras.network.settings import chooser, nobody_found, settings_of
 from edulaunch.runtime.session import Session
 
 MOST_MISTAKES = 20
-FARTHEST_NS = 24 * 3600 * 10**9
-"""A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
 LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
 """So long after joining those who are there have been found."""
@@ -29,12 +27,7 @@ ALONE_NS = 10 * 10**9
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 
-def is_walls_time(now_ns: int) -> bool:
-    """Whether a machine's time is about that of the clock on the wall."""
-    return -(10**9) < wall.time_ns() - now_ns < FARTHEST_NS
-
-
-class Wish(NamedTuple):
+class JoinRequest(NamedTuple):
     """What somebody who joins asks for.
 
     :ivar link: what carries the messages.
@@ -57,13 +50,18 @@ class Switch:
         self._session, self._time, self._selector = session, time, selector
         self.bridge: Bridge | None = None
         self._settings = Settings()
-        self._wish = Wish()
+        self._request = JoinRequest()
         self._clock: ClockNode | None = None
         self._mistakes = 0
         self._joined_ns = 0
         self._tell: Callable[[str], object] = print
 
-    def on(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> None:
+    @property
+    def is_on(self) -> bool:
+        """Whether it has joined."""
+        return self.bridge is not None
+
+    def on(self, env: Mapping[str, str], request: JoinRequest, tell: Callable[[str], object]) -> None:
         """Join; an earlier bridge leaves before.
 
         :raises EdulaunchError: when that cannot be.
@@ -71,9 +69,9 @@ class Switch:
         settings = settings_of(env)
         if not is_walls_time(self._session.sim.now_ns):
             raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
-        made = make_link(wish.link)
+        made = make_link(request.link)
         self.off()
-        bridge = Bridge(self._session, made, chooser(wish.topics), tell)
+        bridge = Bridge(self._session, made, chooser(request.topics), tell)
         self._time.is_wall = True
         self._session.follow = self.follow
         try:
@@ -83,8 +81,8 @@ class Switch:
             made.close()
             raise
         self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: self._safely(bridge.take))
-        self.bridge, self._settings, self._wish, self._mistakes, self._tell = bridge, settings, wish, 0, tell
-        self._clock = ClockNode(self._session.graph) if wish.clock else None
+        self.bridge, self._settings, self._request, self._mistakes, self._tell = bridge, settings, request, 0, tell
+        self._clock = ClockNode(self._session.graph) if request.clock else None
         self._joined_ns = self._session.sim.now_ns
         self._session.sim.schedule(self._joined_ns + ALONE_NS, lambda: self._note_alone(bridge))
 
@@ -130,19 +128,26 @@ class Switch:
             wait_s = LONGEST_WAIT_S if due_s is None else min(due_s, LONGEST_WAIT_S)
 
     def join(
-        self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object], say: Callable[[str], object]
+        self,
+        env: Mapping[str, str],
+        link: str,
+        clock: bool,
+        topics: Sequence[str],
+        tell: Callable[[str], object],
+        say: Callable[[str], object],
     ) -> Callable[[], object]:
         """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
 
         :param say: told where it has joined, and that it has left.
         :raises EdulaunchError: when that cannot be.
         """
+        request = JoinRequest(link, clock, topics)
         if self.bridge is not None:
-            is_same = (settings_of(env), wish) == (self._settings, self._wish)
+            is_same = (settings_of(env), request) == (self._settings, self._request)
             other = '' if is_same else ', with other settings than asked for here (edulaunch network off, and launch again)'
             say(f'this machine is on the real ROS 2 network already{other}: {self.where()}')
             return lambda: None
-        self.on(env, wish, tell)
+        self.on(env, request, tell)
         joined = self.bridge
         say(f'joined the real ROS 2 network: {self.where()}')
 
@@ -180,7 +185,7 @@ class Switch:
         others = f' and {simulated} simulated by other machines' if simulated else ''
         lines = [
             f'network: {self.where()}',
-            f'crossing: {" ".join(self._wish.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
+            f'crossing: {" ".join(self._request.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
             f'real nodes: {len(far.nodes) - simulated}{others}, with {len(far.endpoints)} endpoints',
             *(f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}' for node in far.nodes),
             *(f'warning: {line}' for line in bridge.troubles.lines()),
@@ -189,21 +194,20 @@ class Switch:
             lines.append(f'help: {nobody_found(self._settings)}')
         return '\n'.join(lines) + '\n'
 
-
-def run_network(
-    switch: Switch, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
-) -> int:
-    """`edulaunch network on LINK CLOCK TOPICS...`, `off` or `status`, as the command hands them on; returns the exit code."""
-    word = words[0] if words else 'status'
-    if word == 'off':
-        say('the network is off\n' if switch.off() else 'the network was off\n')
+    def run(
+        self, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
+    ) -> int:
+        """`edulaunch network on LINK CLOCK TOPICS...`, `off` or `status`, as the command hands them on; returns the exit code."""
+        word = words[0] if words else 'status'
+        if word == 'off':
+            say('the network is off\n' if self.off() else 'the network was off\n')
+            return 0
+        if word == 'on':
+            link, clock, *topics = [*words[1:], DEFAULT, ''][: max(2, len(words) - 1)]
+            try:
+                self.on(env, JoinRequest(link, clock == 'clock', topics), tell)
+            except EdulaunchError as error:
+                say(f'error: {error}\n')
+                return 1
+        say(self.status())
         return 0
-    if word == 'on':
-        link, clock, *topics = [*words[1:], DEFAULT, ''][: max(2, len(words) - 1)]
-        try:
-            switch.on(env, Wish(link, clock == 'clock', topics), tell)
-        except EdulaunchError as error:
-            say(f'error: {error}\n')
-            return 1
-    say(switch.status())
-    return 0

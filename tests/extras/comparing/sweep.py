@@ -13,9 +13,9 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from edulaunch.desk.cli.compare import table
 from edulaunch.extras.comparing.known import read_known
 from edulaunch.extras.comparing.sweep import Row, gone, sweep
+from edulaunch.extras.comparing.verb import table
 from tests.extras.comparing import places
 
 AGAIN = (2, 2, 1)

@@ -9,11 +9,11 @@ from typing import Any
 
 import pytest
 
-from edulaunch.desk.cli.compare import table
 from edulaunch.extras.comparing import sweep as sweep_room
 from edulaunch.extras.comparing.differing import Difference
 from edulaunch.extras.comparing.known import Known
 from edulaunch.extras.comparing.sweep import Row, launch_files, sweep
+from edulaunch.extras.comparing.verb import table
 from tests.extras.comparing.sweep import both
 
 

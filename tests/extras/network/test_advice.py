@@ -10,7 +10,7 @@ from edulaunch.advice.reader import Reader
 from edulaunch.engine.graph.qos import BEST_EFFORT, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.link import Interface, Settings
-from edulaunch.extras.network.switch import ALONE_NS, Wish
+from edulaunch.extras.network.switch import ALONE_NS, JoinRequest
 from tests.extras.network.places import PUBLISHER, STRING, TRIGGER, Air, MemoryLink, Place, cls_of, text, turns
 from tests.extras.network.test_mistakes import machine as machine
 
@@ -76,7 +76,7 @@ def test_nobody_is_there_until_somebody_comes(machine: Any) -> None:
     graph = here.session.graph
     own = graph.add_node(SimpleNamespace(name='own', pid=1, state={}), 'own', '/')
     graph.create_service(own, '/reset', cls_of(TRIGGER), QoS(), lambda: None)  # the bridge asks it in the name of a hidden node
-    here.switch.on({'ROS_DOMAIN_ID': '7'}, Wish(), here.said.append)
+    here.switch.on({'ROS_DOMAIN_ID': '7'}, JoinRequest(), here.said.append)
     assert findings(here) == []
     here.session.sim.run(here.session.sim.now_ns + ALONE_NS)
     told_first = 'this machine joined the network in domain 7 (discovery: LOCALHOST) and found nobody there'

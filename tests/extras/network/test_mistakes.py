@@ -13,7 +13,7 @@ import pytest
 
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.link import FarNode, LinkError, Settings
-from edulaunch.extras.network.switch import MOST_MISTAKES, Switch, Wish, run_network
+from edulaunch.extras.network.switch import MOST_MISTAKES, JoinRequest, Switch
 from edulaunch.runtime.session import Session
 from tests.extras.network.places import Air, MemoryLink
 
@@ -78,7 +78,7 @@ def machine(monkeypatch: pytest.MonkeyPatch, air: Air) -> Iterator[Any]:
 def test_it_joins_on_the_time_of_the_wall_and_leaves(machine: Any) -> None:
     here = machine(time.time_ns() - 5 * 10**9)
     before_ns = time.time_ns()
-    here.switch.on({'ROS_DOMAIN_ID': '7'}, Wish(topics=['/tf']), here.said.append)
+    here.switch.on({'ROS_DOMAIN_ID': '7'}, JoinRequest(topics=['/tf']), here.said.append)
     assert before_ns <= here.session.sim.now_ns <= time.time_ns() and here.time.is_wall
     assert here.switch.status().startswith('network: domain 7 of this computer alone, by memory\ncrossing: /tf; 0 messages sent')
     assert here.switch.off() and here.link.is_closed and not here.time.is_wall and not here.selector.get_map()
@@ -96,7 +96,7 @@ def test_it_joins_on_the_time_of_the_wall_and_leaves(machine: Any) -> None:
 )
 def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(machine: Any, env: Any, told: str) -> None:
     here = machine()
-    here.switch.on(env, Wish(), here.said.append)
+    here.switch.on(env, JoinRequest(), here.said.append)
     assert 'help: ' not in here.switch.status()
     here.session.sim.run(here.session.sim.now_ns + 4 * 10**9)
     assert told in here.switch.status()
@@ -108,12 +108,12 @@ def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(ma
 
 def test_who_launches_with_the_network_is_told_that_it_has_joined_and_left(machine: Any) -> None:
     here = machine()
-    leave = here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(), here.said.append, here.said.append)
+    leave = here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, (), here.said.append, here.said.append)
     where = 'domain 7 of this computer alone, by memory'
     assert here.said.pop() == f'joined the real ROS 2 network: {where}'
-    again = here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(), here.said.append, here.said.append)
+    again = here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, (), here.said.append, here.said.append)
     assert here.said.pop() == f'this machine is on the real ROS 2 network already: {where}'
-    here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(topics=['/tf']), here.said.append, here.said.append)
+    here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, ['/tf'], here.said.append, here.said.append)
     assert 'already, with other settings than asked for here (edulaunch network off, and launch again): ' in here.said.pop()
     again()
     assert here.said == [] and here.switch.bridge is not None
@@ -125,7 +125,7 @@ def test_who_launches_with_the_network_is_told_that_it_has_joined_and_left(machi
 
 def test_simulated_nodes_of_other_machines_are_told_from_real_ones(machine: Any) -> None:
     here = machine()
-    here.switch.on({}, Wish(), here.said.append)
+    here.switch.on({}, JoinRequest(), here.said.append)
     other = MemoryLink(here.link.air)
     other.open(Settings())
     other.add_node('/', 'real')
@@ -137,7 +137,7 @@ def test_simulated_nodes_of_other_machines_are_told_from_real_ones(machine: Any)
 
 def test_the_time_goes_on_clock_when_asked_for(machine: Any) -> None:
     here = machine()
-    here.switch.on({}, Wish(clock=True), here.said.append)
+    here.switch.on({}, JoinRequest(clock=True), here.said.append)
     began_ns = here.session.sim.now_ns
     here.session.sim.run(began_ns + 100_000_000)
     flat = here.session.recorder.columns['/clock', 'rosgraph_msgs/msg/Clock']
@@ -149,7 +149,7 @@ def test_the_time_goes_on_clock_when_asked_for(machine: Any) -> None:
 
 def test_mistakes_of_ours_do_not_end_the_machine(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     here = machine()
-    here.switch.on({}, Wish(), here.said.append)
+    here.switch.on({}, JoinRequest(), here.said.append)
     monkeypatch.setattr(here.link, 'take', lambda: 1 / 0)
     monkeypatch.setattr('sys.__stderr__', io.StringIO())
     for _ in range(MOST_MISTAKES - 1):
@@ -167,7 +167,7 @@ def test_a_link_that_cannot_be_opened_leaves_nothing_behind(machine: Any, monkey
         raise LinkError('no cable', help='plug it in')
 
     monkeypatch.setattr(here.link, 'open', refuse)
-    assert run_network(here.switch, ['on'], {}, here.said.append, here.said.append) == 1
+    assert here.switch.run(['on'], {}, here.said.append, here.said.append) == 1
     assert here.said == ['error: no cable\n  help: plug it in\n']
     assert here.link.is_closed and not here.time.is_wall and not here.selector.get_map()
 
@@ -175,7 +175,7 @@ def test_a_link_that_cannot_be_opened_leaves_nothing_behind(machine: Any, monkey
 def test_a_machine_whose_clock_is_not_the_walls_does_not_join(machine: Any) -> None:
     for start_ns in (1_700_000_000_000_000_000, time.time_ns() + 60 * 10**9):
         here = machine(start_ns)
-        assert run_network(here.switch, ['on'], {}, here.said.append, here.said.append) == 1
+        assert here.switch.run(['on'], {}, here.said.append, here.said.append) == 1
         assert here.said == [
             "error: this machine's clock is not that of the wall\n  help: edulaunch machine stop, and begin anew\n"
         ]

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
+from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.processes.current import current_process
@@ -224,6 +225,7 @@ def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
     """What does as `ros2 WORDS...` says, and its arguments.
 
     :raises SystemExit: 0 after showing help, 2 after an error.
+    :raises UnusableInput: for an option of one of our own plug-ins that is not installed.
     """
     words = words[words[:1] == [BUFFERING] :]
     command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
@@ -237,6 +239,8 @@ def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
     parser.set_defaults(verb=verb)
     found = load(command, verb)
     found.add_arguments(parser)
+    if command == 'launch':
+        add_plugin_options('ros2 launch', parser, rest)
     return found, parser.parse(rest)
 
 

@@ -7,6 +7,7 @@ import os
 import signal
 from typing import Any
 
+from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.output import say, with_help
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.current import current_process
@@ -51,44 +52,10 @@ def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
     return {name: value for name, value in options.items() if value is not None}
 
 
-def add_network(parser: argparse.ArgumentParser) -> None:
-    """Whether it runs on a real network."""
-    parser.add_argument('--network', action='store_true', help='join a real ROS 2 network while it runs (ROS_DOMAIN_ID)')
-    parser.add_argument(
-        '--network-topics',
-        action='append',
-        default=[],
-        metavar='NAMES',
-        help='topics and namespaces that cross, with commas; all',
-    )
-    parser.add_argument('--network-clock', action='store_true', help="publish the machine's time on /clock")
-    parser.add_argument('--network-link', metavar='LINK', help='what carries them: cyclonedds (default) or rclpy')
-
-
-def wants_network(arguments: argparse.Namespace) -> bool:
-    """Whether any of those options was given."""
-    return bool(arguments.network or arguments.network_topics or arguments.network_clock or arguments.network_link)
-
-
-def join_network(arguments: argparse.Namespace, process: Process) -> None:
-    """Join the network that the options ask for, until the program ends.
-
-    :raises EdulaunchError: when that cannot be.
-    """
-    if not wants_network(arguments):
-        return
-    if process.host.join_network is None:
-        raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
-    names = [name for names in arguments.network_topics for name in names.split(',') if name]
-    link, clock = arguments.network_link or 'cyclonedds', arguments.network_clock
-    process.at_exit.append(process.host.join_network(process.env, link, clock, names, say))
-
-
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
     """What to launch, how, and with which arguments."""
     add_launch_arguments(parser)
     parser.add_argument('--view', action='store_true', help='open the live page in a browser while it runs')
-    add_network(parser)
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
@@ -113,7 +80,8 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
         return 0
     named = dict(map(launch_argument, given))
-    join_network(arguments, process)
+    for options in plugins_of(arguments):
+        options.begin(arguments, process)
     if arguments.view:
         say('to see what runs, type in another terminal: edulaunch view')
     if arguments.show_all_subprocesses_output:

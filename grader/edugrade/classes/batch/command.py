@@ -21,7 +21,7 @@ Results = Sequence[tuple[Entry, Result | None]]
 
 def main(words: Sequence[str]) -> int:
     """Grade a class. Returns the exit code: 0, or 3 when somebody is without a verdict through a fault of the grader."""
-    from ...options import read_batch_options
+    from .batch_options import read_batch_options
 
     options = read_batch_options(words)
     how = Options.of(options)

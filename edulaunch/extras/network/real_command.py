@@ -1,6 +1,7 @@
 """`ros2 run`, `ros2 launch` and `ros2 component standalone` of a program of `--real`: what they start is real, too.
 
-`python -m edulaunch.desk.cli.real LOCK WORDS...`: a file that is locked as long as the launch lives, and the words after `ros2`.
+`python -m edulaunch.extras.network.real_command LOCK WORDS...`: a file that is locked as long as the launch lives, and the words
+after `ros2`.
 """
 
 from __future__ import annotations

@@ -1,0 +1,13 @@
+"""What the network adds: `edulaunch network`, `ros2 launch --network`, `edulaunch launch --real`, and the machine's network."""
+
+from __future__ import annotations
+
+from edulaunch.runtime.plugins import Plugin, Verb
+
+ABOUT = 'Join the machine to a real ROS 2 network, let it leave, or install the real rclpy'
+PLUGIN = Plugin(
+    needs=('edulaunch.extras.native',),
+    verbs={'network': Verb(ABOUT, 'edulaunch.extras.network.verb')},
+    options={'launch': 'edulaunch.extras.network.edulaunch_launch', 'ros2 launch': 'edulaunch.extras.network.ros2_launch'},
+    services={'network': 'edulaunch.extras.network.service'},
+)

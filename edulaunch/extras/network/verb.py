@@ -1,0 +1,50 @@
+"""`edulaunch network`: joins the machine of the terminals to a real ROS 2 network, or installs the real rclpy."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+
+def network_arguments(parser: argparse.ArgumentParser) -> None:
+    """On or off, and what crosses."""
+    parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
+    parser.add_argument('--topics', nargs='+', default=[], metavar='NAME', help='topics, services and namespaces that cross')
+    parser.add_argument('--clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
+    parser.add_argument('--link', default='cyclonedds', help='what carries the messages: cyclonedds (default) or rclpy')
+
+
+def network_verb(arguments: argparse.Namespace) -> int:
+    """Tell the machine (`on` starts one when there is none), or install the real rclpy."""
+    from edulaunch.desk.machine.client import run
+
+    if arguments.word == 'install':
+        return _install()
+    if arguments.word == 'status':
+        _say_what_is_installed()
+    words = ['machine', 'network', arguments.word]
+    if arguments.word == 'on':
+        words += [arguments.link, 'clock' if arguments.clock else '-', *arguments.topics]
+    return run(words, start=arguments.word == 'on')
+
+
+def _say_what_is_installed() -> None:
+    from edulaunch.extras.native import environment
+
+    there = environment.found()
+    if there is None:
+        print(f'real rclpy: not installed ({environment.unsuited() or "edulaunch network install"})', flush=True)
+    else:
+        print(f'real rclpy: {there.version} in {there.place}', flush=True)
+
+
+def _install() -> int:
+    """Make the environment; on a terminal its steps overwrite each other."""
+    from edulaunch.extras.native import environment
+
+    live = sys.stderr.isatty()
+    made = environment.install(lambda step: print(f'\r\x1b[K{step}' if live else step, end='' if live else '\n', file=sys.stderr))
+    if live:
+        print('\r\x1b[K', end='', file=sys.stderr)
+    print(f'real rclpy: {made.version} in {made.place}')
+    return 0

@@ -1,0 +1,42 @@
+"""The words of `edugrade batch`."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+from ...options import add_common
+
+
+def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
+    """Parse what follows ``edugrade batch``."""
+    parser = argparse.ArgumentParser(
+        prog='edugrade batch',
+        description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own.',
+    )
+    parser.add_argument(
+        'folder',
+        metavar='SUBMISSIONS',
+        help='a folder (or a .zip or .tar.gz of one) with a folder, an archive or a launch file for each student, such as '
+        'Moodle, Gradescope and Canvas give out; or a table, .csv: student,url (of a git repository) or student,path',
+    )
+    parser.add_argument(
+        '--name-pattern',
+        metavar='REGEX',
+        help="finds students' names in paths: a regular expression with a group (?P<student>...)",
+    )
+    parser.add_argument('--out', metavar='DIR', help='where the results go (default: SUBMISSIONS.results)')
+    parser.add_argument('--resume', action='store_true', help='keep results of the same text, rubric, engine and seed')
+    parser.add_argument('--jobs', type=_count, metavar='N', help='how many runs go at once (default: as many as processors)')
+    parser.add_argument('--dask', metavar='ADDRESS', help='grade on a Dask cluster, such as tcp://127.0.0.1:8786')
+    parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
+    parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
+    parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
+    add_common(parser)
+    return parser.parse_args(words)
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 0 < int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f'{text} is not a number from 1 to 1024')
+    return int(text)

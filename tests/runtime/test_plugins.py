@@ -1,0 +1,119 @@
+"""Plug-ins are found by entry points; one that is broken, or whose folder was taken away, costs the others nothing."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.cli.main import main
+from edulaunch.errors import UnusableInput
+from edulaunch.runtime import plugins
+
+Installed = Callable[..., None]
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Installed]:
+    """Puts a distribution with a plug-in on the path, beside those that are there."""
+
+    def install(name: str, entry: str, text: str = '') -> None:
+        (tmp_path / f'{name}_plugin.py').write_text(text)
+        info = tmp_path / f'{name}-1.0.dist-info'
+        info.mkdir()
+        (info / 'METADATA').write_text(f'Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n')
+        (info / 'entry_points.txt').write_text(f'[edulaunch.plugins]\n{name} = {entry}\n')
+        plugins.plugins.cache_clear()
+
+    monkeypatch.syspath_prepend(tmp_path)
+    yield install
+    plugins.plugins.cache_clear()
+    for name in [name for name in sys.modules if name.endswith('_plugin') and not name.startswith('edulaunch')]:
+        del sys.modules[name]
+
+
+GREETING = """
+from edulaunch.runtime.plugins import Plugin, Verb
+PLUGIN = Plugin(verbs={'greet': Verb('Say hello', 'greeting_plugin')}, functions={'greet': 'greeting_plugin:greet'})
+def greet_arguments(parser):
+    parser.add_argument('name')
+def greet_verb(arguments):
+    print(greet(arguments.name))
+    return 3
+def greet(name):
+    return f'hello {name}'
+"""
+
+
+def test_a_verb_stands_in_the_help_and_runs(installed: Installed, capsys: pytest.CaptureFixture[str]) -> None:
+    installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
+    assert main(['greet', 'turtle']) == 3
+    assert capsys.readouterr().out == 'hello turtle\n'
+    with pytest.raises(SystemExit):
+        main(['--help'])
+    verbs = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line.startswith('    ') and line[4] != ' ']
+    assert verbs == sorted(verbs) and {'greet', 'launch', 'network'} <= set(verbs)
+
+
+def test_the_package_offers_a_function_of_a_plug_in(installed: Installed) -> None:
+    with pytest.raises(UnusableInput, match='no plug-in brings edulaunch.greet'):
+        plugins.offered('greet')
+    installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
+    assert plugins.offered('greet')('you') == 'hello you'
+
+
+@pytest.mark.parametrize(
+    ('text', 'why'),
+    [
+        ('1 / 0', 'ZeroDivisionError: division by zero'),
+        ('import no_such_module', "ModuleNotFoundError: No module named 'no_such_module'"),
+        ('PLUGIN = {}', 'odd_plugin:PLUGIN is no edulaunch.runtime.plugins.Plugin'),
+    ],
+)
+def test_a_broken_plug_in_is_named_and_the_others_are_there(
+    installed: Installed, capsys: pytest.CaptureFixture[str], text: str, why: str
+) -> None:
+    installed('odd', 'odd_plugin:PLUGIN', text)
+    assert 'network' in plugins.plugins() and 'odd' not in plugins.plugins()
+    assert capsys.readouterr().err == (
+        f"warning: the plug-in 'odd' of odd cannot be used: {why}\n  help: repair odd_plugin, or remove it: pip uninstall odd\n"
+    )
+
+
+def test_one_whose_folder_was_taken_away_is_not_there(installed: Installed, capsys: pytest.CaptureFixture[str]) -> None:
+    installed('gone', 'gone_away.plugin:PLUGIN')
+    assert 'gone' not in plugins.plugins()
+    assert capsys.readouterr().err == ''
+
+
+def test_one_that_needs_a_plug_in_that_is_not_there_is_not_there_either(installed: Installed) -> None:
+    text = "from edulaunch.runtime.plugins import Plugin\nPLUGIN = Plugin(needs=('edulaunch', {!r}))"
+    installed('first', 'first_plugin:PLUGIN', text.format('edulaunch.extras.no_such_one'))
+    installed('second', 'second_plugin:PLUGIN', text.format('edulaunch.runtime'))
+    assert {'first', 'second'} & set(plugins.plugins()) == {'second'}
+
+
+def test_what_our_own_would_bring_is_named_with_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    error = plugins.absent('edulaunch network')
+    assert str(error) == (
+        "edulaunch network needs the plug-in 'network', which is not installed.\n"
+        "  help: install it: pip install --force-reinstall 'edulaunch[network]'"
+    )
+    assert plugins.absent('edulaunch launch') is None
+
+
+def test_every_word_of_our_own_plug_ins_can_be_named_when_it_is_missing() -> None:
+    ours = {name: plugins.plugins()[name] for name in ('classes', 'comparing', 'course', 'grader', 'network')}
+    words = {f'edulaunch {word}' for plugin in ours.values() for word in plugin.verbs}
+    words |= {f'edugrade {word}' for plugin in ours.values() for word in plugin.grading}
+    words |= {f'edulaunch.{name}' for plugin in ours.values() for name in plugin.functions}
+    assert words == {word for word in plugins.SOURCES if '--' not in word}
+    assert {source.plugin for source in plugins.SOURCES.values()} == set(ours)
+
+
+def test_a_built_in_verb_looks_for_no_plug_in(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(plugins, 'plugins', lambda: pytest.fail('looked for plug-ins'))
+    assert main(['launch', 'turtlesim', 'multisim.launch.py', '--fast', '--for', '0.1', '--quiet']) == 0
+    assert main(['env']) == 0
