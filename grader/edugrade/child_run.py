@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from select import select
 from time import monotonic
 
-from .job import MEBI, Job, environment, import_path, readable_by_all
+from .job import MEBI, Job, environment, import_path, readable_by_all, shown_to_all
 
 ADDR_NO_RANDOMIZE = 0x0040000
 ASK = 0xFFFFFFFF
@@ -55,7 +55,9 @@ class StarterLink:
         self._socket, theirs = socket.socketpair()
         path = import_path()
         readable, listable = readable_by_all(path)
-        settings = json.dumps({'path': path, 'readable': readable, 'listable': listable}).encode()
+        shown, hidden = shown_to_all(path)
+        places = {'readable': readable, 'listable': listable, 'shown': shown, 'hidden': hidden}
+        settings = json.dumps({'path': path, **places}).encode()
         with theirs, same_addresses():
             self._process = subprocess.Popen(
                 [sys.executable, '-s', '-S', _STARTER, str(theirs.fileno())],
@@ -118,8 +120,9 @@ class ChildRun:
         self.printed = bytearray()  # the first part of it; printed_bytes counts all
         self.printed_bytes = 0
         self.sandbox: dict[str, str] | None = None
-        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage', 'processes' or 'memory': what ended it
+        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage', 'processes', 'memory' or 'disk': what ended it
         self.let_go = False  # whether the child closed its end of the channel
+        self.refused: list[str] = []  # names of system calls
         self.returncode: int | None = None
         self.is_over = False  # whether the guard has ended it and all it started
         self._told = b''
@@ -192,6 +195,7 @@ class ChildRun:
             message = json.loads(line)
             self.returncode = message.get('status', self.returncode)
             self.cut = self.cut or message.get('cut')
+            self.refused = message.get('refused', self.refused)
             if not self.has_begun:
                 self._pids = [message['guard'], message['pid']]
                 self.has_begun = True

@@ -60,6 +60,7 @@ class Outcome(NamedTuple):
     where: Place | None = None
     sandbox: Mapping[str, str] = MappingProxyType({})  # which layers of confinement held: 'held', or why not
     detail: str = ''  # for the course author: a traceback of the engine, or what the program printed
+    refused: tuple[str, ...] = ()  # names of the system calls that it tried and may not make
 
 
 Found = TypeVar('Found')

@@ -114,8 +114,8 @@ def runner_here(
 
 
 def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Sequence[str]) -> Report:
-    from .judging import broken, judge, judged, too_much
-    from .results import Report
+    from .judging import broken, judge, judged, no_mark, too_much
+    from .results import FAILED, Report
     from .worker import Exceeded
 
     outcomes = runner.wait(ticket)
@@ -127,6 +127,8 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
         results = too_much(work.rubric.checks, str(error), submission.source)
     except Exception as error:  # a fault of ours with one submission, which costs no other its report
         results = [broken(error)]
+    if any(result.status == FAILED for result in results) and not submission.is_as_it_was():
+        results = [no_mark(f'{submission.given} could be read before the runs, and now it is another text or cannot be read')]
     return Report(
         **submission.named,
         sha256=submission.sha256,

@@ -128,10 +128,7 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
     :param path: where Python looks for modules.
     """
-    engine = os.path.realpath(engine_folder())
-    own = os.path.dirname(os.path.abspath(__file__))
-    hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]
-    roots = [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))]
+    roots, hidden = shown_to_all(path)
     read: dict[str, None] = {}
     listed: dict[str, None] = {}
     seen: set[str] = set()
@@ -139,6 +136,17 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
         for place, is_whole in _beneath(os.path.realpath(root), hidden, seen):
             (read if is_whole else listed).setdefault(place)
     return list(read), list(listed)
+
+
+def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
+    """(places that every run sees, folders in them that are hidden from it: the grader and the rubrics).
+
+    :param path: where Python looks for modules.
+    """
+    own = os.path.dirname(os.path.abspath(__file__))
+    hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]
+    engine = os.path.realpath(engine_folder())
+    return [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))], hidden
 
 
 def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[str]:

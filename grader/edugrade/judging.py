@@ -83,6 +83,11 @@ def broken(error: Exception) -> CheckResult:
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=REPORT_IT)
 
 
+def no_mark(reason: str, try_: str = 'look who changes files there, and grade it again') -> CheckResult:
+    """The only result of a submission that got no mark because of what is not the student's."""
+    return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=try_)
+
+
 def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Which launches went wrong, when not all of them did."""
     if len(bad) == len(outcomes):

@@ -108,6 +108,11 @@ class Report:
         return found
 
     @property
+    def refused(self) -> tuple[str, ...]:
+        """Names of the system calls that its recorded runs tried and may not make. (The text of another run has its own.)"""
+        return tuple(sorted({name for outcome in self.outcomes if outcome.kind == 'recorded' for name in outcome.refused}))
+
+    @property
     def passed(self) -> int:
         """How many checks passed."""
         return sum(result.status == PASSED for result in self.results)

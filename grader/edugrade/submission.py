@@ -89,6 +89,13 @@ class Submission:
 
         return sha256(self._content).hexdigest()
 
+    def is_as_it_was(self) -> bool:
+        """Whether everything in it can still be read, and is the same text."""
+        try:
+            return Submission(self.file).sha256 == self.sha256
+        except UnusableInput:
+            return False
+
 
 def exercise_of(name: str) -> str:
     """The exercise of a file name: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""

@@ -7,11 +7,12 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .evidence import Outcome, Scenario
+from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .source import Place, is_engine
 
 if TYPE_CHECKING:
@@ -28,13 +29,22 @@ _FRAME = re.compile(r'File "([^"\n]+)", line (\d{1,9})\b')
 
 
 def unconfined(sandbox: Mapping[str, str] | None) -> dict[str, str]:
-    """The layers of confinement that do not hold, and why."""
-    return {layer: reason for layer, reason in (sandbox or {}).items() if reason != 'held'}
+    """The layers of confinement that do not hold, and why; without VIEW, which is one more."""
+    return {layer: reason for layer, reason in (sandbox or {}).items() if reason != 'held' and layer != VIEW}
 
 
 def verdict(run: ChildRun) -> Outcome:
     """What an ended child came to."""
-    return _verdict(run)._replace(sandbox=run.sandbox or {})
+    found = _verdict(run)
+    text = found.text
+    if run.refused and found.kind in ('stopped', 'unusable'):
+        text = f'{text}\n{refusal_of(run.refused)}'
+    return found._replace(sandbox=run.sandbox or {}, refused=tuple(run.refused), text=text)
+
+
+def refusal_of(calls: Sequence[str]) -> str:
+    """A sentence on system calls that a run tried and may not make."""
+    return f'A graded run may not make the system call {" or ".join(calls)}: the call failed with "Operation not permitted".'
 
 
 def _verdict(run: ChildRun) -> Outcome:
@@ -109,6 +119,10 @@ def _cut(run: ChildRun) -> Outcome:
         return _stopped(run, 'it started too many programs', 'look for a program that starts itself, or for a loop around Popen')
     if run.cut == 'memory':
         return _memory(run)
+    if run.cut == 'disk':
+        return _stopped(
+            run, f'it wrote more than {MOST_BYTES >> 20} MiB or {MOST_FILES} files', 'look for a loop that writes without pause'
+        )
     return _timeout(run, None)
 
 

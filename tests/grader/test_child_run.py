@@ -27,8 +27,9 @@ def link(tmp_path: Path) -> Iterator[StarterLink]:
 def begin(link: StarterLink, folder: Path, text: str) -> tuple[int, socket.socket]:
     """Begin a run; gives the end on which it can be heard, and the link to its guard."""
     (folder / 'a.launch.py').write_text(text)
+    (folder / 'home').mkdir()
     heard, channel = os.pipe()
-    job = Job(Submission(str(folder / 'a.launch.py')), Scenario('s'), Limits(5.0), [], str(folder))
+    job = Job(Submission(str(folder / 'a.launch.py')), Scenario('s'), Limits(5.0), [], str(folder / 'home'))
     guard = link.begin(job, channel, channel)
     os.close(channel)
     return heard, guard

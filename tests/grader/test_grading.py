@@ -63,3 +63,15 @@ def test_on_a_terminal_runs_are_counted(monkeypatch: pytest.MonkeyPatch) -> None
         advance()
     said = sys.stderr.getvalue().split('\r\x1b[K')
     assert [line.rpartition(' ')[2] for line in said] == ['', '0/2', '1/2', '2/2', ''], 'at the end nothing is left of it'
+
+
+@pytest.mark.processes
+def test_what_cannot_be_read_any_more_has_no_mark(tmp_path: Path) -> None:
+    """Somebody else took it away while it was graded: a zero would be the student's."""
+    path = tmp_path / 'circle.launch.py'
+    path.write_text('nothing\n')
+    work = plan_work(Submission(str(path)))
+    path.unlink()
+    (report,) = grade([work])
+    assert (report.exit_code, report.earned) == (3, None)
+    assert 'could be read before the runs' in report.results[0].reason

@@ -34,6 +34,7 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
             'announced': len(data),
             'returncode': 0,
             'printed': b'',
+            'refused': [],
             'sandbox': {'files': 'not here'},
             'has_begun': True,
             **changes,
@@ -49,6 +50,7 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
         ('printed', 'it printed more than 4 MiB'),
         ('recording', 'its recording grew larger than 128 MiB'),
         ('processes', 'it started too many programs'),
+        ('disk', 'it wrote more than 128 MiB or 4096 files'),
         ('memory', 'it asked for more memory than 2048 MiB'),
         ('garbage', 'what came back from the run is not a recording of it'),
     ],
@@ -62,6 +64,12 @@ def test_a_child_that_was_cut_off(cut: str, text: str) -> None:
 def test_a_launch_file_that_cannot_run_brings_its_own_words() -> None:
     outcome = judged('U', {'text': 'no such package', 'help': 'look'})
     assert (outcome.kind, outcome.text, outcome.try_) == ('unusable', 'no such package', 'look')
+
+
+def test_refused_calls_are_named() -> None:
+    outcome = judged('U', {'text': 'PermissionError: [Errno 1]'}, refused=['chmod', 'utimensat'])
+    assert outcome.refused == ('chmod', 'utimensat')
+    assert outcome.text.splitlines()[1].startswith('A graded run may not make the system call chmod or utimensat: ')
 
 
 def test_a_broken_engine_is_no_students_fault() -> None:

@@ -23,14 +23,21 @@ _ATTEMPTS = (
     ('files', 'read a rubric', 'posix.open(settings["rubric"], 0)'),
     ('files', 'write beside the submission', 'posix.open(settings["written"], 65)'),
     ('files', 'change its own text', 'posix.open(settings["file"], 1)'),
+    ('files', 'change the mode of a file beside the submission', 'posix.chmod(settings["secret"], 0)'),
+    ('files', 'change the times of the submission', 'posix.utime(settings["file"])'),
+    ('view', 'see the size of a file beside the submission', 'posix.stat(settings["secret"])'),
+    ('view', 'see that there is a rubric', 'posix.stat(settings["rubric"])'),
     ('network', 'connect to a server on this machine', '_socket.socket(2, 1).connect(("127.0.0.1", settings["port"]))'),
     ('network', 'send a datagram', '_socket.socket(2, 2).sendto(b"x", ("127.0.0.1", settings["port"]))'),
     ('network', 'connect to a socket in the file system', '_socket.socket(1, 1).connect(settings["socket"])'),
+    ('network', 'send to a socket in the file system', '_socket.socketpair(1, 2)[0].sendto(b"x", settings["socket"])'),
     ('signals', 'signal the grader', 'posix.kill(settings["pid"], 0)'),
     ('signals', 'signal the process that started it', 'posix.kill(posix.getppid(), 0)'),
     ('processes', "read the grader's environment", 'posix.open(f"/proc/{settings[\'pid\']}/environ", 0)'),
     ('processes', 'look into the process that started it', 'refused(lib.ptrace(0x4206, posix.getppid(), 0, 0))'),
     ('processes', 'make a world of its own (a user namespace)', 'refused(lib.unshare(0x10000000))'),
+    ('processes', 'choose its own processors', 'posix.sched_setaffinity(0, posix.sched_getaffinity(0))'),
+    ('processes', 'keep files in memory', 'posix.memfd_create("x")'),
     ('privileges', 'become somebody else', 'posix.setuid(settings["other"])'),
     ('privileges', 'give a file to somebody else', 'posix.chown("own", settings["other"], settings["other"])'),
     ('privileges', 'raise its own limits', 'resource.setrlimit(resource.RLIMIT_AS, (-1, -1))'),
@@ -101,7 +108,6 @@ def examine(limits: Limits | None = None) -> Iterator[Finding]:
 
 
 def _settings(folder: str, port: int) -> dict[str, Any]:
-    from ..rubrics.catalogue import exercises, rubrics_folder
 
     secret = os.path.join(folder, 'other_student.launch.py')
     with open(secret, 'w', encoding='utf-8') as file:
@@ -112,12 +118,20 @@ def _settings(folder: str, port: int) -> dict[str, Any]:
         'secret': secret,
         'written': os.path.join(folder, 'written'),
         'socket': os.path.join(folder, 's'),
-        'rubric': os.path.join(rubrics_folder(), f'{exercises()[0]}.py'),
+        'rubric': _a_rubric(),
         'port': port,
         'pid': os.getpid(),
         'other': 65534 if os.getuid() != 65534 else 65533,
         'attempts': [code for _, _, code in _ATTEMPTS],
     }
+
+
+def _a_rubric() -> str:
+    """A rubric that is there: an attempt to read what is not there would prove nothing."""
+    from ..rubrics.catalogue import rubrics_folder
+
+    folder = rubrics_folder()
+    return next(os.path.join(folder, name) for name in sorted(os.listdir(folder)) if os.path.isfile(os.path.join(folder, name)))
 
 
 def _run(settings: dict[str, Any], limits: Limits) -> Iterator[Finding]:

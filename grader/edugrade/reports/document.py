@@ -145,6 +145,7 @@ def _scenario(outcome: Outcome, digest: str | None, paths: ShortPaths) -> dict[s
         'seed': scenario.seed,
         'digest': digest,
         'outcome': outcome.kind,
+        **({'refused_calls': list(outcome.refused)} if outcome.refused else {}),
         'text': paths.text(outcome.text) or None,
         'detail': paths.text(outcome.detail) or None,
     }

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
+from ..verdicts import refusal_of
 from .wording import ALL, ShortPaths, at_level, explained, points_of, retold
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ def render(report: Report, *, colour: bool = False) -> str:
             lines += [mark(status) + _title(result, reader), *_explanation(result, paths, reader, report.level)]
     lines += _not_run(results, mark, reader)
     lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
+    lines += ['', *textwrap.wrap(refusal_of(report.refused), WIDTH)] if report.refused else []
     next_ = printable(reader.retells(next_step(report)))
     lines += ['', *textwrap.wrap(printable(why_line(report)), WIDTH)] if report.why else []
     lines += ['', reader.retells(points_line(report)), *textwrap.wrap(next_, WIDTH, break_on_hyphens=False)]

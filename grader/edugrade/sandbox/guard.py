@@ -15,63 +15,133 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import NoReturn
 
+from . import seccomp
+from .allowance import MOST_BYTES, MOST_FILES, MOST_PROCESSES
 from .remove_tree import remove_tree
 from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 
 LOOK_S = 0.05
-MOST_PROCESSES = 64
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
 
 
-def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[], NoReturn]) -> NoReturn:
+def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[socket.socket], NoReturn]) -> NoReturn:
     """Begin a run in a process of its own, tell its pid and how it ended; end all it started, then this process.
 
     :param link: to the runner. It gets lines of JSON: ``{"pid": 77, "guard": 76}``, then ``{"status": -9}``, or ``"cut"``:
-        ``"processes"`` or ``"memory"`` for a run that used too much. When its other end is closed, the run is ended; when this
-        end is, all is over.
+        ``"processes"``, ``"memory"`` or ``"disk"`` for a run that used too much; the last one with ``"refused"``, names of system
+        calls, when there were any. When its other end is closed, the run is ended; when this end is, all is over.
     :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
     :param memory_bytes: for all processes of the run together.
-    :param begin: what the run does.
+    :param begin: what the run does, given a socket on which it sends what hears of its refused calls.
     """
     with suppress(OSError):
         prctl(PR_SET_CHILD_SUBREAPER, 1)
+    notes, end = socket.socketpair()
     pid = os.fork()
     if pid == 0:
         link.close()
+        notes.close()
         with suppress(OSError):
             prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        begin()
+        begin(end)
+    end.close()
     told: dict[str, object] = {}
+    refused: dict[str, None] = {}
     try:
         link.sendall(json.dumps({'pid': pid, 'guard': os.getpid()}).encode() + b'\n')
-        told = _watch(link, pid, memory_bytes)
+        told = _Watch(link, notes, pid, home, memory_bytes, refused).until_it_ends()
     except OSError:  # the runner is gone
         pass
     finally:
         end_all(pid)
         remove_tree(home)
+    if refused:
+        told['refused'] = list(refused)
     with suppress(OSError):
         link.sendall(json.dumps(told).encode() + b'\n')
     os._exit(0)
 
 
-def _watch(link: socket.socket, pid: int, memory_bytes: int) -> dict[str, object]:
-    """Wait until the run ends, the runner lets go, or too much is used."""
-    ends = select.poll()  # not `select`, which knows no numbers above 1023
-    ends.register(link, select.POLLIN)
-    with suppress(OSError, AttributeError):
-        ends.register(os.pidfd_open(pid), select.POLLIN)
-    while True:
-        if any(end == link.fileno() for end, _ in ends.poll(LOOK_S * 1000)):
-            return {}
-        ended, status = os.waitpid(pid, os.WNOHANG)
-        if ended:
-            return {'status': os.waitstatus_to_exitcode(status)}
+class _Watch:
+    """Looks after a run that is on its way.
+
+    :param notes: on which comes the listener of its refused calls.
+    :param refused: gets the names of these calls.
+    """
+
+    def __init__(
+        self, link: socket.socket, notes: socket.socket, pid: int, home: str, memory_bytes: int, refused: dict[str, None]
+    ) -> None:
+        self._link = link
+        self._notes = notes
+        self._pid = pid
+        self._home = home
+        self._memory_bytes = memory_bytes
+        self._refused = refused
+        self._listener = -1
+        self._ends = select.poll()  # not `select`, which knows no numbers above 1023
+        for end in (link, notes):
+            self._ends.register(end, select.POLLIN)
+        with suppress(OSError, AttributeError):
+            self._ends.register(os.pidfd_open(pid), select.POLLIN)
+
+    def until_it_ends(self) -> dict[str, object]:
+        """Wait until the run ends, the runner lets go, or too much is used."""
+        next_look = 0.0
+        while True:
+            for end, event in self._ends.poll(LOOK_S * 1000):
+                if end == self._link.fileno():
+                    return {}
+                self._hear(end, event)
+            ended, status = os.waitpid(self._pid, os.WNOHANG)
+            if ended:
+                return {'status': os.waitstatus_to_exitcode(status)}
+            if time.monotonic() >= next_look:
+                cut = self._too_much()
+                if cut:
+                    return {'cut': cut}
+                next_look = time.monotonic() + LOOK_S
+
+    def _hear(self, end: int, event: int) -> None:
+        """Take the listener, or refuse the call that waits at it."""
+        if end == self._notes.fileno():
+            self._ends.unregister(end)
+            with suppress(OSError):
+                _, descriptors, _, _ = socket.recv_fds(self._notes, 1, 1)
+                for self._listener in descriptors:
+                    self._ends.register(self._listener, select.POLLIN)
+        elif end == self._listener:
+            name = seccomp.refuse_next(end) if event & select.POLLIN else None
+            if name is not None:
+                self._refused.setdefault(name)
+            elif event & select.POLLHUP:
+                self._ends.unregister(end)
+
+    def _too_much(self) -> str:
+        """What the run used too much of; '' while it does not."""
         started = descendants(os.getpid())
         if len(started) > MOST_PROCESSES:
-            return {'cut': 'processes'}
-        if len(started) > 1 and _memory(started, 'statm') > memory_bytes and _memory(started, 'smaps_rollup') > memory_bytes:
-            return {'cut': 'memory'}
+            return 'processes'
+        if len(started) > 1 and all(_memory(started, source) > self._memory_bytes for source in ('statm', 'smaps_rollup')):
+            return 'memory'
+        return '' if _fits(self._home) else 'disk'
+
+
+def _fits(folder: str) -> bool:
+    """Whether no more lies in a folder than a run may write. (A run with a view of its own has its limit from the system.)"""
+    count, size = 0, 0
+    pending = [folder]
+    while pending:
+        with suppress(OSError), os.scandir(pending.pop()) as entries:
+            for entry in entries:
+                count += 1
+                with suppress(OSError):
+                    size += entry.stat(follow_symlinks=False).st_blocks * 512
+                    if entry.is_dir(follow_symlinks=False):
+                        pending.append(entry.path)
+                if count > MOST_FILES or size > MOST_BYTES:
+                    return False
+    return True
 
 
 def end_all(pid: int) -> None:

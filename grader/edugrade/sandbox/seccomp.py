@@ -1,122 +1,103 @@
-"""A filter of system calls (seccomp): no network, no looking into other processes, no changing of the system.
+"""A filter of system calls (seccomp): a list of what a run may call; all else is refused.
 
 The filter is written out here, so that no library is needed. A refused call fails with EPERM, as one without the right to it.
+Where the kernel can (Linux 5.0), a *listener* hears of each refused call, so that the report names it: see `guard.py`.
 """
 
 from __future__ import annotations
 
 import ctypes
 import errno
+import fcntl
 import os
 import struct
+from collections.abc import Sequence
 
-from .system import prctl
+from . import calls
+from .system import prctl, syscall
 
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
-ALLOW, ERRNO, KILL = 0x7FFF0000, 0x00050000, 0x80000000
-LOAD, EQUAL, GREATER_OR_EQUAL, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06  # instructions of the packet filter's machine
+SECCOMP, SET_MODE_FILTER, NEW_LISTENER = (317, 277), 1, 8
+ALLOW, ERRNO, KILL, NOTIFY = 0x7FFF0000, 0x00050000, 0x80000000, 0x7FC00000
+LOAD, EQUAL, GREATER_OR_EQUAL, ANY_BIT, AND, RETURN = 0x20, 0x15, 0x35, 0x45, 0x54, 0x06  # of the packet filter's machine
 NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16  # where they stand in what the filter looks at
 X32 = 0x40000000  # calls of another kind on x86-64
-NAMESPACES = 0x7E020000  # the flags of clone() that make new ones
+NAMESPACES = 0x7E020080  # the flags of clone() that make new ones
+ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}  # column of `calls.py`, number that the kernel gives it
 
-# Calls by name, with their numbers on x86-64 and on 64-bit ARM.
-REFUSED = {
-    'socket': (41, 198),
-    'ptrace': (101, 117),
-    'process_vm_readv': (310, 270),
-    'process_vm_writev': (311, 271),
-    'process_madvise': (440, 440),
-    'process_mrelease': (448, 448),
-    'pidfd_getfd': (438, 438),
-    'kcmp': (312, 272),
-    'shmget': (29, 194),
-    'semget': (64, 190),
-    'msgget': (68, 186),
-    'mq_open': (240, 180),
-    'mount': (165, 40),
-    'umount2': (166, 39),
-    'pivot_root': (155, 41),
-    'chroot': (161, 51),
-    'open_tree': (428, 428),
-    'move_mount': (429, 429),
-    'fsopen': (430, 430),
-    'fsconfig': (431, 431),
-    'fsmount': (432, 432),
-    'fspick': (433, 433),
-    'mount_setattr': (442, 442),
-    'name_to_handle_at': (303, 264),
-    'open_by_handle_at': (304, 265),
-    'unshare': (272, 97),
-    'setns': (308, 268),
-    'bpf': (321, 280),
-    'perf_event_open': (298, 241),
-    'fanotify_init': (300, 262),
-    'userfaultfd': (323, 282),
-    'io_uring_setup': (425, 425),
-    'io_uring_enter': (426, 426),
-    'io_uring_register': (427, 427),
-    'add_key': (248, 217),
-    'request_key': (249, 218),
-    'keyctl': (250, 219),
-    'init_module': (175, 105),
-    'finit_module': (313, 273),
-    'delete_module': (176, 106),
-    'kexec_load': (246, 104),
-    'kexec_file_load': (320, 294),
-    'reboot': (169, 142),
-    'swapon': (167, 224),
-    'swapoff': (168, 225),
-    'sethostname': (170, 161),
-    'setdomainname': (171, 162),
-    'settimeofday': (164, 170),
-    'clock_settime': (227, 112),
-    'clock_adjtime': (305, 266),
-    'adjtimex': (159, 171),
-    'acct': (163, 89),
-    'quotactl': (179, 60),
-    'syslog': (103, 116),
-}
-CLONE, CLONE3, PRLIMIT = (56, 220), (435, 435), (302, 261)
-ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}  # column above, number that the kernel gives it
+OPTIONS = (1, 2, 3, 15, 16, 23, 29, 30, 39, 0x53564D41)
+"""Of prctl: what tells, the name of a thread, its timer's slack, the signal when its parent dies, names of memory."""
+REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x5421, 0x5429, 0x5450, 0x5451, 0x802C542A)
+"""Of ioctl: settings and size of a terminal, its group, bytes that wait, blocking or not, close-on-exec or not."""
+STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
+RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl of the listener
+NOTE_BYTES = 80
 
 
 def _instruction(code: int, value: int, if_so: int = 0, if_not: int = 0) -> bytes:
     return struct.pack('=HBBI', code, if_so, if_not, value)
 
 
-def filter_program() -> bytes | None:
-    """The filter for this machine; None for an architecture whose numbers are not known here."""
-    machine = ARCHITECTURES.get(os.uname().machine)
-    if machine is None:
+def _argument(index: int, is_upper_half: bool = False) -> bytes:
+    return _instruction(LOAD, FIRST_ARGUMENT + 8 * index + 4 * is_upper_half)
+
+
+def _one_of(values: Sequence[int], refuse: bytes) -> list[bytes]:
+    """What is loaded must be one of these."""
+    tests = [_instruction(EQUAL, value, len(values) - place) for place, value in enumerate(values)]
+    return [*tests, refuse, _instruction(RETURN, ALLOW)]
+
+
+def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
+    """How the arguments of a call are looked at."""
+    allow = _instruction(RETURN, ALLOW)
+    return {
+        'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
+        'clone3': [_instruction(RETURN, ERRNO | errno.ENOSYS)],  # the C library then takes clone, whose flags can be looked at
+        'prlimit64': [_argument(0), *_one_of([0], refuse)],  # of no other process
+        'prctl': [_argument(0), *_one_of(OPTIONS, refuse)],
+        'ioctl': [_argument(1), *_one_of(REQUESTS, refuse)],
+        # Of datagrams each could have an address of its own, which leads to any socket in the file system.
+        'socketpair': [
+            *(_argument(0), _instruction(EQUAL, UNIX, 1), refuse),
+            *(_argument(1), _instruction(AND, KIND_OF_SOCKET), *_one_of([STREAM, SEQPACKET], refuse)),
+        ],
+        'sendto': [
+            *(_argument(4), _instruction(EQUAL, 0, 1), refuse),
+            *(_argument(4, is_upper_half=True), *_one_of([0], refuse)),
+        ],
+    }
+
+
+def column_here() -> int | None:
+    """This machine's column in `calls.py`; None for an architecture whose numbers are not known."""
+    return ARCHITECTURES.get(os.uname().machine, (None, 0))[0]
+
+
+def filter_program(is_heard: bool = False) -> bytes | None:
+    """The filter for this machine; None for an architecture whose numbers are not known here.
+
+    :param is_heard: whether a listener answers refused calls.
+    """
+    column = column_here()
+    if column is None:
         return None
-    column, architecture = machine
-    refuse = _instruction(RETURN, ERRNO | errno.EPERM)
+    refuse = _instruction(RETURN, NOTIFY if is_heard else ERRNO | errno.EPERM)
     parts = [
         _instruction(LOAD, ARCHITECTURE),
-        _instruction(EQUAL, architecture, 1, 0),
+        _instruction(EQUAL, ARCHITECTURES[os.uname().machine][1], 1, 0),
         _instruction(RETURN, KILL),
         _instruction(LOAD, NUMBER),
     ]
     if column == 0:
-        parts += [_instruction(GREATER_OR_EQUAL, X32, 0, 1), refuse]
-    for numbers in REFUSED.values():
-        parts += [_instruction(EQUAL, numbers[column], 0, 1), refuse]
-    unknown = _instruction(RETURN, ERRNO | errno.ENOSYS)  # the C library then falls back to clone, whose flags can be looked at
-    parts += [_instruction(EQUAL, CLONE3[column], 0, 1), unknown]
-    parts += [
-        _instruction(EQUAL, CLONE[column], 0, 4),
-        _instruction(LOAD, FIRST_ARGUMENT),
-        _instruction(ANY_BIT, NAMESPACES, 0, 1),
-        refuse,
-        _instruction(RETURN, ALLOW),
-    ]
-    parts += [  # another process's limits
-        _instruction(EQUAL, PRLIMIT[column], 0, 3),
-        _instruction(LOAD, FIRST_ARGUMENT),
-        _instruction(EQUAL, 0, 1, 0),
-        refuse,
-    ]
-    return b''.join([*parts, _instruction(RETURN, ALLOW)])
+        parts += [_instruction(GREATER_OR_EQUAL, X32, 0, 1), _instruction(RETURN, ERRNO | errno.EPERM)]
+    for number in calls.allowed(column).values():
+        parts += [_instruction(EQUAL, number, 0, 1), _instruction(RETURN, ALLOW)]
+    how = _looked_at(refuse)
+    for name, number in calls.looked_at(column).items():
+        parts += [_instruction(EQUAL, number, 0, len(how[name])), *how[name]]
+    parts += [_instruction(GREATER_OR_EQUAL, calls.NEWEST, 0, 1), _instruction(RETURN, ERRNO | errno.ENOSYS)]
+    return b''.join([*parts, refuse])
 
 
 class _Program(ctypes.Structure):
@@ -129,3 +110,24 @@ def restrict(program: bytes) -> None:
     :raises OSError: when the kernel has no filters.
     """
     prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(_Program(len(program) // 8, program)))
+
+
+def restrict_heard(program: bytes) -> int:
+    """As `restrict`, for a program that `is_heard`. Gives the listener, a descriptor.
+
+    :raises OSError: when the kernel has none, or somebody else listens to this process already.
+    """
+    content = _Program(len(program) // 8, program)
+    return syscall(SECCOMP[column_here() or 0], SET_MODE_FILTER, NEW_LISTENER, ctypes.byref(content))
+
+
+def refuse_next(listener: int) -> str | None:
+    """Refuse the call that waits at a listener. Gives its name; None when who made it is gone."""
+    note = bytearray(NOTE_BYTES)
+    try:
+        fcntl.ioctl(listener, RECEIVE, note)
+        number, call = struct.unpack_from('=Q8xi', note)
+        fcntl.ioctl(listener, ANSWER, struct.pack('=QqiI', number, 0, -errno.EPERM, 0))
+    except OSError:
+        return None
+    return calls.name_of(call, column_here() or 0)

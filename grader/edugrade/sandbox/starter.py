@@ -41,7 +41,7 @@ def main() -> NoReturn:
     sys.path[:] = settings['path']
     confine, guard, trusted_half = _load_sandbox()
     child = _load_child()
-    confinement = confine.Confinement(settings['readable'], settings['listable'])
+    confinement = confine.Confinement(settings['readable'], settings['listable'], settings['shown'], settings['hidden'])
     child.warm_up()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards tell what is to be told; the system forgets them
     while True:
@@ -88,14 +88,16 @@ def leave_nothing() -> NoReturn:
     os._exit(0)
 
 
-def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[], NoReturn], guard: Any) -> NoReturn:
+def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[socket.socket], NoReturn], guard: Any) -> NoReturn:
     """Be the guard of a run."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     guard.guard(socket.socket(fileno=descriptors[2]), job['home'], job['tree_memory'], run)
     os._exit(0)
 
 
-def _be_a_run(job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any) -> NoReturn:
+def _be_a_run(
+    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any, notes: socket.socket
+) -> NoReturn:
     """Move house, and be the trusted half of a run, which has the confined one as its child."""
     channel, output = ends
     os.setsid()
@@ -108,11 +110,17 @@ def _be_a_run(job: dict[str, Any], ends: tuple[int, int], child: Any, confinemen
     os.environ.clear()
     os.environ.update(job['environment'])
 
+    view = {} if job['sandbox'] == 'off' else confinement.narrow_view(job['readable'], job['home'])
+
+    def confine(readable: list[str], home: str) -> dict[str, str]:
+        return {**confinement.put_on(readable, home, notes), **view}
+
     def confined(link: socket.socket, words: int) -> NoReturn:
-        child.run(job, link, words, confinement.put_on)
+        child.run(job, link, words, confine)
         os._exit(0)
 
     half = trusted_half.TrustedHalf(job, channel, confined)
+    notes.close()
     if job['sandbox'] != 'off':
         confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other half is what is told
     confinement.let_go()

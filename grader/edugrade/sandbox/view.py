@@ -1,0 +1,112 @@
+"""A tree of folders of its own for a run: what it may not read is not there, so that no name and no size of it is seen.
+
+It needs a mount namespace: root may make one, and so may ordinary users where the system lets them make user namespaces. The tree
+is a file system in memory with a limit of its own, so that a run cannot fill a disk; what may be read is bound into it.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Iterable, Sequence
+
+from .allowance import MOST_BYTES, MOST_FILES
+from .system import IS_LINUX, effective_capabilities, libc, syscall
+
+NEW_NAMESPACE, NEW_USERS = 0x00020000, 0x10000000
+NO_SETUID, NO_DEVICES, BIND, RECURSIVE, PRIVATE, DETACH = 2, 4, 0x1000, 0x4000, 1 << 18, 2
+PIVOT_ROOT = {'x86_64': 155, 'aarch64': 41}
+MOST_LINKS = 40
+READ_ALL = 1 << 1 | 1 << 2  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
+
+
+def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
+    """Let this process, and what it starts, see only these places from now on.
+
+    :param home: the run's own folder, which is empty; it is the current folder afterwards.
+    :param shown: places that are there, with all below them; those that do not exist are left out.
+    :param hidden: folders in them that are empty.
+    :raises OSError: when the system makes no namespaces for this user. Nothing has changed then.
+    """
+    if not IS_LINUX:
+        raise OSError('only Linux has namespaces')
+    _unshare()
+    _mount('none', '/', None, RECURSIVE | PRIVATE)
+    _mount('tmpfs', home, 'tmpfs', NO_SETUID | NO_DEVICES, f'size={MOST_BYTES},nr_inodes={MOST_FILES},mode=755')
+    tree = _Tree(home)
+    for place in sorted({os.path.abspath(place) for place in shown}, key=lambda place: (len(os.path.realpath(place)), place)):
+        tree.show(place)
+    for place in hidden:
+        if os.path.isdir(home + place):
+            _mount('tmpfs', home + place, 'tmpfs', NO_SETUID | NO_DEVICES, 'size=4096,nr_inodes=2,mode=755')
+    os.makedirs(home + home, exist_ok=True)
+    os.chmod(home + home, 0o700)
+    os.makedirs(home + '/tmp', exist_ok=True)
+    os.chdir(home)
+    syscall(PIVOT_ROOT[os.uname().machine], b'.', b'.')
+    _checked(libc.umount2(b'.', DETACH))
+    os.chdir(home)
+
+
+class _Tree:
+    """The tree that is being made.
+
+    :param root: where it lies for now.
+    """
+
+    def __init__(self, root: str) -> None:
+        self._root = root
+        self._bound: list[str] = []
+
+    def show(self, place: str) -> None:
+        """Put a place into it. Links on the way are links there too."""
+        path, links = '/', 0
+        rest = [part for part in place.split('/') if part]
+        while rest:
+            if any(path == bound or path.startswith(bound + '/') for bound in self._bound):
+                return  # with a place above it, and with whatever links lead on: they lead to places that are shown, or to none
+            part = rest.pop(0)
+            path = os.path.normpath(os.path.join(path, part))
+            if os.path.islink(path) and links < MOST_LINKS:
+                links += 1
+                target = os.readlink(path)
+                if not os.path.lexists(self._root + path):
+                    os.makedirs(os.path.dirname(self._root + path), exist_ok=True)
+                    os.symlink(target, self._root + path)
+                rest = [*(each for each in target.split('/') if each), *rest]
+                path = '/' if target.startswith('/') else os.path.dirname(path)
+        if not os.path.exists(path) or path in self._bound:
+            return
+        there = self._root + path
+        if os.path.isdir(path):
+            os.makedirs(there, exist_ok=True)
+        else:
+            os.makedirs(os.path.dirname(there), exist_ok=True)
+            os.close(os.open(there, os.O_CREAT | os.O_WRONLY, 0o644))
+        _mount(path, there, None, BIND | RECURSIVE)
+        self._bound.append(path)
+
+
+def _unshare() -> None:
+    """Make a mount namespace; as an ordinary user in a user namespace, in which everybody is who they were."""
+    user, group = os.geteuid(), os.getegid()
+    if user == 0:  # not within a user namespace: there root cannot read the files of students
+        return _checked(libc.unshare(NEW_NAMESPACE))
+    if effective_capabilities() & READ_ALL:
+        raise OSError('this user reads files by a right that is lost in a namespace')
+    _checked(libc.unshare(NEW_NAMESPACE | NEW_USERS))
+    for name, text in (('setgroups', 'deny'), ('uid_map', f'{user} {user} 1'), ('gid_map', f'{group} {group} 1')):
+        with open(f'/proc/self/{name}', 'w') as file:
+            file.write(text)
+    return None
+
+
+def _mount(source: str, place: str, kind: str | None, flags: int, options: str | None = None) -> None:
+    texts = (os.fsencode(source), os.fsencode(place), kind.encode() if kind else None)
+    _checked(libc.mount(*texts, ctypes.c_ulong(flags), options.encode() if options else None))
+
+
+def _checked(result: int) -> None:
+    if result != 0:
+        number = ctypes.get_errno()
+        raise OSError(number, os.strerror(number))
