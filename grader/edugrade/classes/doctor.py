@@ -30,7 +30,7 @@ _ATTEMPTS = (
     ('network', 'connect to a server on this machine', '_socket.socket(2, 1).connect(("127.0.0.1", settings["port"]))'),
     ('network', 'send a datagram', '_socket.socket(2, 2).sendto(b"x", ("127.0.0.1", settings["port"]))'),
     ('network', 'connect to a socket in the file system', '_socket.socket(1, 1).connect(settings["socket"])'),
-    ('network', 'send to a socket in the file system', '_socket.socketpair(1, 2)[0].sendto(b"x", settings["socket"])'),
+    ('network', 'send to a socket in the file system', '_socket.socketpair(1, 2)[0].sendto(b"x", settings["letters"])'),
     ('signals', 'signal the grader', 'posix.kill(settings["pid"], 0)'),
     ('signals', 'signal the process that started it', 'posix.kill(posix.getppid(), 0)'),
     ('processes', "read the grader's environment", 'posix.open(f"/proc/{settings[\'pid\']}/environ", 0)'),
@@ -98,7 +98,8 @@ def examine(limits: Limits | None = None) -> Iterator[Finding]:
     with tempfile.TemporaryDirectory(prefix='edugrade-doctor-') as folder, socket.socket() as server:
         server.bind(('127.0.0.1', 0))
         server.listen()
-        with socket.socket(socket.AF_UNIX) as local:
+        with socket.socket(socket.AF_UNIX) as local, socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as letters:
+            letters.bind(os.path.join(folder, 'd'))
             local.bind(os.path.join(folder, 's'))
             local.listen()
             settings = _settings(folder, server.getsockname()[1])
@@ -118,6 +119,7 @@ def _settings(folder: str, port: int) -> dict[str, Any]:
         'secret': secret,
         'written': os.path.join(folder, 'written'),
         'socket': os.path.join(folder, 's'),
+        'letters': os.path.join(folder, 'd'),
         'rubric': _a_rubric(),
         'port': port,
         'pid': os.getpid(),
