@@ -12,7 +12,8 @@ from edulaunch.engine.graph.parameter_files import Entry
 from edulaunch.engine.graph.tracer import Tracer
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.host import Host
-from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.host_face import OnExit, OnOutput
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 
 if TYPE_CHECKING:

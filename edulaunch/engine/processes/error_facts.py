@@ -11,14 +11,29 @@ import re
 import sys
 from importlib.machinery import PathFinder
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.engine.facts import facts_of
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.absent import absent_module_kind
 
 if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
+    from edulaunch.engine.packages import Index
+    from edulaunch.engine.processes.finding import Overlay
+    from edulaunch.engine.processes.loader import Loader
+
+
+class Program(Protocol):
+    """What is looked at of the program that an error ended."""
+
+    index: Index
+
+    @property
+    def loader(self) -> Loader: ...
+
+    @property
+    def overlay(self) -> Overlay: ...
+
 
 ENDED_BY = {
     'Node': 'destroy_node()',
@@ -44,9 +59,9 @@ def with_facts_at(error: BaseException) -> dict[str, Any]:
         return {}
     if 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno):
         return {'about': 'programs.with-init'}
-    said = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
-    ending = None if said is None else ENDED_BY.get(_kind(said[1], trace))
-    return {} if said is None or ending is None else {'about': 'programs.with-entity', 'thing': said[1], 'ending': ending}
+    found = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
+    ending = None if found is None else ENDED_BY.get(_kind(found[1], trace))
+    return {} if found is None or ending is None else {'about': 'programs.with-entity', 'thing': found[1], 'ending': ending}
 
 
 def _innermost(trace: TracebackType | None) -> TracebackType | None:
@@ -69,7 +84,7 @@ _TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|c
 _LIBRARY = re.compile(r'(\S+): cannot open shared object file')
 
 
-def compiled_module(process: Process, name: str) -> str | None:
+def compiled_module(process: Program, name: str) -> str | None:
     """Where the compiled code of a module is that Python did not find, 'robo/fast.so', or what would make it; None: nowhere."""
     parent, _, leaf = name.rpartition('.')
     if parent:
@@ -89,7 +104,7 @@ def missing_library(error: BaseException) -> str | None:
     return found[1] if found is not None else None
 
 
-def _built_by_cmake(process: Process, package: str, leaf: str) -> str | None:
+def _built_by_cmake(process: Program, package: str, leaf: str) -> str | None:
     source = process.index.source_folder(package) if package in process.index.packages() else None
     try:
         with open(os.path.join(source or '', 'CMakeLists.txt'), encoding='utf-8', errors='replace') as file:
@@ -105,7 +120,7 @@ INTERFACE_ENDINGS = ('_msgs', '_srvs', '_interfaces', '_interface', '_msg', '_sr
 SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
 
 
-def error_facts(process: Process, error: BaseException) -> Found:
+def error_facts(process: Program, error: BaseException) -> Found:
     """`about`, the rule that has words for it, and what they name. What the error itself carries goes first."""
     carried = facts_of(error)
     if carried:
@@ -126,7 +141,7 @@ def error_facts(process: Process, error: BaseException) -> Found:
     return {}
 
 
-def _hiding(process: Process, name: Any) -> Found:
+def _hiding(process: Program, name: Any) -> Found:
     """Of something that a standard module has, when a file of the student has its name."""
     own = process.loader.modules.get(name) if name in sys.stdlib_module_names else None
     file = getattr(own, '__file__', None)
@@ -135,7 +150,7 @@ def _hiding(process: Process, name: Any) -> Found:
     return {'about': 'programs.hides-module', 'own_file': file, 'module': name}
 
 
-def _module(process: Process, name: str) -> Found:
+def _module(process: Program, name: str) -> Found:
     """Of a module that nobody has: what it is, and the nearest name."""
     top = name.partition('.')[0]
     if compiled := compiled_module(process, name):
@@ -147,7 +162,7 @@ def _module(process: Process, name: str) -> Found:
     return _package(process, top) or _unknown_module(process, top)
 
 
-def _package(process: Process, top: str) -> Found:
+def _package(process: Program, top: str) -> Found:
     """Of a package of the workspace whose interfaces or modules are not installed."""
     if top not in process.index.packages():
         return {}
@@ -157,33 +172,33 @@ def _package(process: Process, top: str) -> Found:
     return {'about': 'messages.other-interfaces', 'package': top, 'interfaces': has}
 
 
-def _imported_name(process: Process, error: ImportError) -> Found:
+def _imported_name(process: Program, error: ImportError) -> Found:
     """Of a name that a module of the program does not have: the nearest one, or that two modules import each other."""
-    said = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
-    if said is None:
+    found = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
+    if found is None:
         return {}
-    if said[2]:
+    if found[2]:
         return {'about': 'programs.import-circle', 'module': error.name}
-    name = f'{error.name}.{said[1]}'
+    name = f'{error.name}.{found[1]}'
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
     from edulaunch.engine.interfaces import current_registry
 
-    homes = [home for home in current_registry().homes(said[1]) if home.startswith(f'{error.name}.')]
+    homes = [home for home in current_registry().homes(found[1]) if home.startswith(f'{error.name}.')]
     if homes:  # `from geometry_msgs import Twist`
-        return {'about': 'messages.no-interface', 'interface': said[1], 'module': error.name, 'homes': homes}
+        return {'about': 'messages.no-interface', 'interface': found[1], 'module': error.name, 'homes': homes}
     module = process.loader.modules.get(error.name or '')
     names = [] if module is None else [name for name in vars(module) if not name.startswith('__')]
     return {
         'about': 'programs.import-name',
-        'missing': said[1],
+        'missing': found[1],
         'module': error.name,
-        'near': nearest(said[1], names),
+        'near': nearest(found[1], names),
         'known': names if len(names) < 12 else [],
     }
 
 
-def _parent_is_there(process: Process, name: str) -> bool:
+def _parent_is_there(process: Program, name: str) -> bool:
     parent = name.rpartition('.')[0]
     return parent in process.loader.modules or parent in sys.modules
 
@@ -192,7 +207,7 @@ def _is_module(path: str) -> bool:
     return path.endswith('.py') or os.path.isfile(os.path.join(path, '__init__.py'))
 
 
-def _part(process: Process, name: str) -> Found:
+def _part(process: Program, name: str) -> Found:
     """Of a missing part of a package that is there: the modules beside it."""
     parent, _, leaf = name.rpartition('.')
     module: Any = process.loader.modules.get(parent) or sys.modules[parent]
@@ -208,7 +223,7 @@ def _part(process: Process, name: str) -> Found:
     return {'about': 'programs.module-part', 'module': name, 'parent': parent, 'near': nearest(leaf, beside), 'known': beside}
 
 
-def _unknown_module(process: Process, top: str) -> Found:
+def _unknown_module(process: Program, top: str) -> Found:
     from edulaunch.engine.interfaces import current_registry
 
     known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Callable, Mapping
 from functools import cached_property, lru_cache
 from importlib.machinery import SourceFileLoader
 from types import CodeType
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from edulaunch.engine.interfaces.importer import InterfaceFinder
     from edulaunch.engine.interfaces.registry import Registry
     from edulaunch.engine.packages import Index
-    from edulaunch.engine.processes.process import Process
 
 
 class Found(NamedTuple):
@@ -32,14 +32,17 @@ class Found(NamedTuple):
 class Finder:
     """Looks for private modules, in Python's order.
 
+    :param installed: gives the modules of the workspaces, name -> folder or .py file.
+    :param loaded: what the program has loaded privately, its `sys` among it, on whose `path` it may have put folders.
     :ivar roots: folders that come first, such as the folder of a script.
     :ivar last: folders that are searched after everything shared: the program's package folder, of which strictly only what
         its build file names is installed.
     :ivar own: the top-level module of the program's entry point, which its own folders decide.
     """
 
-    def __init__(self, process: Process) -> None:
-        self._process = process
+    def __init__(self, installed: Callable[[], Mapping[str, str]], loaded: Mapping[str, Any]) -> None:
+        self._installed = installed
+        self._loaded = loaded
         self.roots: list[str] = []
         self.last: list[str] = []
         self.own = ''
@@ -62,7 +65,7 @@ class Finder:
         if found is None and top == self.own:
             found = regular(top, self.last) or namespace(top, self.last)
         if found is None:
-            place = self._process.overlay.modules.get(top)
+            place = self._installed().get(top)
             found = None if place is None else _at(place)
         return found
 
@@ -75,7 +78,7 @@ class Finder:
     def folders(self) -> list[str]:
         """Every folder that may hold a top-level module of the program, each once."""
         before, after = self._program_path()
-        places = [os.path.dirname(place) for place in self._process.overlay.modules.values()]
+        places = [os.path.dirname(place) for place in self._installed().values()]
         return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
 
     def _may_have(self, folder: str, top: str) -> bool:
@@ -93,7 +96,7 @@ class Finder:
 
     def _program_path(self) -> tuple[list[str], list[str]]:
         """Folders that the program put on its `sys.path`, before and after the shared ones."""
-        view = self._process.loader.modules.get('sys')
+        view = self._loaded.get('sys')
         return ([], []) if view is None else view.private_path()
 
 
@@ -195,15 +198,15 @@ def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | 
 
     :param filters: those in force, which decide what is said.
     """
-    said: list[Any] = []
-    before, warnings.showwarning = warnings.showwarning, lambda *told, **more: said.append(told)
+    shown: list[Any] = []
+    before, warnings.showwarning = warnings.showwarning, lambda *warning, **more: shown.append(warning)
     try:
         code = compile(source, path, 'exec', dont_inherit=True)
     except Exception:
         return None
     finally:
         warnings.showwarning = before
-    return None if said else code
+    return None if shown else code
 
 
 def code_of(source: SourceFileLoader) -> CodeType:

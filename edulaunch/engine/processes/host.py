@@ -16,7 +16,8 @@ from edulaunch.engine.processes import real_machine
 from edulaunch.engine.processes.commands import CommandSet, Known
 from edulaunch.engine.processes.deferred_hints import DeferredHints, HintOf
 from edulaunch.engine.processes.finding import Overlay
-from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.host_face import JoinNetwork, OnExit, OnOutput
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.real_pace import RealPace
 from edulaunch.engine.sim.simulation import Simulation
@@ -84,9 +85,7 @@ class Host:
         self.hints = DeferredHints(hint_of)
         self.watchdog: Watchdog | None = None
         self.is_paced = False
-        self.join_network: (
-            Callable[[Mapping[str, str], str, bool, Sequence[str], Callable[[str], object]], Callable[[], object]] | None
-        ) = None
+        self.join_network: JoinNetwork | None = None
         self.where_on_network: Callable[[], str | None] = lambda: None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}

@@ -15,34 +15,48 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from edulaunch.engine.packages.absent import REFUSED
 from edulaunch.engine.processes import real_machine
-from edulaunch.engine.processes.finding import Finder, Found, code_of, namespace, read_script, regular
+from edulaunch.engine.processes.finding import Finder, Found, Overlay, code_of, namespace, read_script, regular
 from edulaunch.engine.processes.frame_owner import is_own
 from edulaunch.engine.processes.views import PRIVATE_COPIES, VIEWS, make_view
-
-if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
 
 _shared_import = builtins.__import__
 LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))
 """What Python itself has loaded before it looks at any file of a program."""
 
 
+class Owner(real_machine.Noting, Protocol):
+    """What a loader needs of the program whose modules it loads."""
+
+    argv: list[str]
+
+    @property
+    def overlay(self) -> Overlay: ...
+
+    def path(self, path: str) -> str: ...
+
+
+Compiled = dict[str, tuple[tuple[int, int], CodeType]]
+"""By path: time of the last change with the size, and the code."""
+
+
 class Loader:
     """Finds and executes modules for one process.
 
+    :param compiled: code that programs of one machine share.
     :ivar finder: where private modules are looked for; `roots` are the folders that come first.
     :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
     """
 
-    def __init__(self, process: Process) -> None:
+    def __init__(self, process: Owner, compiled: Compiled) -> None:
         self.process = process
-        self.finder = Finder(process)
-        self.roots = self.finder.roots
         self.modules: dict[str, ModuleType] = {}
+        self.finder = Finder(lambda: process.overlay.modules, self.modules)
+        self.roots = self.finder.roots
+        self._compiled = compiled
         self._builtins: dict[str, Any] | None = None
 
     @property
@@ -93,7 +107,7 @@ class Loader:
 
     def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
         """The compiled code of a file; copies of a program share it until the file changes."""
-        compiled, now = self.process.host.compiled, os.stat(path)
+        compiled, now = self._compiled, os.stat(path)
         stamp = (now.st_mtime_ns, now.st_size)
         known = compiled.get(path)
         if known is None or known[0] != stamp:

@@ -15,7 +15,7 @@ from edulaunch.engine.sim.task import Task, TaskKilled, running_task
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
     from edulaunch.engine.processes.finding import Overlay
-    from edulaunch.engine.processes.host import Host
+    from edulaunch.engine.processes.host_face import HostFace, OnExit, OnOutput
     from edulaunch.engine.processes.loader import Loader
     from edulaunch.engine.processes.spec import Origin
 
@@ -26,8 +26,6 @@ DEADLY = (Signals.SIGKILL, Signals.SIGTERM, Signals.SIGQUIT, Signals.SIGHUP, Sig
 """What ends a program that has no handler for it."""
 LAST_WORDS = (Signals.SIGTERM, Signals.SIGKILL)
 """What comes when a program does not end by itself."""
-OnOutput = Callable[[str, str], object]
-OnExit = Callable[[int], object]
 
 
 class Process:
@@ -43,7 +41,7 @@ class Process:
     one hands it the Ctrl-C that it gets), `on_sleep` (told of each `time.sleep`).
     """
 
-    def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
+    def __init__(self, host: HostFace, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
         parent = host.program_here()
         self.host = host
         self.sim = host.sim
@@ -71,8 +69,8 @@ class Process:
         self.cwd = spec.cwd
         self.threads: list[Task] = []
         self.stdin: Any = host.stdin_for(spec)
-        self.stdout = OutputStream(self, 'stdout')
-        self.stderr = OutputStream(self, 'stderr')
+        self.stdout = OutputStream(self.write, 'stdout')
+        self.stderr = OutputStream(self.write, 'stderr')
         self.is_writing = False
         self.speaks_for = 1
         self._wrote_at_ns, self._writes, self._wrote = 0, 0, 0
@@ -99,7 +97,7 @@ class Process:
         if self._loader is None:
             from edulaunch.engine.processes.loader import Loader
 
-            self._loader = Loader(self)
+            self._loader = Loader(self, self.host.compiled)
         return self._loader
 
     @property
@@ -316,7 +314,7 @@ class Process:
     def _print_runaway(self, error: RunawayProgram) -> None:
         from edulaunch.engine.processes.traceback_text import runaway_text
 
-        text, place = runaway_text(self, error)
+        text, place = runaway_text(self.name, error)
         self._wrote_at_ns = 0
         if not error.counted:
             self.note('stopped', f'{self.name} was stopped by the time that it took: this run cannot repeat exactly')

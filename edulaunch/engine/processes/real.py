@@ -17,13 +17,12 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.inputs import Input
-from edulaunch.engine.processes.process import OnExit, OnOutput
 from edulaunch.engine.processes.spec import ProcessSpec, Signals
 from edulaunch.engine.sim.real_pace import LOOK_EVERY_NS
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
-    from edulaunch.engine.processes.host import Host
+    from edulaunch.engine.processes.host_face import HostFace, OnExit, OnOutput
     from edulaunch.engine.processes.process import Process
 
 READER_NAME = 'edulaunch reads '
@@ -37,7 +36,7 @@ class RealLook:
     :ivar news: where their threads put (program, stream, text).
     """
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: HostFace) -> None:
         self.news: queue.SimpleQueue[tuple[RealProcess, str, str | None]] = queue.SimpleQueue()
         self._host = host
 
@@ -63,7 +62,7 @@ class RealLook:
 class RealProcess:
     """A program of the operating system with the same face as a simulated one: `pid`, `returncode`, `send_signal`."""
 
-    def __init__(self, host: Host, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+    def __init__(self, host: HostFace, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
         self.host = host
         self.spec = spec
         self.returncode: int | None = None
@@ -182,7 +181,7 @@ class RealInput(Input):
     :param host: its watchdog is told to be patient while such a file is read.
     """
 
-    def __init__(self, file: Any, host: Host) -> None:
+    def __init__(self, file: Any, host: HostFace) -> None:
         super().__init__()
         self._file = file
         self._host = host

@@ -15,13 +15,10 @@ import sysconfig
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from edulaunch.engine.processes.frame_owner import is_library, is_own
 from edulaunch.engine.sim.task import AmbientTask, running_task
-
-if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
 
 KIND = 'real machine'
 """Of the note."""
@@ -47,7 +44,18 @@ def listen() -> None:
         sys.addaudithook(_hear)
 
 
-def note_use(process: Process, what: str) -> None:
+class Noting(Protocol):
+    """A program whose use of the real machine is noted."""
+
+    used: set[str]
+
+    @property
+    def name(self) -> str: ...
+
+    def note(self, kind: str, text: str) -> None: ...
+
+
+def note_use(process: Noting, what: str) -> None:
     """A program used something of the real machine: noted once."""
     text = f'{process.name} used {what}: this run cannot repeat exactly'
     if text not in process.used:
@@ -55,7 +63,7 @@ def note_use(process: Process, what: str) -> None:
         process.note(KIND, text)
 
 
-def noting(process: Process, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
+def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
     """The function, whose use by the student's own code is noted."""
 
     def call(*arguments: Any, **options: Any) -> Any:

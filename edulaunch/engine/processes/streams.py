@@ -12,18 +12,18 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from edulaunch.engine.sim.task import AmbientTask, running_task
 
-if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
-
 
 class OutputStream:
-    """`sys.stdout` or `sys.stderr` as a simulated program sees it."""
+    """`sys.stdout` or `sys.stderr` as a simulated program sees it.
+
+    :param write: takes the name of the stream and a text.
+    """
 
     encoding = 'utf-8'
     errors = 'replace'
@@ -32,8 +32,8 @@ class OutputStream:
     line_buffering = True
     is_terminal = False
 
-    def __init__(self, process: Process, name: str) -> None:
-        self._process = process
+    def __init__(self, write: Callable[[str, str], object], name: str) -> None:
+        self._write = write
         self._stream = name
         self.name = f'<{name}>'
 
@@ -42,7 +42,7 @@ class OutputStream:
         if not isinstance(text, str):
             raise TypeError(f'write() argument must be str, not {type(text).__name__}')
         if text:
-            self._process.write(self._stream, text)
+            self._write(self._stream, text)
         return len(text)
 
     def writelines(self, lines: list[str]) -> None:

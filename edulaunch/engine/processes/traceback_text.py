@@ -10,14 +10,11 @@ import textwrap
 import traceback
 from collections.abc import Callable, Iterator
 from types import FrameType, TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from edulaunch.engine.facts import facts_of
 from edulaunch.engine.processes.frame_owner import is_engine, is_library
 from edulaunch.engine.processes.spec import Origin
-
-if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
 
 MOST_NAMES, LONGEST_NAME = 750, 40
 STEP, CASE = 2, 1
@@ -221,12 +218,15 @@ def _unread_file(error: BaseException) -> str | None:
     return None if unread is None or is_engine(unread) else unread
 
 
-def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | None]:
-    """What to say of a program that was stopped because it kept its turn, and where it was."""
+def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
+    """The text about a program that was stopped because it kept its turn, and where it was.
+
+    :param program: its launch name.
+    """
     text, place = student_traceback(error)
     frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
     where = f' at {place}' if place is not None else ''
-    return f'{frames}RunawayProgramError: {process.name} {error} without waiting for anything; it was stopped{where}.\n', place
+    return f'{frames}RunawayProgramError: {program} {error} without waiting for anything; it was stopped{where}.\n', place
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:

@@ -13,7 +13,8 @@ from typing import TextIO
 
 from edulaunch.engine.packages import Index, Program
 from edulaunch.engine.processes.host import Host
-from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.host_face import OnExit, OnOutput
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.real import RealProcess
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native.command import HOME, command

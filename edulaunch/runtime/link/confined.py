@@ -16,7 +16,8 @@ from edulaunch.engine.graph.tracer import Look, Record
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.host import Host
-from edulaunch.engine.processes.process import OnExit, OnOutput, Process
+from edulaunch.engine.processes.host_face import OnExit, OnOutput
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording.recorder import Recorder

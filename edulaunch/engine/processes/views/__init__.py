@@ -10,10 +10,6 @@ from collections.abc import Callable
 from importlib import import_module
 from importlib.machinery import PathFinder
 from types import ModuleType
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
 
 VIEWS = {
     '_tkinter': 'refused_view.make_tkinter',
@@ -85,7 +81,7 @@ PRIVATE_COPIES = {
 what gives the file of each, and whether it is a package."""
 
 
-def make_view(name: str, process: Process) -> ModuleType | None:
+def make_view(name: str, process: object) -> ModuleType | None:
     """The view of a standard module for one process, or None when that module needs none."""
     place = VIEWS.get(name)
     if place is None:
