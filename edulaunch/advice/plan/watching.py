@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from launch._failure import is_students
+from launch._handler_table import Handler
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
 from launch.event_handlers.on_action_event_base import OnActionEventBase
@@ -73,12 +74,12 @@ class Watch:
         wrapped: dict[int, list[WatchedHandler]] = {}
         register, unregister = context.register_event_handler, context.unregister_event_handler
 
-        def watched_register(event_handler: BaseEventHandler, append: bool = False) -> None:
+        def watched_register(event_handler: Handler, append: bool = False) -> None:
             handler = WatchedHandler(self, event_handler, self.branch)
             wrapped.setdefault(id(event_handler), []).append(handler)
             register(handler, append=append)
 
-        def watched_unregister(event_handler: BaseEventHandler) -> None:
+        def watched_unregister(event_handler: Handler) -> None:
             handlers = wrapped.get(id(event_handler))
             unregister(handlers.pop() if handlers else event_handler)
 
@@ -148,7 +149,7 @@ class WatchedHandler(BaseEventHandler):
     :param parent: the branch of the action that registered it.
     """
 
-    def __init__(self, watch: Watch, handler: BaseEventHandler, parent: Branch) -> None:
+    def __init__(self, watch: Watch, handler: Handler, parent: Branch) -> None:
         super().__init__(matcher=handler.matches)
         self.only_action = getattr(handler, 'only_action', None)
         self._watch = watch

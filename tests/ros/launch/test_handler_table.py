@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from launch._handler_table import HandlerTable
 from launch.event import Event
-from launch.event_handler import BaseEventHandler, HandlerTable
+from launch.event_handler import BaseEventHandler
 
 
 class About(Event):

@@ -9,18 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ._engine import running_process
 
 if TYPE_CHECKING:
-    from .actions.declare_launch_argument import DeclareLaunchArgument
-    from .actions.include_launch_description import IncludeLaunchDescription
-    from .launch_description import LaunchDescription
     from .launch_description_entity import LaunchDescriptionEntity
 
-FoundArguments = list[tuple['DeclareLaunchArgument', list['IncludeLaunchDescription'] | None]]
-Finding = tuple['DeclareLaunchArgument', bool, tuple['IncludeLaunchDescription', ...]]
+T = TypeVar('T')
+FoundArguments = list[tuple[Any, 'list[Any] | None']]
+"""`DeclareLaunchArgument` actions, each with the `IncludeLaunchDescription` actions that lead to it, if any."""
+Finding = tuple[Any, bool, tuple[Any, ...]]
 """An argument, whether it is only there under a condition, and the includes that lead to it."""
 _KEY = 'launch.look'
 
@@ -33,7 +32,7 @@ class Look:
     """
 
     def __init__(self) -> None:
-        self.descriptions: dict[tuple[type, str], LaunchDescription | None] = {}
+        self.descriptions: dict[tuple[type, str], Any] = {}
         self.findings: dict[int, list[Finding] | None] = {}
 
 
@@ -51,7 +50,7 @@ def looking() -> Iterator[Look]:
         del state[_KEY]
 
 
-def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> LaunchDescription | None:
+def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
     """What `load()` returns, None when it raises an exception; remembered in a look by the kind of source and location."""
     with looking() as look:
         key = type(source), location
@@ -61,7 +60,8 @@ def load_once(source: object, location: str, load: Callable[[], LaunchDescriptio
                 look.findings[id(description)] = None
             except Exception:
                 look.descriptions[key] = None
-        return look.descriptions[key]
+        found: T | None = look.descriptions[key]
+        return found
 
 
 def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:

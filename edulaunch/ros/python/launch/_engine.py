@@ -9,16 +9,21 @@ import os
 from collections.abc import Callable, MutableMapping, Sequence
 from functools import lru_cache
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop
 
     from edulaunch.engine.processes import Process, ProcessSpec
 
-    from .launch_context import LaunchContext
-
 T = TypeVar('T')
+
+
+class OfProcess(Protocol):
+    """What a launch context keeps of the process that runs it."""
+
+    process_state: dict[str, Any]
+    process_counter: list[int]
 
 
 def running_process() -> Process:
@@ -60,7 +65,7 @@ def process_state(key: str, make: Callable[[], T]) -> T:
     return value
 
 
-def state_of(context: LaunchContext) -> dict[str, Any]:
+def state_of(context: OfProcess) -> dict[str, Any]:
     """The state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
     try:
         return context.process_state
@@ -68,7 +73,7 @@ def state_of(context: LaunchContext) -> dict[str, Any]:
         return running_process().state
 
 
-def process_counter(context: LaunchContext) -> list[int]:
+def process_counter(context: OfProcess) -> list[int]:
     """The number of the process that was numbered last, as the only item of a list; for any context, as above."""
     try:
         return context.process_counter

@@ -4,19 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from types import FunctionType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from ._engine import process_state
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
 
-    from .actions.declare_launch_argument import DeclareLaunchArgument
+
+class Declared(Protocol):
+    """What these notes need to know of a `DeclareLaunchArgument`."""
+
+    @property
+    def name(self) -> str:
+        """The name of the argument."""
 
 
-def note_declared(argument: DeclareLaunchArgument) -> None:
+def note_declared(argument: Declared) -> None:
     """A launch argument was declared; the first declaration of a name is kept, in `launch.declared`."""
-    declared: list[DeclareLaunchArgument] = process_state('launch.declared', list)
+    declared: list[Declared] = process_state('launch.declared', list)
     if all(argument.name != known.name for known in declared):
         declared.append(argument)
 

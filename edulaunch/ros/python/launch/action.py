@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
 
     from .frontend.entity import Entity
-    from .frontend.parser import Parser
+    from .frontend.parser_protocol import ParserProtocol
     from .launch_context import LaunchContext
 
 
-def _only_a_condition(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
+def _only_a_condition(entity: Entity, parser: ParserProtocol) -> tuple[type, dict[str, Any]]:
     """What every action element may have: `if` and `unless`."""
-    from .frontend.elements import condition_of
+    from .frontend.condition_of import condition_of
 
     return Action, condition_of(entity, parser)
 

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, MutableMapping
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 from edulaunch.engine.read_only import ReadOnly
 
 from ._engine import environment, process_state, running_process
+from ._handler_table import Handler, HandlerTable
 from ._run_notes import names_read
 from .event import Event
-from .event_handler import BaseEventHandler, HandlerTable
-from .substitution import Substitution
 
 if TYPE_CHECKING:
     import asyncio
@@ -20,6 +19,13 @@ if TYPE_CHECKING:
 
     from ._event_queue import EventQueue
     from ._include_ring import Include
+
+
+class Performed(Protocol):
+    """What a context needs to know of a substitution."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
 
 
 class LocalsView:
@@ -149,7 +155,7 @@ class LaunchContext:
             raise RuntimeError('locals stack unexpectedly empty')
         self.__locals = self.__locals_stack.pop()
 
-    def perform_substitution(self, sub: Substitution) -> str:
+    def perform_substitution(self, sub: Performed) -> str:
         """Evaluate a substitution in this context."""
         return sub.perform(self)
 
@@ -164,7 +170,7 @@ class LaunchContext:
         return self.__event_queue
 
     @property
-    def _event_handlers(self) -> deque[BaseEventHandler]:
+    def _event_handlers(self) -> deque[Handler]:
         return self.__handlers.as_deque()
 
     @property
@@ -175,18 +181,18 @@ class LaunchContext:
         """Let launch not be idle before this future is done."""
         self.__completion_futures.append(completion_future)
 
-    def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
+    def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:
         """Ask this handler about later events: before all others, or with `append` after them."""
         self.__handlers.add(event_handler, append=append)
 
-    def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
+    def unregister_event_handler(self, event_handler: Handler) -> None:
         """Forget a handler.
 
         :raises ValueError: when it is not registered.
         """
         self.__handlers.remove(event_handler)
 
-    def handlers_that_match(self, event: Event) -> list[BaseEventHandler]:
+    def handlers_that_match(self, event: Event) -> list[Handler]:
         """The handlers to ask about the event, as registered now, first asked first."""
         return self.__handlers.candidates(event)
 

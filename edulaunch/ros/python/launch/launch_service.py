@@ -16,9 +16,9 @@ from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
 from ._engine import new_event_loop, running_process
 from ._failure import note_failure
+from ._handler_table import Handler
 from ._origin import note_origin
 from .event import Event
-from .event_handler import BaseEventHandler
 from .event_handlers.on_include_launch_description import OnIncludeLaunchDescription
 from .event_handlers.on_shutdown import OnShutdown
 from .events.include_launch_description import IncludeLaunchDescription
@@ -249,7 +249,7 @@ class LaunchService:
                     self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
                 self.__handle(handler, event)
 
-    def __handle(self, handler: BaseEventHandler, event: Event) -> None:
+    def __handle(self, handler: Handler, event: Event) -> None:
         context = self.__context
         context._push_locals()
         try:

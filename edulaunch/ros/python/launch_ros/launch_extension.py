@@ -25,7 +25,7 @@ from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 from .parameter_descriptions import ParameterFile, ParameterValue
 
 if TYPE_CHECKING:
-    from launch.frontend.parser import Parser
+    from launch.frontend.parser_protocol import ParserProtocol
 
 _SCALARS = ('int', 'float', 'bool', 'str')
 _TYPES: dict[str, Any] = {
@@ -38,7 +38,7 @@ _WHAT = frozenset(('value', 'type'))
 _INSIDE = frozenset(('param',))
 
 
-def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
+def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]:
     """The argument `parameters` of a node: one source for each element, in the order of the file, so that later ones win.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
@@ -60,7 +60,7 @@ def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
     return parameters
 
 
-def _file(param: Entity, given: list[str], parser: Parser) -> ParameterFile:
+def _file(param: Entity, given: list[str], parser: ParserProtocol) -> ParameterFile:
     if 'name' in given:
         raise _wrong(param, 'name and from attributes are mutually exclusive')
     param.assert_entity_completely_parsed()
@@ -69,12 +69,12 @@ def _file(param: Entity, given: list[str], parser: Parser) -> ParameterFile:
     return ParameterFile(path, allow_substs=parser.parse_if_substitutions(allow_substs))
 
 
-def _plain_dictionary(pairs: list[Pair], parser: Parser) -> dict[Any, Any]:
+def _plain_dictionary(pairs: list[Pair], parser: ParserProtocol) -> dict[Any, Any]:
     parse, parse_typed = parser.parse_substitution, parser.parse_if_substitutions
     return {tuple(parse(name)): _made(line, parse_typed(value), None) for name, value, line in pairs}
 
 
-def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
+def _dictionary(params: list[Entity], parser: ParserProtocol) -> dict[Any, Any]:
     return {tuple(parser.parse_substitution(param.get_attr('name'))): _value(param, parser) for param in params}
 
 
@@ -84,7 +84,7 @@ def _made(line: int, value: Any, data_type: Any) -> ParameterValue:
     return made
 
 
-def _value(param: Entity, parser: Parser) -> Any:
+def _value(param: Entity, parser: ParserProtocol) -> Any:
     given = param.given(_WHAT, _INSIDE)
     data_type = _data_type(param) if 'type' in given else None
     if 'param' in given:
@@ -116,15 +116,15 @@ def _wrong(param: Entity, message: str) -> RuntimeError:
     return places.at(RuntimeError(message), param)
 
 
-def _remappings(entity: Entity, parser: Parser, name: str) -> list[tuple[Substitutions, Substitutions]]:
+def _remappings(entity: Entity, parser: ParserProtocol, name: str) -> list[tuple[Substitutions, Substitutions]]:
     return pairs(entity, parser, name, 'from', 'to')
 
 
-def _extra_arguments(entity: Entity, parser: Parser, name: str) -> list[Any]:
+def _extra_arguments(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
     return [{tuple(key): value} for key, value in pairs(entity, parser, name)]
 
 
-def _descriptions(entity: Entity, parser: Parser, name: str) -> list[Any]:
+def _descriptions(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
     descriptions = []
     for child in entity.get_attr(name, data_type=Entities):
         made_by, kwargs = _COMPOSABLE_NODE(child, parser)

@@ -10,7 +10,7 @@ from ..substitution import SomeSubstitutionsType
 from .execute_local import ExecuteLocal
 
 if TYPE_CHECKING:
-    from ..frontend.parser import Parser
+    from ..frontend.parser_protocol import ParserProtocol
 
 Pairs = list[tuple[Substitutions, Substitutions]]
 
@@ -44,7 +44,7 @@ class ExecuteProcess(ExecuteLocal):
         super().__init__(process_description=executable, **kwargs)
 
     @classmethod
-    def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[Substitutions]:
+    def _parse_cmdline(cls, cmd: str, parser: ParserProtocol) -> list[Substitutions]:
         """The words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
         from ..frontend.elements import words_of
 

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from edulaunch.engine.facts import with_facts
 
 from ..substitution import Substitution
 from ..substitutions.text_substitution import TextSubstitution
 from . import places
+from .condition_of import condition_of
 from .entity import Entities, Entity
-
-if TYPE_CHECKING:
-    from .parser import Parser
+from .parser_protocol import ParserProtocol
 
 Word = list[Substitution]
 
 
-def words_of(text: str, parser: Parser) -> list[Word]:
+def words_of(text: str, parser: ParserProtocol) -> list[Word]:
     """The words of a command line; each is a list of substitutions.
 
     Substitutions are found first, then the literal pieces between them are split as a shell would. What
@@ -65,7 +64,7 @@ def _split(text: str) -> list[str]:
 Parsed = tuple[type, dict[str, Any]]
 """What to make: a class (or function) and its keyword arguments."""
 Substitutions = list[Substitution]
-Reader = Callable[[Entity, 'Parser', str], Any]
+Reader = Callable[[Entity, ParserProtocol, str], Any]
 Attributes = dict[str, tuple[str, Reader]]
 """Name of an attribute or child -> (keyword argument, how it is read)."""
 NOTHING: Attributes = {}
@@ -97,7 +96,7 @@ class Element:
         self.holds_actions = holds_actions
         self._class: Any = None
 
-    def __call__(self, entity: Entity, parser: Parser, ignore: Collection[str] = ()) -> Parsed:
+    def __call__(self, entity: Entity, parser: ParserProtocol, ignore: Collection[str] = ()) -> Parsed:
         """The class, and its keyword arguments.
 
         :param ignore: attributes and children that somebody else reads.
@@ -122,29 +121,12 @@ def _without(ignore: Collection[str], attributes: Attributes) -> Attributes:
     return {name: how for name, how in attributes.items() if name not in ignore}
 
 
-def condition_of(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Keyword argument `condition`, when the element has `if` or `unless`.
-
-    :raises RuntimeError: when it has both.
-    """
-    given = entity.given(('if', 'unless'))
-    if not given:
-        return {}
-    if len(given) > 1:
-        raise RuntimeError("if and unless conditions can't be used simultaneously")
-    from .. import conditions
-
-    (name,) = given
-    condition = conditions.IfCondition if name == 'if' else conditions.UnlessCondition
-    return {'condition': condition(predicate_expression=parser.parse_substitution(entity.get_attr(name)))}
-
-
-def text(entity: Entity, parser: Parser, name: str) -> Substitutions:
+def text(entity: Entity, parser: ParserProtocol, name: str) -> Substitutions:
     """An attribute that is a text with substitutions."""
     return parser.parse_substitution(entity.get_attr(name))
 
 
-def literal(entity: Entity, parser: Parser, name: str) -> str:
+def literal(entity: Entity, parser: ParserProtocol, name: str) -> str:
     """An attribute that is a text without substitutions."""
     return parser.escape_characters(entity.get_attr(name))
 
@@ -160,7 +142,7 @@ def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
 
 
 def pairs(
-    entity: Entity, parser: Parser, tag: str, first: str = 'name', second: str = 'value'
+    entity: Entity, parser: ParserProtocol, tag: str, first: str = 'name', second: str = 'value'
 ) -> list[tuple[Substitutions, Substitutions]]:
     """Children like `<arg name="a" value="b"/>`, in order."""
     parse = parser.parse_substitution
@@ -174,17 +156,17 @@ def pairs(
     return found
 
 
-def mapping(entity: Entity, parser: Parser, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
+def mapping(entity: Entity, parser: ParserProtocol, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
     """The same as :func:`pairs`, as a dictionary."""
     return {tuple(name): value for name, value in pairs(entity, parser, tag)}
 
 
-def words(entity: Entity, parser: Parser, name: str) -> list[Substitutions]:
+def words(entity: Entity, parser: ParserProtocol, name: str) -> list[Substitutions]:
     """An attribute that is a command line."""
     return words_of(entity.get_attr(name), parser)
 
 
-def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
+def _choices(entity: Entity, parser: ParserProtocol, name: str) -> list[str]:
     choices = []
     for child in entity.get_attr(name, data_type=Entities):
         choices.append(literal(child, parser, 'value'))
@@ -192,13 +174,13 @@ def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
     return choices
 
 
-def _output(entity: Entity, parser: Parser, name: str) -> Any:
+def _output(entity: Entity, parser: ParserProtocol, name: str) -> Any:
     # A plain text stays one: the action can tell at once whether it knows such an output.
     return parser.parse_if_substitutions(entity.get_attr(name))
 
 
-def _on_exit(entity: Entity, parser: Parser, name: str) -> list[Any]:
-    from ..actions import Shutdown
+def _on_exit(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
+    from ..actions.shutdown_action import Shutdown
 
     value = entity.get_attr(name)
     if value != 'shutdown':
@@ -209,7 +191,7 @@ def _on_exit(entity: Entity, parser: Parser, name: str) -> list[Any]:
     return [Shutdown()]
 
 
-def _seconds(entity: Entity, parser: Parser, name: str) -> float:
+def _seconds(entity: Entity, parser: ParserProtocol, name: str) -> float:
     """A number of seconds: no text, so no substitution."""
     value: Any = entity.get_attr(name, data_type=float)
     if isinstance(value, str):
@@ -220,7 +202,7 @@ def _seconds(entity: Entity, parser: Parser, name: str) -> float:
     return float(value)
 
 
-def _seconds_text(entity: Entity, parser: Parser, name: str) -> str:
+def _seconds_text(entity: Entity, parser: ParserProtocol, name: str) -> str:
     return str(_seconds(entity, parser, name))
 
 

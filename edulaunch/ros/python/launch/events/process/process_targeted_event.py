@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import Any
 
 from ..._bases import ReadOnly
 from ...event import Event
 
-if TYPE_CHECKING:
-    from ...actions.execute_local import ExecuteLocal
-
-
-ProcessMatcher = Callable[['ExecuteLocal'], bool]
+ProcessMatcher = Callable[[Any], bool]
 
 
 class ProcessTargetedEvent(Event):

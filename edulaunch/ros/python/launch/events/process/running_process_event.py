@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from ..._bases import ReadOnly
 from ...event import Event
-
-if TYPE_CHECKING:
-    from ...actions.execute_local import ExecuteLocal
+from .process_action import ProcessAction
 
 
 class RunningProcessEvent(Event):
@@ -18,7 +15,7 @@ class RunningProcessEvent(Event):
     name = 'launch.events.process.RunningProcessEvent'
 
     def __init__(
-        self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: str | None, env: Mapping[str, str] | None, pid: int
+        self, *, action: ProcessAction, name: str, cmd: list[str], cwd: str | None, env: Mapping[str, str] | None, pid: int
     ) -> None:
         self.__action = action
         self.__name = name
@@ -27,9 +24,9 @@ class RunningProcessEvent(Event):
         self.__env = env
         self.__pid = pid
 
-    action: ReadOnly[ExecuteLocal] = ReadOnly('The action that started the process.')
+    action: ReadOnly[ProcessAction] = ReadOnly('The action that started the process.')
 
-    execute_process_action: ReadOnly[ExecuteLocal] = ReadOnly('The same, by an older name.', '__action')
+    execute_process_action: ReadOnly[ProcessAction] = ReadOnly('The same, by an older name.', '__action')
 
     process_name: ReadOnly[str] = ReadOnly("The unique name, such as 'talker-1'.", '__name')
 

@@ -1,0 +1,91 @@
+"""The event handlers of a launch, so kept that only those are asked which can match."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Collection
+from typing import Any, Protocol
+
+from .event import Event
+
+
+class Handler(Protocol):
+    """What a table needs to know of an event handler."""
+
+    def matches(self, event: Event) -> bool:
+        """Whether it handles the event."""
+
+    def handle(self, event: Event, context: Any) -> Any:
+        """React; returns entities to visit, or None."""
+
+    def describe(self) -> Any:
+        """The handler in words, and its entities."""
+
+
+Ranked = dict[int, Handler]
+
+
+class HandlerTable:
+    """Registered handlers, each with a rank; the lowest rank is asked first."""
+
+    def __init__(self) -> None:
+        self._groups: dict[int, Ranked] = {0: {}}
+        """By the identity of the only action whose events they accept; 0: any."""
+        self._first = 0
+        self._last = 0
+
+    def as_deque(self) -> deque[Handler]:
+        """All handlers, first asked first; what upstream keeps."""
+        return deque(_in_order(*self._groups.values()))
+
+    def add(self, handler: Handler, *, append: bool) -> None:
+        """Let the handler be asked first, or last."""
+        if append:
+            self._last += 1
+        else:
+            self._first -= 1
+        self._groups.setdefault(_key(handler), {})[self._last if append else self._first] = handler
+
+    def remove(self, handler: Handler) -> None:
+        """Forget the handler (once, if it was added more often).
+
+        :raises ValueError: when it is not there.
+        """
+        key = _key(handler)
+        group = self._groups.get(key, {})
+        ranks = [rank for rank, other in group.items() if other is handler]
+        if not ranks:
+            raise ValueError(f'{handler!r} is not registered')
+        del group[min(ranks)]
+        if key and not group:
+            del self._groups[key]
+
+    def candidates(self, event: Event) -> list[Handler]:
+        """The handlers that could accept the event, first asked first."""
+        return _in_order(*self._groups_for(event))
+
+    def matches(self, event: Event) -> bool:
+        """Whether any handler matches the event; every action that was executed asks."""
+        for group in self._groups_for(event):
+            for handler in list(group.values()):
+                if handler.matches(event):
+                    return True
+        return False
+
+    def _groups_for(self, event: Event) -> Collection[Ranked]:
+        action = getattr(event, 'action', None)
+        if action is None:
+            return self._groups.values()
+        return self._groups[0], self._groups.get(id(action), {})
+
+
+def _key(handler: Any) -> int:
+    only = getattr(handler, 'only_action', None)
+    return 0 if only is None else id(only)
+
+
+def _in_order(*groups: Ranked) -> list[Handler]:
+    ranked: Ranked = {}
+    for group in groups:
+        ranked.update(group)
+    return [ranked[rank] for rank in sorted(ranked)]

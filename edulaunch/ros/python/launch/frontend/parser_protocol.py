@@ -1,0 +1,24 @@
+"""What the readers of single elements need of a parser, so that their files and the parser's do not import each other."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from ..substitution import Substitution
+from .entity import Entity
+
+
+class ParserProtocol(Protocol):
+    """See :class:`~launch.frontend.Parser`."""
+
+    def parse_action(self, entity: Entity) -> Any:
+        """The action of an element."""
+
+    def parse_substitution(self, value: str) -> list[Substitution]:
+        """A text with its `$(...)` as substitutions."""
+
+    def parse_if_substitutions(self, value: Any) -> Any:
+        """The same for a value that need not be a text, and for lists."""
+
+    def escape_characters(self, value: str) -> str:
+        """A text without its backslashes."""
