@@ -115,7 +115,7 @@ def test_a_circle_is_seen() -> None:
 
 def test_an_import_in_a_function_and_a_name_in_a_text_are_seen() -> None:
     assert 'edulaunch.runtime.session' in imports('edulaunch')
-    assert 'edulaunch.desk.machine.serving' in imports('edulaunch.desk.machine.client')
+    assert 'edulaunch.desk.machine.serving' in imports('edulaunch.desk.machine.starting')
     assert 'rclpy.executors' not in imports('rclpy.impl.waiting'), 'the `__module__` of a class is a name only'
 
 

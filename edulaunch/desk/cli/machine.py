@@ -76,12 +76,13 @@ def view_verb(arguments: argparse.Namespace) -> int:
 
 def _connect() -> tuple[socket.socket, bytes]:
     """A new connection to the machine, which starts if it has to."""
-    from edulaunch.desk.machine.client import connect, hello
+    from edulaunch.desk.machine.client import hello
     from edulaunch.desk.machine.place import domain
+    from edulaunch.desk.machine.starting import connect
 
     found = connect(domain(), start=True)
     if found is None:
         raise OSError('the machine does not answer')
-    client, token = found
+    client, address = found
     client.setblocking(False)
-    return client, hello(token, ['machine', 'view'], keyboard=False)
+    return client, hello(address.token, ['machine', 'view'], keyboard=False)

@@ -6,7 +6,6 @@ Standard library only.
 from __future__ import annotations
 
 import os
-import select
 import signal
 import socket
 import sys
@@ -14,29 +13,18 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 
 from edulaunch.desk.machine import wire
-from edulaunch.desk.machine.keyboard import Keyboard
-from edulaunch.desk.machine.place import (
-    LISTENER,
-    Address,
-    UnsafePlace,
-    domain,
-    folder,
-    listen,
-    locked,
-    log_file,
-    read_address,
-    write_address,
-)
+from edulaunch.desk.machine.following import GIVE_UP_S, Follower, GaveUp, window_size
+from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, locked, log_file, read_address, remove_address
+from edulaunch.desk.machine.starting import connect, state
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
-if TYPE_CHECKING:
-    from types import FrameType
-
-PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
-PATIENCE = 4
-"""How many signals without any answer make a terminal give up."""
-GAVE_UP = 130
-BROKEN_PIPE = 141
+ANSWER_S = 3.0
+"""Seconds that a machine has to answer `edulaunch machine ...`; then the guardian answers."""
+STOP_S = 5.0
+"""Seconds that a guardian has to end its machine."""
+END_S = 15.0
+"""Seconds that a command has to end after Ctrl-C."""
+LOG_S = 1.0
+"""Seconds that it has to write why the machine ended."""
 
 
 def run(words: Sequence[str], *, start: bool = True) -> int:
@@ -49,15 +37,81 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
         try:
             found = connect(domain(), start=start)
         except (UnsafePlace, OSError) as error:
-            return _failed(str(error))
+            stuck = read_address(folder(), domain()) if words[:2] == ['machine', 'stop'] else None
+            return _failed(str(error)) if stuck is None else _stop_by_force(stuck)
         if found is None:
             return _failed(f'no machine is running in ROS_DOMAIN_ID {domain()}: any `ros2` command starts one')
-        client, token = found
-        with client:
-            code = Client(client).run(hello(token, words))
+        code = _follow(*found, words)
         if code is not None:
             return code
-    return _failed(f'the machine does not answer\n  help: see {log_file(folder(), domain())}')
+    return _failed(f'the machine ends as soon as it starts{_reason()}')
+
+
+def _follow(connection: socket.socket, address: Address, words: Sequence[str]) -> int | None:
+    """Follow a command to its end; returns its exit code, None when the machine ended before it took the command."""
+    asks_machine = words[:1] == ['machine']
+    follower = Follower(connection, lambda: state(address), ANSWER_S if asks_machine else GIVE_UP_S)
+    with connection:
+        try:
+            code = follower.run(hello(address.token, words))
+        except GaveUp as error:
+            if words[:2] == ['machine', 'stop']:
+                return _stop_by_force(address)
+            if not asks_machine:
+                sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
+            return error.code
+    if code is None and follower.is_welcome:
+        return _failed(f'the machine has ended{_reason()}')
+    return code
+
+
+def _reason() -> str:
+    """Why the machine ended, as the rest of a sentence: what its guardian wrote, or which file has more; empty for neither."""
+    path, deadline = log_file(folder(), domain()), time.monotonic() + LOG_S
+    text = ''
+    while not text and time.monotonic() < deadline:
+        try:
+            with open(path, encoding='utf-8', errors='replace') as file:
+                text = file.read().strip()
+        except OSError:
+            return ''
+        if not text:
+            time.sleep(0.05)
+    return f':\n  {text}' if 0 < text.count('\n') < 3 or (text and '\n' not in text) else f'\n  help: see {path}' if text else ''
+
+
+def _stop_by_force(address: Address) -> int:
+    """End a machine that does not answer: its guardian does it, or this process where the guardian is gone as well."""
+    if address.host == 'notebook':
+        return _failed('the machine belongs to a notebook, and only its kernel ends it')
+    steps = [(address.guardian, signal.SIGTERM), (address.pid, signal.SIGKILL)]
+    for pid, signum in steps if address.guardian else steps[1:]:
+        try:
+            os.kill(pid, signum)
+        except ProcessLookupError:
+            continue
+        deadline = time.monotonic() + STOP_S
+        while time.monotonic() < deadline:
+            if not _is_there(address):
+                with locked(folder(), domain()):
+                    remove_address(folder(), domain(), address)
+                print('the machine did not answer, and has been ended')
+                return 0
+            time.sleep(0.05)
+    return _failed(f'process {address.pid} does not end')
+
+
+def _is_there(address: Address) -> bool:
+    """Whether somebody still listens at that address."""
+    from edulaunch.desk.machine.starting import CannotConnect, open_connection
+
+    try:
+        found = open_connection(address)
+    except CannotConnect:
+        return True
+    if found is not None:
+        found[0].close()
+    return found is not None
 
 
 def _open_the_closed() -> None:
@@ -74,206 +128,15 @@ def _failed(why: str) -> int:
     return 1
 
 
-def connect(number: str, *, start: bool = True) -> tuple[socket.socket, str] | None:
-    """A connection to the machine of a domain, and what one says first on it; None when there is none and `start` is false.
-
-    Of two terminals that come first at the same time one starts the machine, and both are connected to it: the socket listens
-    before the machine runs.
-
-    :raises UnsafePlace: when the folder of the machines is not this user's alone.
-    """
-    place = folder()
-    found = _try(read_address(place, number))
-    if found is not None or not start:
-        return found
-    with locked(place, number):
-        found = _try(read_address(place, number))
-        if found is None:
-            listener, address = listen(place, number, 'terminals')
-            address.pid = _spawn(listener, place, number)
-            write_address(place, number, address)
-            listener.close()
-            found = _try(address)
-    return found
-
-
-def _try(address: Address | None) -> tuple[socket.socket, str] | None:
-    if address is None:
-        return None
-    client = socket.socket(socket.AF_INET if address.kind == 'tcp' else socket.AF_UNIX)
-    try:
-        client.connect(('127.0.0.1', int(address.place)) if address.kind == 'tcp' else address.place)
-    except (OSError, ValueError):
-        client.close()
-        return None
-    return client, address.token
-
-
-def _spawn(listener: socket.socket, place: str, number: str) -> int:
-    """Start the machine as a process that belongs to no terminal; returns its pid. What it complains of is in a file."""
-    reader, writer = os.pipe()
-    child = os.fork()
-    if child:
-        os.close(writer)
-        os.waitpid(child, 0)
-        with open(reader, 'rb') as answer:
-            return int(answer.read() or 0)
-    try:
-        os.setsid()
-        if os.fork() == 0:
-            os.write(writer, str(os.getpid()).encode())
-            _become_machine(listener, place, number)
-    finally:
-        os._exit(0)
-
-
-def _become_machine(listener: socket.socket, place: str, number: str) -> None:
-    complaints = os.open(log_file(place, number), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-    nothing = os.open(os.devnull, os.O_RDWR)
-    ours = os.dup(listener.fileno())
-    for number_here, file in ((0, nothing), (1, complaints), (2, complaints), (LISTENER, ours)):
-        if number_here == file:
-            os.set_inheritable(file, True)
-        else:
-            os.dup2(file, number_here)
-    os.closerange(LISTENER + 1, 256)
-    os.chdir('/')
-    words = [sys.executable, '-m', 'edulaunch.desk.machine.serving', place, number]
-    os.execv(sys.executable, words)
-
-
 def hello(
     token: str, words: Sequence[str], cwd: str | None = None, env: Mapping[str, str] | None = None, keyboard: bool = True
 ) -> bytes:
     """The first frame: who we are, where we are, and what to run."""
-    columns, lines = _size()
+    columns, lines = window_size()
     terminals = ''.join('1' if keyboard and os.isatty(number) else '0' for number in range(3))
     variables = [f'{name}={value}' for name, value in (os.environ if env is None else env).items()]
     fields = [token, cwd or os.getcwd(), str(columns), str(lines), terminals, str(len(words)), *words, *variables]
     return wire.frame(wire.HELLO, wire.pack(fields))
-
-
-def _size() -> tuple[int, int]:
-    for number in (1, 0, 2):
-        try:
-            columns, lines = os.get_terminal_size(number)
-        except OSError:
-            continue
-        return columns, lines
-    return 80, 24
-
-
-class Client:
-    """One command in this terminal. Ctrl-C is passed on: what it does is the program's choice."""
-
-    def __init__(self, connection: socket.socket) -> None:
-        self._connection = connection
-        self._keyboard = Keyboard()
-        self._frames = wire.Frames(wire.FROM_MACHINE)
-        self._reads = False
-        self._welcome = False
-        self._unanswered = 0
-
-    def run(self, first: bytes) -> int | None:
-        """Follow the command to its end; returns its exit code, None when the machine was never there."""
-        handlers = {name: signal.signal(getattr(signal, name), self._pass_on) for name in PASSED_ON if hasattr(signal, name)}
-        if hasattr(signal, 'SIGWINCH'):
-            handlers['SIGWINCH'] = signal.signal(signal.SIGWINCH, self._tell_size)
-        try:
-            return self._follow(first)
-        except _NobodyReads:
-            return BROKEN_PIPE
-        except _CannotWrite as error:
-            return _failed(f'what the command says cannot be written: {error}')
-        except (ConnectionError, wire.BadFrame):
-            return self._lost()
-        except _GaveUp:
-            sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
-            return GAVE_UP
-        finally:
-            self._keyboard.restore()
-            for name, handler in handlers.items():
-                signal.signal(getattr(signal, name), handler)
-
-    def _lost(self) -> int | None:
-        if not self._welcome:
-            return None
-        return _failed(f'the machine has ended\n  help: see {log_file(folder(), domain())}')
-
-    def _follow(self, first: bytes) -> int | None:
-        self._connection.sendall(first)
-        poll = select.poll()
-        poll.register(self._connection, select.POLLIN)
-        while True:
-            for number, _ in poll.poll():
-                if number == 0:
-                    self._pass_keys(poll)
-                    continue
-                data = self._connection.recv(1 << 16)
-                if not data:
-                    return self._lost()
-                self._unanswered = 0
-                for kind, payload in self._frames.feed(data):
-                    if kind == wire.EXIT:
-                        return int(payload)
-                    self._take(kind, payload, poll)
-
-    def _take(self, kind: bytes, payload: bytes, poll: select.poll) -> None:
-        if kind == wire.WELCOME:
-            self._welcome = True
-        elif kind == wire.MODE:
-            self._keyboard.set_mode(int(payload))
-        elif kind == wire.READ and not self._reads:
-            self._reads = True
-            poll.register(0, select.POLLIN)
-        elif kind in (wire.OUTPUT, wire.ERRORS):
-            _write(1 if kind == wire.OUTPUT else 2, payload)
-
-    def _pass_keys(self, poll: select.poll) -> None:
-        try:
-            keys = os.read(0, 1 << 12)
-        except OSError:  # closed, or not ours to read
-            keys = b''
-        self._connection.sendall(wire.frame(wire.INPUT, keys))
-        if not keys:
-            poll.unregister(0)
-
-    def _pass_on(self, signum: int, frame: FrameType | None) -> None:
-        self._unanswered += 1
-        if self._unanswered >= PATIENCE:
-            raise _GaveUp
-        self._tell(wire.SIGNAL, str(int(signum)))
-
-    def _tell_size(self, signum: int, frame: FrameType | None) -> None:
-        self._tell(wire.SIZE, '{} {}'.format(*_size()))
-
-    def _tell(self, kind: bytes, text: str) -> None:
-        try:
-            self._connection.sendall(wire.frame(kind, text.encode()))
-        except OSError:
-            return  # reading from it tells
-
-
-class _GaveUp(Exception):
-    """Nothing came back for too long."""
-
-
-class _CannotWrite(Exception):
-    """What the command says has no place: a full disk."""
-
-
-class _NobodyReads(Exception):
-    """The pipe that we write into is closed at its other end."""
-
-
-def _write(number: int, data: bytes) -> None:
-    try:
-        while data:
-            data = data[os.write(number, data) :]
-    except BrokenPipeError:
-        raise _NobodyReads from None
-    except OSError as error:
-        raise _CannotWrite(error.strerror) from None
 
 
 def has_terminals_machine() -> bool:
@@ -297,23 +160,27 @@ def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: f
     found = connect(domain(), start=False)
     if found is None:
         return None
-    connection, token = found
+    connection, address = found
     frames = wire.Frames(wire.FROM_MACHINE)
-    deadline = None if seconds is None else time.monotonic() + seconds
+    steps = [(b'', GIVE_UP_S if seconds is None else seconds), (wire.frame(wire.SIGNAL, b'%d' % signal.SIGINT), END_S)]
     with connection:
-        connection.sendall(hello(token, words, keyboard=False))
-        while True:
-            connection.settimeout(None if deadline is None else max(0.001, deadline - time.monotonic()))
-            try:
-                data = connection.recv(1 << 16)
-            except TimeoutError:
-                deadline = None
-                connection.sendall(wire.frame(wire.SIGNAL, str(int(signal.SIGINT)).encode()))
-                continue
-            for kind, payload in frames.feed(data):
-                if kind in (wire.OUTPUT, wire.ERRORS):
-                    write('stdout' if kind == wire.OUTPUT else 'stderr', payload.decode('utf-8', 'replace'))
-                elif kind == wire.EXIT:
-                    return int(payload)
-            if not data:
-                return None
+        connection.settimeout(ANSWER_S)
+        connection.sendall(hello(address.token, words, keyboard=False))
+        for said, patience_s in steps:
+            connection.sendall(said)
+            deadline = time.monotonic() + patience_s
+            while (left_s := deadline - time.monotonic()) > 0:
+                connection.settimeout(left_s)
+                try:
+                    data = connection.recv(1 << 16)
+                except TimeoutError:
+                    break
+                for kind, payload in frames.feed(data):
+                    if kind in (wire.OUTPUT, wire.ERRORS):
+                        write('stdout' if kind == wire.OUTPUT else 'stderr', payload.decode('utf-8', 'replace'))
+                    elif kind == wire.EXIT:
+                        return int(payload)
+                if not data:
+                    return None
+    write('stderr', f'error: the machine of the terminals does not answer{state(address)}\n')
+    return 1

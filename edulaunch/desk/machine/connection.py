@@ -141,10 +141,18 @@ class Connection:
             self.close()
         for heard in [heard for heard in self._heard if heard[0] == wire.SIGNAL]:
             self._heard.remove(heard)
+            self._answer()
             deliver(int(heard[1]))
+
+    def _answer(self) -> None:
+        """Let the other end know at once that its signal is here: a program may keep its turn for long after it."""
+        self.send(wire.ANSWER)
+        self._push()
 
     def _take(self, kind: bytes, payload: bytes) -> None:
         if self.terminal is not None:
+            if kind == wire.SIGNAL:
+                self._answer()
             self.terminal.take(kind, payload)
             return
         fields = wire.unpack(payload) if kind == wire.HELLO else ['']

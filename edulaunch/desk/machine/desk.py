@@ -19,6 +19,7 @@ class Desk:
     """Stands where a terminal would: it is fed the same frames."""
 
     def __init__(self, terminals: Terminals, connection: Connection) -> None:
+        self._terminals = terminals
         self._connection = connection
         self._viewer = Viewer(terminals, self._say)
         self._line = b''
@@ -45,4 +46,6 @@ class Desk:
 
     def hang_up(self) -> None:
         """The page is gone."""
+        if self in self._terminals.pages:
+            self._terminals.pages.remove(self)
         self._viewer.close()

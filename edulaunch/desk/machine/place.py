@@ -11,6 +11,12 @@ import stat
 
 LISTENER = 3
 """The number under which a new machine finds the socket that listens already."""
+HEARTBEAT = 4
+"""The number under which it finds the pipe to its guardian."""
+BEATS = 3
+"""The number under which a guardian finds its end of that pipe."""
+IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
+"""What goes through the pipe: no program has its turn for long, or one has had it since the last sign."""
 LONGEST_SOCKET_PATH = 100
 """The operating systems allow little more."""
 BACKLOG = 256
@@ -39,14 +45,15 @@ class Address:
     :ivar token: what a terminal has to know.
     :ivar pid: of the process that hosts the machine.
     :ivar host: 'terminals', or 'notebook' for a kernel.
+    :ivar guardian: pid of the process that watches it; 0 for a notebook.
     """
 
-    def __init__(self, kind: str, place: str, token: str, pid: int, host: str) -> None:
-        self.kind, self.place, self.token, self.pid, self.host = kind, place, token, pid, host
+    def __init__(self, kind: str, place: str, token: str, pid: int, host: str, guardian: int = 0) -> None:
+        self.kind, self.place, self.token, self.pid, self.host, self.guardian = kind, place, token, pid, host, guardian
 
     def lines(self) -> list[str]:
         """As the file says it."""
-        return [self.kind, self.place, self.token, str(self.pid), self.host]
+        return [self.kind, self.place, self.token, str(self.pid), self.host, str(self.guardian)]
 
 
 def domain() -> str:
@@ -95,8 +102,8 @@ def read_address(place: str, number: str) -> Address | None:
     """Where the machine of a domain is said to be; it may be gone."""
     try:
         with open(address_file(place, number), encoding='utf-8') as file:
-            kind, where, token, pid, host = file.read(4096).split('\n')[:5]
-        return Address(kind, where, token, int(pid), host)
+            kind, where, token, pid, host, guardian = (file.read(4096).split('\n') + [''])[:6]
+        return Address(kind, where, token, int(pid), host, int(guardian or 0))
     except (OSError, ValueError):
         return None
 
@@ -117,6 +124,21 @@ def remove_address(place: str, number: str, address: Address) -> None:
     for path in [*paths, *([address.place] if address.kind == 'unix' else [])]:
         if os.path.exists(path):
             os.unlink(path)
+
+
+def remove_stale_sockets(place: str) -> None:
+    """Remove the sockets of machines that were killed: nobody listens on them."""
+    for entry in os.scandir(place):
+        if not stat.S_ISSOCK(entry.stat(follow_symlinks=False).st_mode):
+            continue
+        with socket.socket(socket.AF_UNIX) as asked:
+            asked.setblocking(False)
+            try:
+                asked.connect(entry.path)
+            except ConnectionRefusedError:
+                os.unlink(entry.path)
+            except OSError:  # its queue is full: somebody listens
+                continue
 
 
 class locked:
@@ -154,6 +176,19 @@ def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
         address = Address('tcp', str(listener.getsockname()[1]), token, os.getpid(), host)
     listener.listen(BACKLOG)
     return listener, address
+
+
+def busy_file(place: str, number: str) -> str:
+    """The guardian writes here where a machine is that does not answer; there is no such file while it does."""
+    return os.path.join(place, f'domain-{number}.busy')
+
+
+def seconds_from(name: str, usual: float) -> float:
+    """A number of seconds from the environment."""
+    try:
+        return float(os.environ.get(name, usual))
+    except ValueError:
+        return usual
 
 
 def log_file(place: str, number: str) -> str:

@@ -15,7 +15,8 @@ import time
 from importlib import import_module
 from types import FrameType
 
-from edulaunch.desk.machine.place import LISTENER, Address, locked, read_address, remove_address
+from edulaunch.desk.machine.heartbeat import Heartbeat
+from edulaunch.desk.machine.place import LISTENER, Address, locked, read_address, remove_address, seconds_from
 from edulaunch.desk.machine.server import LOOK_EVERY_S, Server
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.runtime.session import Session
@@ -65,7 +66,7 @@ class Impatience:
 
 def serve(server: Server, place: str, number: str, address: Address) -> None:
     """Serve until the last terminal has been gone for a while, or somebody says so."""
-    early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
+    early, grace_s = list(EARLY), seconds_from('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
         due_s = server.run_due_safely()
         left_s = math.inf if server.has_connections() else server.last_seen_s + grace_s - time.monotonic()
@@ -82,16 +83,11 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
         server.forget()
     with locked(place, number):
         remove_address(place, number, address)
+    for terminal in list(server.terminals.open_ones):
+        terminal.show('stderr', 'error: the machine was stopped (`edulaunch machine stop`, or a signal)\n')
+        terminal.ended(1)
     server.flush()
     server.close()
-
-
-def _seconds(name: str, usual: float) -> float:
-    """A number from the environment."""
-    try:
-        return float(os.environ.get(name, usual))
-    except ValueError:
-        return usual
 
 
 def main() -> None:
@@ -104,12 +100,13 @@ def main() -> None:
         return
     for name in ('SIGINT', 'SIGHUP'):
         signal.signal(getattr(signal, name), lambda signum, frame: None)  # not SIG_IGN, which real programs would inherit
-    session = Session(start_ns=time.time_ns(), turn_limit_s=_seconds('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
+    session = Session(start_ns=time.time_ns(), turn_limit_s=seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
     server = Server(session, listener, address.token)
     signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
     session.host.is_paced = True
     server.on_accept = wake_by_signal
     Impatience(server).begin()
+    Heartbeat(server).begin()
     gc.freeze()
     with streams_of_programs():
         serve(server, place, number, address)

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
+MOST_PAGES = 256
+"""Live pages that may be open at once; the other connections are for terminals."""
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
 """Commands behind which it is said what is wrong."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
@@ -106,6 +108,7 @@ def status(terminals: Terminals) -> str:
 class Terminals(OnNetwork):
     """All terminals of a machine, in the order in which they came.
 
+    :ivar pages: the live pages that show the machine.
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     :ivar said: advice that was given in one of them: it is not given again.
     """
@@ -116,6 +119,7 @@ class Terminals(OnNetwork):
         self.selector = selector
         session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
         self.open_ones: list[Terminal] = []
+        self.pages: list[Desk] = []
         self.is_asked_to_end = False
         self.said: set[str] = set()
         self._count = 0
@@ -146,7 +150,13 @@ class Terminals(OnNetwork):
         if words == ['machine', 'view']:
             from edulaunch.desk.machine.desk import Desk
 
-            return Desk(self, connection)
+            if len(self.pages) >= MOST_PAGES:
+                why = f'{MOST_PAGES} pages show this machine already: close some of them, and load this page again'
+                connection.send(wire.ERRORS, why.encode())
+                connection.end()
+            page = Desk(self, connection)
+            self.pages.append(page)
+            return page
         self._count += 1
         env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
         terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)

@@ -70,6 +70,9 @@ class _Socket(_Guarded, WebSocketHandler):
         try:
             while True:
                 for kind, payload in frames.feed(await self._machine.read_bytes(1 << 18, partial=True)):
+                    if kind == wire.ERRORS:
+                        sys.stderr.write(f'warning: {payload.decode("utf-8", "replace")}\n')
+                        self.close(1013, 'too many pages')
                     if kind != wire.OUTPUT:
                         continue
                     *lines, line = (line + payload).split(b'\n')

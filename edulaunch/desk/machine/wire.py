@@ -13,6 +13,8 @@ SIGNAL = b'S'
 SIZE = b'Z'
 WELCOME = b'W'
 """From the machine, first."""
+ANSWER = b'A'
+"""The machine has taken the signals that came until now."""
 OUTPUT = b'1'
 ERRORS = b'2'
 MODE = b'M'
@@ -76,4 +78,4 @@ class Frames:
 
 
 FROM_TERMINAL = {HELLO: LONGEST_HELLO, INPUT: LONGEST, SIGNAL: 8, SIZE: 32}
-FROM_MACHINE = {WELCOME: 0, OUTPUT: LONGEST, ERRORS: LONGEST, MODE: 8, READ: 0, EXIT: 16}
+FROM_MACHINE = {WELCOME: 0, ANSWER: 0, OUTPUT: LONGEST, ERRORS: LONGEST, MODE: 8, READ: 0, EXIT: 16}

@@ -146,6 +146,6 @@ class Desk:
         """Close all terminals and stop the machine."""
         for shell in self.shells:
             shell.close()
-        for path in self.runtime.glob('edulaunch/domain-*'):
+        for path in self.runtime.glob('edulaunch/domain-[0-9]'):
             with suppress(ProcessLookupError, IndexError):
                 os.kill(int(path.read_text().split('\n')[3]), signal.SIGTERM)

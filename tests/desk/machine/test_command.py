@@ -48,7 +48,7 @@ def test_it_steps_aside_for_a_real_one_that_is_sourced(desk: Desk, real: Path, s
 @pytest.mark.parametrize(
     ('line', 'said'),
     [
-        ([*ROS2, 'topic', 'list'], 'what the command says cannot be written: No space left on device\n'),
+        ([*ROS2, 'topic', 'list'], 'the output of the command cannot be written: No space left on device\n'),
         ([sys.executable, '-m', 'edulaunch', 'explain', 'turtlesim', 'multisim.launch.py'], 'error: No space left on device: '),
         ([sys.executable, '-m', 'edugrade', 'doctor'], 'edugrade: the report cannot be written: No space left on device\n'),
     ],

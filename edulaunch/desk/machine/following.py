@@ -1,0 +1,229 @@
+"""A terminal that follows its command on the machine: shows the output, passes keys and signals on, and never waits for ever.
+
+Standard library only.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable
+
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.keyboard import Keyboard
+
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+if TYPE_CHECKING:
+    from types import FrameType
+
+PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
+MOST_PRESSES = 3
+"""How many signals without any answer make a terminal leave the machine."""
+LOOK_S = 1.0
+ANSWER_S = 1.5
+"""Seconds that a machine has to answer a signal; then the terminal says where the machine is, and after SIGTERM leaves it."""
+EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
+"""Seconds without a first answer after which a terminal says what the guardian knows, says that nobody knows, and gives up."""
+GAVE_UP = 130
+BROKEN_PIPE = 141
+CHUNK = 1 << 16
+
+
+class GaveUp(Exception):
+    """The machine did not answer for too long.
+
+    :ivar code: the exit code.
+    """
+
+    def __init__(self, code: int) -> None:
+        super().__init__(code)
+        self.code = code
+
+
+class _CannotWrite(Exception):
+    """The output has no place: a full disk."""
+
+
+class _NobodyReads(Exception):
+    """The pipe that we write into is closed at its other end."""
+
+
+class Follower:
+    """One command in this terminal. Ctrl-C is passed on: what it does is the program's choice.
+
+    :param state: says what is known of a machine that does not answer, as the rest of a sentence.
+    :param give_up_s: seconds without a first answer after which the terminal ends.
+    """
+
+    def __init__(self, connection: socket.socket, state: Callable[[], str], give_up_s: float = GIVE_UP_S) -> None:
+        self._connection = connection
+        self._state = state
+        self._give_up_s = give_up_s
+        self._keyboard = Keyboard()
+        self._frames = wire.Frames(wire.FROM_MACHINE)
+        self._poll = select.poll()
+        self._unsent = bytearray()
+        self._is_sending = False
+        self._reads = self._has_keys = False
+        self.is_welcome = False
+        self._unanswered: list[int] = []
+        self._explained: set[bool] = set()
+        self._began_s = time.monotonic()
+
+    def run(self, first: bytes) -> int | None:
+        """Follow the command to its end; returns its exit code, None when the machine has gone.
+
+        :raises GaveUp: when the machine does not answer.
+        """
+        actions = dict.fromkeys(PASSED_ON, self._pass_on)
+        actions |= {'SIGWINCH': self._send_size, 'SIGALRM': self._look}
+        here = [(name, action) for name, action in actions.items() if hasattr(signal, name)]
+        handlers = {name: signal.signal(getattr(signal, name), action) for name, action in here}
+        try:
+            signal.setitimer(signal.ITIMER_REAL, min(EXPLAINED_S, self._give_up_s))
+            return self._follow(first)
+        except _NobodyReads:
+            return BROKEN_PIPE
+        except _CannotWrite as error:
+            sys.stderr.write(f'error: the output of the command cannot be written: {error}\n')
+            return 1
+        except (ConnectionError, wire.BadFrame):
+            return None
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            self._keyboard.restore()
+            for name, handler in handlers.items():
+                signal.signal(getattr(signal, name), handler)
+
+    def _follow(self, first: bytes) -> int | None:
+        self._connection.setblocking(False)
+        self._poll.register(self._connection, select.POLLIN)
+        self._send(first)
+        while True:
+            for number, events in self._poll.poll():
+                if number == 0:
+                    self._pass_keys()
+                    continue
+                if events & select.POLLOUT:
+                    self._send(b'')
+                if not events & ~select.POLLOUT:
+                    continue
+                data = self._connection.recv(CHUNK)
+                if not data:
+                    return None
+                for kind, payload in self._frames.feed(data):
+                    if kind == wire.EXIT:
+                        return int(payload)
+                    self._take(kind, payload)
+
+    def _take(self, kind: bytes, payload: bytes) -> None:
+        if kind == wire.WELCOME:
+            self.is_welcome = True
+        elif kind == wire.ANSWER:
+            self._unanswered.clear()
+        elif kind == wire.MODE:
+            self._keyboard.set_mode(int(payload))
+        elif kind == wire.READ and not self._reads:
+            self._reads = True
+            self._watch_keys()
+        elif kind in (wire.OUTPUT, wire.ERRORS):
+            _write(1 if kind == wire.OUTPUT else 2, payload)
+
+    def _send(self, frame: bytes) -> None:
+        """Send as much as the machine takes; the rest follows when it takes more. Signals may come in the midst of it."""
+        self._unsent += frame
+        if self._is_sending:
+            return
+        self._is_sending = True
+        try:
+            while self._unsent:
+                del self._unsent[: self._connection.send(self._unsent[:CHUNK])]
+        except BlockingIOError:
+            pass
+        finally:
+            self._is_sending = False
+        self._poll.modify(self._connection, select.POLLIN | (select.POLLOUT if self._unsent else 0))
+        self._watch_keys()
+
+    def _watch_keys(self) -> None:
+        """Read the keyboard once a program does, and while the machine takes what is typed."""
+        wanted = self._reads and not self._unsent
+        if wanted != self._has_keys:
+            self._has_keys = wanted
+            if wanted:
+                self._poll.register(0, select.POLLIN)
+            else:
+                self._poll.unregister(0)
+
+    def _pass_keys(self) -> None:
+        try:
+            keys = os.read(0, 1 << 12)
+        except OSError:  # closed, or not ours to read
+            keys = b''
+        self._reads = bool(keys)
+        self._send(wire.frame(wire.INPUT, keys))
+
+    def _pass_on(self, signum: int, frame: FrameType | None) -> None:
+        self._unanswered.append(signum)
+        if len(self._unanswered) >= MOST_PRESSES:
+            raise GaveUp(128 + signum)
+        signal.setitimer(signal.ITIMER_REAL, ANSWER_S)
+        self._send_in_handler(wire.SIGNAL, str(int(signum)))
+
+    def _send_size(self, signum: int, frame: FrameType | None) -> None:
+        self._send_in_handler(wire.SIZE, '{} {}'.format(*window_size()))
+
+    def _send_in_handler(self, kind: bytes, text: str) -> None:
+        try:
+            self._send(wire.frame(kind, text.encode()))
+        except (OSError, KeyError):
+            return  # reading from it shows that the machine has gone
+
+    def _look(self, signum: int, frame: FrameType | None) -> None:
+        """Called while the machine owes an answer: say where it is, or give up."""
+        if self.is_welcome and not self._unanswered:
+            return
+        waited_s = time.monotonic() - self._began_s
+        known = self._state()
+        if self._unanswered:
+            left = MOST_PRESSES - len(self._unanswered)
+            presses = 'once' if left == 1 else 'twice'
+            self._explain(f'the machine has not answered yet (press Ctrl-C {presses} more to leave it){known}')
+            if signal.SIGTERM in self._unanswered:
+                raise GaveUp(128 + signal.SIGTERM)
+        elif known or waited_s >= min(LONG_S, self._give_up_s):
+            self._explain(f'the machine does not answer{known}')
+        if not self.is_welcome and waited_s >= self._give_up_s:
+            raise GaveUp(1)
+        signal.setitimer(signal.ITIMER_REAL, LOOK_S)
+
+    def _explain(self, text: str) -> None:
+        kind = bool(self._unanswered)
+        if kind not in self._explained:
+            self._explained.add(kind)
+            os.write(2, f'\nnote: {text}\n'.encode())
+
+
+def window_size() -> tuple[int, int]:
+    """Columns and lines of this terminal."""
+    for number in (1, 0, 2):
+        try:
+            columns, lines = os.get_terminal_size(number)
+        except OSError:
+            continue
+        return columns, lines
+    return 80, 24
+
+
+def _write(number: int, data: bytes) -> None:
+    try:
+        while data:
+            data = data[os.write(number, data) :]
+    except BrokenPipeError:
+        raise _NobodyReads from None
+    except OSError as error:
+        raise _CannotWrite(error.strerror) from None

@@ -1,0 +1,64 @@
+"""The machine's end of the guardian: a sign of life twice a second, and the line that runs when the guardian asks for it."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from types import FrameType
+from typing import TYPE_CHECKING
+
+from edulaunch.desk.machine.place import BUSY_SIGN, HEARTBEAT, IDLE_SIGN
+from edulaunch.engine.processes.watchdog import RunawayProgram
+
+if TYPE_CHECKING:
+    from edulaunch.desk.machine.server import Server
+
+BEAT_S = 0.4
+
+
+class Heartbeat:
+    """Says whether a machine waits for terminals, or some program has kept its turn since the last beat.
+
+    :param pipe: where it is written; nobody may read it.
+    """
+
+    def __init__(self, server: Server, pipe: int = HEARTBEAT) -> None:
+        self._server = server
+        self._pipe = pipe
+        self._rounds = -1
+
+    def begin(self) -> None:
+        """From now on beat, and answer the guardian's signals."""
+        try:
+            os.set_blocking(self._pipe, False)
+            os.set_inheritable(self._pipe, False)
+        except OSError:  # started without a guardian
+            return
+        if hasattr(signal, 'SIGUSR1'):
+            import faulthandler
+
+            faulthandler.register(signal.SIGUSR1, self._pipe, all_threads=False)
+            signal.signal(signal.SIGUSR2, self._interrupt)
+        threading.Thread(target=self._beat, name='edulaunch heartbeat', daemon=True).start()
+
+    def _beat(self) -> None:
+        if hasattr(signal, 'pthread_sigmask'):  # the line that runs is the main thread's
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR1, signal.SIGUSR2})
+        while True:
+            rounds = self._server.rounds
+            is_idle = self._server.is_listening or rounds != self._rounds
+            self._rounds = rounds
+            try:
+                os.write(self._pipe, (IDLE_SIGN if is_idle else BUSY_SIGN).encode())
+            except BlockingIOError:
+                pass
+            except OSError:  # the guardian is gone
+                return
+            time.sleep(BEAT_S)
+
+    def _interrupt(self, signum: int, frame: FrameType | None) -> None:
+        """End the program that has its turn, also inside C code that looks for signals, and in a call that waits."""
+        if self._server.session.host.program_here() is not None:
+            raise RunawayProgram

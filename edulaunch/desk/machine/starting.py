@@ -1,0 +1,128 @@
+"""How a terminal finds the machine of its domain, and starts one when there is none. Standard library only."""
+
+from __future__ import annotations
+
+import os
+import socket
+import sys
+
+from edulaunch.desk.machine.place import (
+    Address,
+    busy_file,
+    folder,
+    listen,
+    locked,
+    log_file,
+    read_address,
+    remove_stale_sockets,
+    write_address,
+)
+
+MOST_FILES = 4096
+CONNECT_S = 3.0
+"""Seconds after which a machine that takes no connection is taken for stuck."""
+
+
+class CannotConnect(OSError):
+    """A machine is there, and too many terminals wait for it."""
+
+
+def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address] | None:
+    """A connection to the machine of a domain, and its address; None when there is none and `start` is false.
+
+    Of two terminals that come first at the same time one starts the machine, and both are connected to it: the socket listens
+    before the machine runs.
+
+    :raises UnsafePlace: when the folder of the machines is not this user's alone.
+    :raises CannotConnect: when a machine is there and takes no connection.
+    """
+    place = folder()
+    found = open_connection(read_address(place, number))
+    if found is not None or not start:
+        return found
+    with locked(place, number):
+        found = open_connection(read_address(place, number))
+        if found is None:
+            remove_stale_sockets(place)
+            listener, address = listen(place, number, 'terminals')
+            address.pid, address.guardian = _spawn(listener, place, number)
+            write_address(place, number, address)
+            listener.close()
+            found = open_connection(address)
+    return found
+
+
+def open_connection(address: Address | None) -> tuple[socket.socket, Address] | None:
+    """A connection to the machine at an address; None when nobody listens there.
+
+    :raises CannotConnect: when somebody does, and does not answer.
+    """
+    if address is None:
+        return None
+    client = socket.socket(socket.AF_INET if address.kind == 'tcp' else socket.AF_UNIX)
+    client.settimeout(CONNECT_S)
+    try:
+        client.connect(('127.0.0.1', int(address.place)) if address.kind == 'tcp' else address.place)
+    except (BlockingIOError, TimeoutError):
+        client.close()
+        raise CannotConnect(f'the machine (process {address.pid}) takes no more connections{state(address)}') from None
+    except (OSError, ValueError):
+        client.close()
+        return None
+    client.settimeout(None)
+    return client, address
+
+
+def state(address: Address) -> str:
+    """What is known of a machine that does not answer, as the rest of a sentence; empty when nothing is."""
+    if address.host == 'notebook':
+        why = f': it belongs to a notebook (process {address.pid}), which runs a cell'
+        return f'{why}\n  help: wait for the end of the cell, or interrupt it'
+    from edulaunch.desk.machine.place import domain
+
+    try:
+        with open(busy_file(folder(), domain()), encoding='utf-8') as file:
+            pid, _, text = file.read(4096).partition('\n')
+    except OSError:
+        return ''
+    return f': {text.rstrip()}' if pid == str(address.pid) else ''
+
+
+def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
+    """Start the machine as a child of its guardian; both belong to no terminal. Returns their pids."""
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child:
+        os.close(writer)
+        os.waitpid(child, 0)
+        with open(reader, 'rb') as answer:
+            pid, guardian = map(int, answer.read().split() or (0, 0))
+            return pid, guardian
+    try:
+        os.setsid()
+        if os.fork() == 0:
+            beats, beat = os.pipe()
+            machine = os.fork()
+            if machine == 0:
+                _become('edulaunch.desk.machine.serving', place, number, files=(listener.fileno(), beat))
+            os.write(writer, f'{machine} {os.getpid()}'.encode())
+            _become('edulaunch.desk.machine.guardian', place, number, str(machine), files=(beats,))
+    finally:
+        os._exit(0)
+
+
+def _become(module: str, place: str, number: str, *words: str, files: tuple[int, ...]) -> None:
+    """Run a module of ours in place of this process. Its files are 3 and the next ones; its errors go to the log."""
+    import fcntl
+
+    is_machine = module.endswith('serving')
+    flags = os.O_WRONLY | os.O_CREAT | (os.O_TRUNC if is_machine else os.O_APPEND)
+    complaints = os.open(log_file(place, number), flags | os.O_APPEND, 0o600)
+    nothing = os.open(os.devnull, os.O_RDWR)
+    ours = [nothing, complaints, complaints, *files]
+    high = [fcntl.fcntl(file, fcntl.F_DUPFD, len(ours)) for file in ours]  # where no target is
+    for target, file in enumerate(high):
+        os.dup2(file, target)
+    os.closerange(len(ours), MOST_FILES)
+    os.chdir('/')
+    os.execv(sys.executable, [sys.executable, '-m', module, place, number, *words])
