@@ -17,6 +17,7 @@ from tests.house import EXAMPLES
 from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, kinds_of
 
 edulaunch.source()
+os.environ['EDULAUNCH_LANG'] = 'en'  # whoever runs the tests may read another language
 # Whoever starts the tests in the background, or with nohup, has signals ignored: what is tested here is that they arrive.
 for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SIG_DFL), ('SIGQUIT', signal.SIG_DFL)):
     number = getattr(signal, name, None)

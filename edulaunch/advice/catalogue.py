@@ -118,6 +118,15 @@ def languages() -> list[str]:
     return sorted(name for name in os.listdir(LOCALE) if os.path.isdir(os.path.join(LOCALE, name)))
 
 
+def missing(language: str) -> list[str]:
+    """Names of the rules whose translation is still missing, from `missing.txt` of the language; [] when there is no such file."""
+    path = os.path.join(LOCALE, language, 'missing.txt')
+    if not os.path.isfile(path):
+        return []
+    with open(path, encoding='utf-8') as file:
+        return [line.strip() for line in file if line.strip() and not line.startswith('#')]
+
+
 def path_of(language: str, ending: str) -> str:
     """The catalogue of a language: 'po' for people, 'mo' for gettext."""
     return os.path.join(LOCALE, language, 'LC_MESSAGES', f'advice.{ending}')

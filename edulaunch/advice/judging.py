@@ -40,7 +40,42 @@ def _judge(recording: Recording) -> list[Finding]:
     ]
     causes = {finding.process for finding in explained}
     others = [one for one in _asked('recordings', recording) if one.rule != DIED or one.name not in causes]
-    return in_order([*explained, *others])
+    return in_order(about_command([*explained, *others], recording))
+
+
+def about_command(findings: list[Finding], recording: Recording) -> list[Finding]:
+    """Those that concern the command whose excerpt a recording is; all of them when it is one of a whole machine.
+
+    A finding that names nodes or programs concerns the command when one of them is the command's own. Another one does when it is
+    about a topic, service or frame that its nodes use, or about a file or an argument of its own.
+    """
+    if recording.command is None or all(process.name in recording.command for process in recording.processes):
+        return findings
+    nodes = [node for node in recording.nodes if node.process in recording.command]
+    names = {node.name for node in nodes} | recording.command
+    ends = {
+        name for node in nodes for end in (node.publishers, node.subscriptions, node.services, node.clients) for name, _ in end
+    }
+    files = {process.file for process in recording.processes if process.name in recording.command}
+    return [
+        one
+        for one in findings
+        if (_named(one) & names if _named(one) else one.name in ends or one.kind in ('argument', 'run') or one.file in files)
+    ]
+
+
+_WHO = ('node', 'other', 'process', 'first', 'second', 'asker', 'nodes')
+"""Facts that name a node or a program, or several."""
+
+
+def _named(finding: Finding) -> set[str]:
+    """The nodes and programs that a finding names."""
+    facts = {**finding.facts, finding.kind: finding.name}
+    named: set[str] = {finding.process} if finding.process else set()
+    for key in _WHO:
+        value = facts.get(key)
+        named |= {value} if isinstance(value, str) else {*value} if isinstance(value, list) else set()
+    return named
 
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:

@@ -56,10 +56,28 @@ class Reader(NamedTuple):
 
 
 def reader_of(env: Mapping[str, str], folder: str) -> Reader:
-    """Who reads in a terminal with these variables, in that folder. `EDULAUNCH_LANG` alone names the language, so that the same
-    notebook says the same on every machine.
+    """Who reads in a terminal with these variables, in that folder."""
+    return Reader(language_of(env), folder)
+
+
+def language_of(env: Mapping[str, str]) -> str:
+    """The language that environment variables choose: `EDULAUNCH_LANG`, else as gettext does.
+
+    The locale is the first that is set of `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference; as for
+    gettext it counts only where the locale is not `C` or `POSIX`. Of several the first one that has a catalogue is chosen.
     """
-    return Reader(env.get('EDULAUNCH_LANG', '').partition('.')[0] or ENGLISH, folder)
+    locale = next(filter(None, (env.get(name) for name in ('LC_ALL', 'LC_MESSAGES', 'LANG'))), 'C')
+    wanted = [locale] if _plain_name(locale) in ('C', 'POSIX') else [*env.get('LANGUAGE', '').split(':'), locale]
+    for name in map(_plain_name, [env.get('EDULAUNCH_LANG', ''), *wanted]):
+        for language in filter(None, (name, name.partition('_')[0])):
+            if language == ENGLISH or os.path.isdir(os.path.join(LOCALE, language)):
+                return name
+    return ENGLISH
+
+
+def _plain_name(locale: str) -> str:
+    """A locale without its encoding and variant: 'de_DE' of 'de_DE.UTF-8@euro'."""
+    return locale.partition('.')[0].partition('@')[0]
 
 
 def reader_here() -> Reader:

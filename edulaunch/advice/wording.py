@@ -46,29 +46,38 @@ def told(finding: Finding, reader: Reader | None = None) -> Told:
     return Told(what, where, why, do, rule.lesson, _sign(rule.level, reader))
 
 
-def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, most: int = MOST_TOLD) -> list[str]:
-    """What is said at the end of a run, each with what to do; the worst, and how many more there are."""
+def warning_lines(
+    findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_TOLD
+) -> list[str]:
+    """What is reported at the end of a run, each with what to do; the worst, and how many more there are.
+
+    :param shown_by: the command or expression that shows all of them.
+    """
     reader = reader_here() if reader is None else reader
     lines = [f'{words.sign}: {words}' for words in (told(finding, reader) for finding in findings[:most])]
     if len(findings) > most:
-        lines.append(reader.says('and {count} more').format(count=len(findings) - most))
+        count = len(findings) - most
+        more = reader.says('and {count} more; to see all of them: {command}') if shown_by else reader.says('and {count} more')
+        lines.append(more.format(count=count, command=shown_by))
     return lines
 
 
 def said_at_the_end(
-    recording: Recording, reader: Reader | None = None, since_s: float = 0.0, helped: Container[str] = (), typed: str = ''
+    recording: Recording,
+    reader: Reader | None = None,
+    helped: Container[str] = (),
+    typed: str = '',
+    shown_by: str = 'for warning in recording.warnings: print(warning)',
 ) -> list[str]:
-    """What is said where a run has ended; of a machine that went on from before, what came since.
+    """What is reported where a run has ended.
 
-    :param helped: programs below whose error it was said already.
-    :param typed: the command itself: that it failed, and what it printed last, its reader has just seen.
+    :param recording: of a run, or of one command of a machine (`Session.of_command`).
+    :param helped: programs whose error was explained below the error itself.
+    :param typed: the command itself: its reader has just seen that it failed, and what it printed last.
+    :param shown_by: the command or expression that shows all findings, where there are too many.
     """
-    findings = [
-        one
-        for one in recording.advice
-        if (one.time_s is None or one.time_s >= since_s) and one.process not in helped and (one.rule, one.name) != (DIED, typed)
-    ]
-    return warning_lines(findings, reader) if findings else []
+    findings = [one for one in recording.advice if one.process not in helped and (one.rule, one.name) != (DIED, typed)]
+    return warning_lines(findings, reader, shown_by) if findings else []
 
 
 def place(finding: Finding, reader: Reader) -> Iterator[str]:

@@ -41,6 +41,9 @@ SIZE = (80, 24)
 OTHER_MACHINE = """note: terminals have a machine of their own, on which this launch does not run
   help: what you start in a terminal from now on is on this one
 """
+BESIDE = """note: {job} still runs: this launch runs beside it, from t = {time:.2f} s of the same machine
+  help: end it before you compare runs: {stop}
+"""
 
 
 class Job(NamedTuple):
@@ -146,7 +149,7 @@ class Machine:
         if self.hosting.joins_next and session is not here:
             self._use(session)
             self._write('stdout', f'{self.hosting.join_network(True)}\n')
-        began_s = session.sim.elapsed_s
+        self._say_what_runs(here, stays)
         launch = self._begin(session, words, stays)
         note = OTHER_MACHINE if here is None and has_terminals_machine() else ''
         if line.stays:
@@ -167,9 +170,22 @@ class Machine:
         self._write('stderr', note)
         found = session.snapshot()
         if not line.quiet:
-            for text in said_at_the_end(found, since_s=began_s, helped=session.host.hints.helped):
+            for text in self._advice(session, launch.process):
                 self._write('stderr', f'{text}\n')
         return found
+
+    def _advice(self, session: Session, process: Process, typed: str = '') -> list[str]:
+        """What is reported below a cell, of its own command alone."""
+        helped = session.host.hints.helped(process.pid)
+        return said_at_the_end(session.of_command(process.pid), helped=helped, typed=typed)
+
+    def _say_what_runs(self, session: Session | None, stays: bool) -> None:
+        """A launch beside programs of earlier cells or terminals is not the same run as one on a machine of its own."""
+        if session is None or not stays:
+            return
+        for job in self._jobs.running():
+            note = BESIDE.format(job=f'[{job.number}] {job.text}', time=session.sim.elapsed_s, stop=f'%ros2 stop {job.number}')
+            self._write('stderr', note)
 
     def _begin(self, session: Session, words: list[str], beside: bool) -> LaunchRun:
         """Start the launch. Where it runs beside others, the one that the last cell showed ends first: its time is over."""
@@ -234,7 +250,6 @@ class Machine:
         if is_guest and ask(['ros2', *words], self._write, seconds=limit_s) is not None:
             return
         session = self._use(self.session or self._new_session(0))
-        began_s = session.sim.elapsed_s
         argv = (f'ros2 {line.shell}',) if line.shell else ('ros2', *words)
         spec = ProcessSpec(argv=argv, name='ros2', cwd=os.getcwd(), shell=bool(line.shell))
         if not session.host.knows(spec):
@@ -268,7 +283,7 @@ class Machine:
         if process.returncode is None:
             process.send_signal(Signals.SIGKILL)
         if words[:1] == ['run'] and not line.quiet:
-            for text in said_at_the_end(session.glance(), None, began_s, session.host.hints.helped, process.name):
+            for text in self._advice(session, process, process.name):
                 self._write('stderr', f'{text}\n')
         elif is_doctor(argv):
             self._write('stdout', doctors_text(session, reader_here()))

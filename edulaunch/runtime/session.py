@@ -24,8 +24,9 @@ from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.errors import UnusableInput
 from edulaunch.ros.sources import read_source
 from edulaunch.ros.sourcing import source
+from edulaunch.runtime.excerpt import Excerpt
 from edulaunch.runtime.fittings import command_set, hint_of
-from edulaunch.runtime.launch_process import LaunchRun
+from edulaunch.runtime.launch_process import LaunchRun, describe
 from edulaunch.runtime.launching import find_launch_file
 
 PathLike = str | os.PathLike[str]
@@ -168,6 +169,20 @@ class Session:
         """What happened until now, to be read before time goes on."""
         found = self.recording()
         self.recorder.on = True
+        return found
+
+    def of_command(self, pid: int) -> Recording:
+        """What one command did from its start to its end (or until now), and what else ran meanwhile; to be read before time goes
+        on. `Recording.command` names its own programs.
+
+        :param pid: process id of the command.
+        :raises KeyError: when no such program was recorded.
+        """
+        self.describe()
+        excerpt = Excerpt(self.recorder, pid)
+        launch = next((describe(launch) for launch in self.launches if launch.process.pid == pid), {})
+        found = Recording(excerpt.content(launch))
+        found.command, found.beside = excerpt.programs, excerpt.beside
         return found
 
     def snapshot(self) -> Recording:

@@ -22,7 +22,7 @@ package by the rules on this page and says what is wrong, where, and what to do.
 - in the feedback of `edugrade`, as the likely cause of a check that failed,
 - when asked: `ros2 doctor` for what runs, `edulaunch doctor FILE|FOLDER|RECORDING|PACKAGE [--json]` for everything else.
 
-A rule *states* what it is sure of, and *asks* where it cannot know what was meant. `EDULAUNCH_LANG=de` tells the sentences in German;
+A rule *states* what it is sure of, and *asks* where it cannot know what was meant. `LANG`, `LC_ALL` and `LANGUAGE` choose the language as for other programs, and `EDULAUNCH_LANG=de` chooses German anywhere;
 recordings have no sentences in them, and are the same in every language.
 
 This page is made from the rules and their examples, which are tests (`tests/advice/examples`): `python -m tests.advice.page`.

@@ -28,9 +28,24 @@ def test_paths_below_the_folder_are_short() -> None:
     assert reader.place('/home/me/wss/a.py', None) == '/home/me/wss/a.py'
 
 
-def test_one_variable_names_the_language() -> None:
-    assert reader_of({'LANG': 'de_DE.UTF-8', 'LANGUAGE': 'de'}, '').language == 'en'
-    assert reader_of({'EDULAUNCH_LANG': 'de_DE.UTF-8'}, '').language == 'de_DE'
+@pytest.mark.parametrize(
+    ('env', 'language'),
+    [
+        ({}, 'en'),
+        ({'LANG': 'de_DE.UTF-8'}, 'de_DE'),
+        ({'LANG': 'de_DE.UTF-8', 'LC_MESSAGES': 'en_GB.UTF-8'}, 'en_GB'),
+        ({'LANG': 'en_US.UTF-8', 'LC_MESSAGES': 'en_GB.UTF-8', 'LC_ALL': 'de_AT@euro'}, 'de_AT'),
+        ({'LANG': 'fr_FR.UTF-8', 'LANGUAGE': 'tlh:de:en'}, 'de'),
+        ({'LANG': 'de_DE.UTF-8', 'LANGUAGE': 'en:de'}, 'en'),
+        ({'LANG': 'C.UTF-8', 'LANGUAGE': 'de'}, 'en'),
+        ({'LC_ALL': '', 'LANG': 'fr_FR.UTF-8'}, 'en'),
+        ({'LC_ALL': 'C', 'LANG': 'de_DE.UTF-8', 'EDULAUNCH_LANG': 'de_DE.UTF-8'}, 'de_DE'),
+        ({'LANG': 'de_DE.UTF-8', 'EDULAUNCH_LANG': 'en'}, 'en'),
+        ({'LANG': '../../x.UTF-8'}, 'en'),
+    ],
+)
+def test_the_language_is_chosen_as_gettext_does(env: dict[str, str], language: str) -> None:
+    assert reader_of(env, '').language == language
 
 
 @pytest.fixture

@@ -53,11 +53,14 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:
-    """In the same parent, at the same time, from nodes of two names."""
+    """In the same parent, at the same time, from nodes of two names. Of two static ones the first was still there."""
+    ended = {node.name: node.ended_s for node in recording.nodes}
     for links in by_child(recording).values():
         for one, other in zip(links, links[1:], strict=False):
             overlap = one.first_ns <= other.last_ns and other.first_ns <= one.last_ns
-            if one.parent == other.parent and one.node != other.node and (overlap or one.is_static):
+            end_s = ended.get(one.node)
+            stays = one.is_static and (end_s is None or end_s > other.first_s)
+            if one.parent == other.parent and one.node != other.node and (overlap or stays):
                 yield _found(recording, other, first=one.node, second=other.node)
 
 

@@ -207,7 +207,10 @@ def _names(node: NodeRecord) -> list[str]:
     'programs.same-name',
     what='two nodes are called {node}: one of {first}, one of {second}',
     why='whoever asks {node} for a parameter or a service reaches only one of them, and you cannot say which',
-    do="give one of them another name, for instance name='{other}' in the launch file, or another namespace",
+    do=(
+        'end the one that another terminal started, if you need only one: press Ctrl-C where `{command}` runs',
+        "give one of them another name, for instance name='{other}' in the launch file, or another namespace",
+    ),
     lesson='01_first_launch',
 )
 def same_name(recording: Recording) -> Iterator[Finding]:
@@ -219,7 +222,7 @@ def same_name(recording: Recording) -> Iterator[Finding]:
         if before is not None and '/_' not in node.name and (before[1] is None or before[1] > node.started_s):
             file, line = origins.get(node.process) or (None, None)
             other = f'{node.name.rpartition("/")[2]}_2'
-            yield found(
-                'node', node.name, file=file, line=line, time_s=node.started_s, first=before[0], second=node.process, other=other
-            )
+            command = recording.beside.get(before[0]) or recording.beside.get(node.process)
+            pair = {'first': before[0], 'second': node.process, **({'command': command} if command else {})}
+            yield found('node', node.name, file=file, line=line, time_s=node.started_s, other=other, **pair)
         alive[node.name] = (node.process, node.ended_s)

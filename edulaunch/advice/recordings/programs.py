@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import ProcessRecord
 
-ENDED_WELL = (None, 0, -2, -15)
-"""Still running, finished, ended by Ctrl-C or by launch."""
+ENDED_WELL = (None, 0, -1, -2, -13, -15)
+"""Still running, finished, ended by its closed terminal (`| head`, too), by Ctrl-C or by launch."""
 INTERRUPTED = '[ros2run]: Interrupt'
 """What `ros2 run` says when Ctrl-C ended its program, whatever that one did about it."""
 LONGEST = 400
@@ -83,7 +83,8 @@ def died(recording: Recording) -> Iterator[Finding]:
 def _outside(recording: Recording) -> Iterator[Finding]:
     """Programs that are not simulated, such as `python3 misspelt.py`: known by what launch says of their end."""
     ours = {process.name for process in recording.processes}
-    lines = [line for row in recording.output if row.process == 'launch' for line in row.text.splitlines()]
+    launches = {'launch', *(process.name for process in recording.processes if process.argv[:2] == ['ros2', 'launch'])}
+    lines = [line for row in recording.output if row.process in launches for line in row.text.splitlines()]
     for end in filter(None, map(_ENDED.match, lines)):
         name, code = end['name'], int(end['code'])
         if name not in ours and code not in ENDED_WELL:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import signal
 import sys
 from types import FrameType
@@ -80,7 +81,15 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
         recording = session.recording()
-        for line in [] if arguments.quiet else said_at_the_end(recording, helped=session.host.hints.helped):
+        for line in (
+            []
+            if arguments.quiet
+            else said_at_the_end(
+                recording,
+                helped=session.host.hints.helped(launch.process.pid),
+                shown_by=shlex.join(['edulaunch', 'doctor', launch.path]),
+            )
+        ):
             print(line, file=sys.stderr)
         for warning in session.index.warnings:
             print(f'warning: {warning}', file=sys.stderr)

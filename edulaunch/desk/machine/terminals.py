@@ -14,6 +14,7 @@ from codecs import getincrementaldecoder
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader, reader_of
 from edulaunch.advice.wording import diagnosis, said_at_the_end
 from edulaunch.desk.machine import wire
@@ -36,6 +37,8 @@ MOST_PAGES = 256
 """Live pages that may be open at once; the other connections are for terminals."""
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
 """Commands behind which it is said what is wrong."""
+MOST_JUDGED = 8
+"""Commands that `ros2 doctor` looks at: the last ones."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
 
 
@@ -47,9 +50,13 @@ def is_doctor(words: Sequence[str]) -> bool:
 
 
 def doctors_text(session: Session, reader: Reader) -> str:
-    """What the rules find in what ran on the machine until now."""
+    """What the rules find in the last launches and programs that terminals started, each judged by itself."""
     heading = reader.says('edulaunch has looked at what ran here until now:')
-    return '\n'.join((heading, *diagnosis(session.glance().advice, reader), ''))
+    judged = [
+        row['pid'] for row in session.recorder.processes if row['argv'][:2] in ADVISED and session.recorder.leads(row['pid'])
+    ]
+    findings = in_order([one for pid in judged[-MOST_JUDGED:] for one in session.of_command(pid).advice])
+    return '\n'.join((heading, *diagnosis(findings, reader), ''))
 
 
 def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
@@ -110,7 +117,6 @@ class Terminals(OnNetwork):
 
     :ivar pages: the live pages that show the machine.
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
-    :ivar said: advice that was given in one of them: it is not given again.
     """
 
     def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
@@ -121,7 +127,6 @@ class Terminals(OnNetwork):
         self.open_ones: list[Terminal] = []
         self.pages: list[Desk] = []
         self.is_asked_to_end = False
-        self.said: set[str] = set()
         self._count = 0
 
     def tell(self, text: str) -> None:
@@ -199,7 +204,6 @@ class Terminal:
             self.ended(NOT_FOUND)
             return
         self._reader = reader_of(env, cwd)
-        self._began_s = self._terminals.session.sim.elapsed_s
         process = host.start(spec, self.show, self._finished, index=index)
         assert isinstance(process, Process)
         process.stdin = self.input
@@ -213,11 +217,10 @@ class Terminal:
 
     def _finished(self, code: int) -> None:
         """The command has run to its end: what it launched or ran is judged."""
-        if self.words[:2] in ADVISED and '--quiet' not in self.words:
-            session, typed = self._terminals.session, self.process.name if self.process else ''
-            said = said_at_the_end(session.glance(), self._reader, self._began_s, session.host.hints.helped, typed)
-            self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
-            self._terminals.said.update(said)
+        if self.process is not None and self.words[:2] in ADVISED and '--quiet' not in self.words:
+            session, typed, pid = self._terminals.session, self.process.name, self.process.pid
+            lines = said_at_the_end(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
+            self.show('stderr', ''.join(f'{line}\n' for line in lines))
         elif is_doctor(self.words):
             self.show('stdout', doctors_text(self._terminals.session, self._reader))
         self.ended(code)

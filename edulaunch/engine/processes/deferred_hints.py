@@ -36,12 +36,11 @@ class DeferredHints:
     """The hints of one simulated machine.
 
     :param hint_of: gives the line below an error; with None no error has a hint.
-    :ivar helped: the programs below whose error a hint has appeared.
     """
 
     def __init__(self, hint_of: HintOf | None = None) -> None:
         self.pending: deque[_Pending] = deque(maxlen=MOST_PENDING)
-        self.helped: set[str] = set()
+        self._helped: set[tuple[int, str]] = set()
         self._hint_of = hint_of
 
     def expect(self, text: str, error: dict[str, Any], group: int) -> None:
@@ -54,6 +53,13 @@ class DeferredHints:
         lines = [line for line in text.splitlines() if line.strip()]
         if lines and self._hint_of is not None:
             self.pending.append(_Pending(lines[-1], group, error, set()))
+
+    def helped(self, group: int) -> set[str]:
+        """The programs below whose error a hint has appeared, of those that one program of a terminal started.
+
+        :param group: number of that program.
+        """
+        return {process for pid, process in self._helped if pid == group}
 
     def below(self, text: str, pid: int, env: Mapping[str, str]) -> str:
         """The hint below a text that has just come to the console of a program; '' when there is none.
@@ -71,7 +77,7 @@ class DeferredHints:
                 if hint is None:
                     return ''
                 process = pending.error.get('process')
-                self.helped.add(process or '')
+                self._helped.add((pending.group, process or ''))
                 prefix = _PREFIX.match(line) if process is not None else None
                 return f'{prefix[0] if prefix else ""}{hint}\n'
         return ''

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.node_entry import NodeEntry
@@ -20,6 +20,8 @@ class Recorder(Tracer):
     """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
     :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
+    :ivar groups: of each program, by process id, the program that a terminal or a session started: also by process id.
+    :ivar pids: the process id of each node's program, by the node's index.
     :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
     """
 
@@ -42,6 +44,8 @@ class Recorder(Tracer):
         self.facts: dict[tuple[Any, str, Hashable], list[Any]] = {}
         self.looks: dict[NodeEntry, Look] = {}
         self.forgotten: dict[Any, int] = {}
+        self.groups: dict[int, int] = {}
+        self.pids: dict[int, int] = {}
         self._numbers: dict[str, list[int]] = {}
         self._node_row: dict[NodeEntry, list[Any]] = {}
         self._process_row: dict[Any, dict[str, Any]] = {}
@@ -91,12 +95,19 @@ class Recorder(Tracer):
 
     def facts_now(self) -> list[list[Any]]:
         """The facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
-        seen = [
-            [self._now(), node.process.name, kind, data, 1, self._now()]
-            for node, look in self.looks.items()
-            for kind, data in look()
-        ]
-        return sorted([*self.facts.values(), *seen], key=lambda row: row[0])
+        return sorted((row for _, row in self.facts_of()), key=lambda row: row[0])
+
+    def facts_of(self) -> Iterator[tuple[int, list[Any]]]:
+        """The same, each with the process id of its program."""
+        yield from ((key[0].pid, row) for key, row in self.facts.items())
+        now = self._now()
+        for node, look in self.looks.items():
+            for kind, data in look():
+                yield node.process.pid, [now, node.process.name, kind, data, 1, now]
+
+    def leads(self, pid: int) -> bool:
+        """Whether a terminal or a session started a program, and no other program did."""
+        return self.groups.get(pid) == pid
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
         """The texts of those types that are the student's own, so that messages can be read without the workspace."""
@@ -138,7 +149,9 @@ class Recorder(Tracer):
         used = {row[3] for row in self.endpoints}
         self._keep('nodes', lambda row: row[3] is None or row[3] > since or row[4] in used)
         self._keep('processes', lambda row: row['ended'] is None or row['ended'] > since)
-        names = {row[0] for row in self.nodes}
+        names, alive = {row[0] for row in self.nodes}, {row['pid'] for row in self.processes}
+        self.pids = {row[4]: self.pids[row[4]] for row in self.nodes if row[4] in self.pids}
+        self.groups = {pid: group for pid, group in self.groups.items() if pid in alive}
         for name in ('parameters', 'descriptors'):
             last = {(row[1], row[2]): id(row) for row in getattr(self, name)}
             latest = {number for (node, _), number in last.items() if node in names}
@@ -166,6 +179,7 @@ class Recorder(Tracer):
         if self.on:
             row = [node.fully_qualified_name, node.process.name, self._now(), None, node.index]
             self._node_row[node] = row
+            self.pids[node.index] = node.process.pid
             self.nodes.append(row)
 
     def watch(self, node: NodeEntry, look: Look) -> None:
@@ -235,6 +249,7 @@ class Recorder(Tracer):
                 'exception': None,
             }
             self._process_row[process] = row
+            self.groups[process.pid] = (process.group or process).pid
             self.processes.append(row)
 
     def process_exited(self, process: Process) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -42,6 +43,10 @@ class Recording(Messages, Shown):
     All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
     """
 
+    command: frozenset[str] | None = None
+    """Launch names of the programs of the command that this is an excerpt of; None: of everything on the machine."""
+    beside: Mapping[str, str] = {}
+    """Of the other programs of an excerpt, by launch name: the command that started them."""
     hosted_nodes: frozenset[int] | None = None
     """Positions in `nodes` of those that a trusted half hosted (`edulaunch.runtime.link`); None when all ran in one process."""
     hosted_parameters: frozenset[int] = frozenset()

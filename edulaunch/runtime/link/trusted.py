@@ -36,6 +36,7 @@ class ConfinedProgram:
 
     def __init__(self, pid: int, spec: ProcessSpec) -> None:
         self.pid = pid
+        self.group: Any = None
         self.spec = spec
         self.name = spec.name
         self.returncode: int | None = None

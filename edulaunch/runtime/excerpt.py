@@ -1,0 +1,129 @@
+"""The part of a machine's recording that belongs to one command: its programs from start to end, and what ran beside them.
+
+A machine outlives its commands. Who is asked about one of them must not hear of programs that ended before it, and of what others
+did beside it only as much as its own programs could notice.
+"""
+
+from __future__ import annotations
+
+import shlex
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.recorder import Recorder
+
+Row = list[Any]
+
+
+class Excerpt:
+    """What one command did, and what was there meanwhile.
+
+    :param recorder: of the machine.
+    :param leader: process id of the command. Raises KeyError when no such program was recorded.
+    :ivar beside: of other programs that ran meanwhile, by their names in the excerpt: the command line that started each.
+    :ivar programs: launch names of the command's own programs. Another program of such a name is renamed in the excerpt.
+    """
+
+    def __init__(self, recorder: Recorder, leader: int) -> None:
+        self._recorder = recorder
+        command = next((row for row in recorder.processes if row['pid'] == leader), None)
+        if command is None:
+            raise KeyError(leader)
+        self._since: int = command['started']
+        ended = command['ended']
+        self._until: int = recorder.sim.now_ns - recorder.sim.start_ns if ended is None else ended
+        own = {pid for pid, group in recorder.groups.items() if group == leader}
+        taken = {row['name'] for row in recorder.processes if row['pid'] in own}
+        self._names = {
+            row['pid']: row['name'] if row['pid'] in own or row['name'] not in taken else f'{row["name"]} (pid {row["pid"]})'
+            for row in recorder.processes
+            if self._overlaps(row['started'], row['ended']) or row['pid'] in own
+        }
+        lines = {row['pid']: shlex.join(row['argv']) for row in recorder.processes}
+        others = {name: pid for pid, name in self._names.items() if pid not in own}
+        self.beside = {name: lines.get(recorder.groups.get(pid, pid), '') for name, pid in others.items()}
+        self.programs = frozenset(self._names[pid] for pid in own if pid in self._names)
+
+    def _overlaps(self, start: int, end: int | None) -> bool:
+        """Whether something lived while the command ran; what ended at the moment of its start did not."""
+        return start <= self._until and (end is None or end > self._since)
+
+    def content(self, launch: dict[str, Any]) -> dict[str, Any]:
+        """The excerpt as plain data, with the parts of a recording.
+
+        :param launch: what is known of the launch, when the command is one that a session began.
+        """
+        recorder = self._recorder
+        nodes = list(self._nodes())
+        alive = {row[4]: row for row in nodes}
+        endpoints = [row for row in recorder.endpoints if row[3] in alive and row[5] <= self._until]
+        first: dict[str, int] = {}
+        for row in nodes:
+            first[row[0]] = min(row[2], first.get(row[0], row[2]))
+        served = {row[1]: row[5] for row in reversed(endpoints) if row[0] == 'service'}
+        return {
+            'seed': recorder.sim.seed,
+            'start_ns': recorder.sim.start_ns,
+            'duration_ns': self._until,
+            'roots': recorder.roots,
+            'launch': launch,
+            'processes': [{**row, 'name': self._names[row['pid']]} for row in recorder.processes if row['pid'] in self._names],
+            'nodes': nodes,
+            'endpoints': endpoints,
+            'parameters': [row for row in recorder.parameters if first.get(row[1], self._until + 1) <= row[0] <= self._until],
+            'calls': [
+                row for row in recorder.calls if min(self._since, served.get(row[1], self._since)) <= row[0] <= self._until
+            ],
+            'logs': self._rows(recorder.logs),
+            'output': self._rows(recorder.output_lines),
+            'notes': self._rows(recorder.notes),
+            'facts': self._facts(),
+            'descriptors': recorder.descriptors,
+            'interfaces': recorder.interfaces({row[2] for row in endpoints}),
+            'topics': list(self._topics(endpoints)),
+        }
+
+    def _nodes(self) -> Iterator[Row]:
+        """The nodes that lived meanwhile; those of another computer belong to no recorded program."""
+        pids = self._recorder.pids
+        for row in self._recorder.nodes:
+            if self._overlaps(row[2], row[3]):
+                yield [row[0], self._names.get(pids.get(row[4], 0), row[1]), *row[2:]]
+
+    def _rows(self, rows: list[Row]) -> list[Row]:
+        """What was written meanwhile: rows are in order of time."""
+        start = bisect_left(rows, self._since, key=lambda row: row[0])
+        return rows[start : bisect_right(rows, self._until, key=lambda row: row[0])]
+
+    def _facts(self) -> list[Row]:
+        """Those of the programs that ran meanwhile."""
+        rows = [
+            [row[0], self._names[pid], *row[2:]]
+            for pid, row in self._recorder.facts_of()
+            if pid in self._names and row[5] >= self._since and row[0] <= self._until
+        ]
+        return sorted(rows, key=lambda row: row[0])
+
+    def _topics(self, endpoints: list[Row]) -> Iterator[dict[str, Any]]:
+        """The messages of the publishers that were there; what they keep for late subscriptions counts from before, too."""
+        heard = {row[4] for row in endpoints if row[0] == 'publisher'}
+        kept = {row[4] for row in endpoints if row[0] == 'publisher' and 'transient_local' in row[6]}
+        named = {(row[1], row[2]) for row in endpoints if row[0] == 'publisher'}
+        start_ns = self._recorder.sim.start_ns
+        for (topic, kind), flat in sorted(self._recorder.columns.items()):
+            if (topic, kind) not in named:
+                continue
+            numbers = range(len(flat) // 3)
+            since = bisect_left(numbers, start_ns + self._since, key=lambda number: flat[3 * number])
+            until = bisect_right(numbers, start_ns + self._until, key=lambda number: flat[3 * number])
+            chosen = [number for number in range(since) if flat[3 * number + 1] in kept] if kept else []
+            chosen += [number for number in range(since, until) if flat[3 * number + 1] in heard]
+            yield {
+                'topic': topic,
+                'type': kind,
+                'times': [flat[3 * number] - start_ns for number in chosen],
+                'publishers': [flat[3 * number + 1] for number in chosen],
+                'messages': [flat[3 * number + 2] for number in chosen],
+            }
