@@ -119,7 +119,7 @@ def languages() -> list[str]:
 
 
 def missing(language: str) -> list[str]:
-    """Names of the rules whose translation is still missing, from `missing.txt` of the language; [] when there is no such file."""
+    """Names of the rules whose translation is still missing, from `missing.txt` of the language; [] without the file."""
     path = os.path.join(LOCALE, language, 'missing.txt')
     if not os.path.isfile(path):
         return []
