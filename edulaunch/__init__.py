@@ -13,7 +13,9 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from edulaunch.engine import attached, outside
+from edulaunch.engine import outside
+from edulaunch.engine.recording import views
+from edulaunch.runtime import ros2_command
 from edulaunch.version import __version__ as __version__
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
@@ -56,20 +58,30 @@ _PLACES = {
     'source': ('ros.sourcing', 'source'),
     'start': ('desk.machine.started', 'start'),
 }
-_PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_distance', 'plot_series', 'parameter_table')
-attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
-attached.PLACES.update({name: ('edulaunch.canvas.table', name) for name in ('message_table', 'log_table')})
-attached.PLACES.update(
-    advice_marks=('edulaunch.advice.wording', 'marks'),
-    judge=('edulaunch.advice.judging', 'judge'),
-    told=('edulaunch.advice.wording', 'told'),
-    said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
-    replay=('edulaunch.desk.view.replay', 'Replay'),
-    help_below=('edulaunch.advice.wording', 'help_below'),
-    help_of=('edulaunch.advice.wording', 'help_of'),
-    ros2=('edulaunch.desk.cli.ros2.commands', 'main'),
-    completions=('edulaunch.desk.cli.candidates', 'ros2_words'),
-)
+
+
+def _load_view(name: str) -> None:
+    """Import the wing that registers a view of recordings."""
+    if name in ('message_table', 'log_table'):
+        import edulaunch.canvas.table
+    elif name.startswith('plot_') or name == 'parameter_table':
+        import edulaunch.canvas
+    elif name == 'replay':
+        import edulaunch.desk.view.replay
+    else:
+        import edulaunch.advice.wording  # noqa: F401  # what is imported here registers itself
+
+
+def _ros2(process: Any) -> Any:
+    from edulaunch.desk.cli.ros2.commands import main
+
+    return main(process)
+
+
+def _ros2_words(words: Any, typed: str, index: Any, lines_of: Any) -> Any:
+    from edulaunch.desk.cli.candidates import ros2_words
+
+    return ros2_words(words, typed, index, lines_of)
 
 
 def _process_of_a_script(task: Any) -> Any:
@@ -79,6 +91,9 @@ def _process_of_a_script(task: Any) -> Any:
 
 
 outside.make_process = _process_of_a_script
+ros2_command.run = _ros2
+ros2_command.complete = _ros2_words
+views.load = _load_view
 
 
 def __getattr__(name: str) -> Any:

@@ -111,3 +111,12 @@ def test_what_a_session_ends_by_closing_is_not_recorded(tmp_path: Path) -> None:
 def test_a_duration_that_is_none_is_told(duration: Any) -> None:
     with pytest.raises(UnusableInput, match='duration_s is .*, and simulated seconds are expected\n  help: write a number'):
         edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=duration)
+
+
+@pytest.mark.processes
+def test_each_view_of_a_recording_is_found_though_nobody_has_imported_its_wing() -> None:
+    for name in ('plot_turtles', 'parameter_table', 'message_table', 'replay', 'judge'):
+        assert (
+            fresh(f'import edulaunch\nfrom edulaunch.engine.recording.views import view\nprint(callable(view({name!r})))')
+            == 'True'
+        )

@@ -8,9 +8,10 @@ import os
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.advice.judging import DIED, judge_failure
+from edulaunch.advice.judging import DIED, judge, judge_failure
 from edulaunch.advice.reader import Reader, fields_of, reader_here, reader_of
 from edulaunch.advice.rule import Failure, Finding, rule_named
+from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -181,7 +182,12 @@ DRAWN = ('node', 'topic', 'frame')
 
 
 class Mark(NamedTuple):
-    """See `edulaunch.desk.view.film.Mark`."""
+    """A sentence about something in the live view.
+
+    :ivar time_s: from when on it is true, in seconds since the start.
+    :ivar subject: 'node', 'topic' or 'frame', and its full name; ('', '') for the run as a whole.
+    :ivar rule: the name of the rule.
+    """
 
     time_s: float
     subject: tuple[str, str]
@@ -204,3 +210,6 @@ def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
     file = None if finding.file is None else os.path.basename(finding.file)
     words = told(finding._replace(file=file), reader_here())
     return Mark(finding.time_s or 0.0, subject, str(words), finding.rule)
+
+
+views.register(judge=judge, sentences=told, closing_lines=said_at_the_end, help_below=help_below, help_of=help_of)

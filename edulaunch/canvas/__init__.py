@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.canvas.picture import Picture, shown
+from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:
     from edulaunch.canvas.table import Table
@@ -134,3 +135,14 @@ def parameter_table(recording: Recording, node: str | None = None, *, every: boo
     from edulaunch.canvas.table import Table, table_rows
 
     return Table(table_rows(recording, node, every))
+
+
+views.register(
+    parameter_table=parameter_table,
+    plot_distance=plot_distance,
+    plot_frames=plot_frames,
+    plot_graph=plot_graph,
+    plot_series=plot_series,
+    plot_tf_tree=plot_tf_tree,
+    plot_turtles=plot_turtles,
+)

@@ -6,6 +6,7 @@ import html
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.canvas.picture import scene_data
+from edulaunch.engine.recording import views
 from edulaunch.engine.recording.absent import not_recorded
 from edulaunch.engine.recording.fields import getter, leaf_paths
 
@@ -151,3 +152,6 @@ def log_table(recording: Recording, process: str | None, level: str, word: str) 
 def _text(value: Any) -> str:
     text = f'{value:.4g}' if isinstance(value, float) else str(value)
     return text if len(text) <= 60 else f'{text[:59]}…'
+
+
+views.register(message_table=message_table, log_table=log_table)

@@ -11,9 +11,9 @@ from collections.abc import Iterable
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.desk.cli.candidates import ros2_words
 from edulaunch.desk.view import TABS
 from edulaunch.desk.view.panes import completions
-from edulaunch.engine.attached import attached
 from edulaunch.engine.nearest import nearest
 from edulaunch.runtime.session import index_for
 
@@ -50,7 +50,7 @@ def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
     if session is not None:
         found = completions(session, words, typed)
     else:
-        found = attached('completions')(words, typed, lambda: index_for(terminal.workspaces()), lambda command: [])
+        found = list(ros2_words(words, typed, lambda: index_for(terminal.workspaces()), lambda command: []))
     return typed, sorted({word for word in (*found, *own) if word.startswith(typed)})
 
 

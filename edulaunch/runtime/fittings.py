@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from edulaunch.engine.attached import attached
 from edulaunch.engine.processes.commands import CommandSet
+from edulaunch.engine.recording.views import view
+from edulaunch.runtime import ros2_command
 from edulaunch.runtime.shell import SimulatedShell
 
 
 def command_set() -> CommandSet:
     """The commands of a machine on which ROS 2 is installed."""
-    return CommandSet({'ros2': lambda process: attached('ros2')(process)}, SimulatedShell())
+    return CommandSet({'ros2': ros2_command.run}, SimulatedShell())
 
 
 def hint_of(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
@@ -21,5 +22,5 @@ def hint_of(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
     :param error: type, message, place, facts and process, as plain data.
     :param env: of the program in whose terminal it is read.
     """
-    help: str | None = attached('help_below')(error, env)
+    help: str | None = view('help_below')(error, env)
     return None if help is None else f'  help: {help}'

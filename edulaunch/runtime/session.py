@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 from typing import TextIO
 
-from edulaunch.engine.attached import attached
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.discovery import install_folders, workspaces_of_command
@@ -17,6 +16,7 @@ from edulaunch.engine.processes.real_machine import machine_roots, with_real_pat
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.processes.watchdog import Watchdog
 from edulaunch.engine.recording import Recorder, Recording
+from edulaunch.engine.recording.views import view
 from edulaunch.engine.sim.interruption import Interruption
 from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
@@ -243,7 +243,7 @@ def run(
         launch.raise_error()
         recording = session.recording()
     if console is None:
-        for line in attached('said_at_the_end')(recording):
+        for line in view('closing_lines')(recording):
             print(line, file=sys.stderr)
     return recording
 

@@ -19,12 +19,12 @@ from edulaunch.advice.plan.rehearsal import (
     still_busy,
 )
 from edulaunch.advice.plan.wording import Branch, Setters
-from edulaunch.engine.attached import attached
 from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.commands import CommandSet
 from edulaunch.engine.processes.watchdog import RunawayProgram, Watchdog
+from edulaunch.engine.recording.views import view
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.runtime.shell import SimulatedShell
 
@@ -220,7 +220,7 @@ class Planner:
             self._error = {
                 'type': type(error).__name__,
                 'text': str(error),
-                'help': attached('help_of')(failure_data(error)),
+                'help': view('help_of')(failure_data(error)),
                 'origin': None if origin is None else str(origin),
                 'stage': 'visit' if self._items else 'load',
             }

@@ -8,7 +8,6 @@ import shlex
 import traceback
 from collections.abc import Callable
 
-from edulaunch.engine.attached import attached
 from edulaunch.errors import EdulaunchError, UnusableInput
 
 DEMOS = (
@@ -89,12 +88,13 @@ def _arguments(words: str) -> dict[str, str]:
 
 
 def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
+    from edulaunch.advice.wording import said_at_the_end
     from edulaunch.desk.view.page import recorded_page
     from edulaunch.desk.view.replay import film_of
     from edulaunch.runtime.session import run
 
     recording = run(path, arguments=arguments, duration_s=seconds, workspaces=(), console=lambda stream, text: say(text))
-    for line in attached('said_at_the_end')(recording):
+    for line in said_at_the_end(recording):
         say(f'{line}\n')
     return {'page': recorded_page(film_of(recording), os.path.basename(path))}
 

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from edulaunch.canvas.outlines import FOOTPRINTS, outline_of, outline_of_footprint
 from edulaunch.desk.view.columns import FINE, number_steps, text_steps
-from edulaunch.engine.attached import PLACES, attached
 from edulaunch.engine.recording.frames import TF_TYPE
 
 if TYPE_CHECKING:
+    from edulaunch.advice.wording import Mark
     from edulaunch.engine.recording import Recording
 
 SUBJECTS = ('node', 'topic', 'frame')
@@ -29,26 +29,11 @@ LONGEST_TEXT = 160
 """Characters of an array or text field that the page shows of a message."""
 
 
-class Mark(NamedTuple):
-    """A sentence about something on the page.
+def marks_of(recording: Recording) -> list[Mark]:
+    """Return what the rules of advice find in a run, in texts without paths of this machine: notebooks store them."""
+    from edulaunch.advice.wording import marks  # late: a page that nobody asks for advice loads no rules
 
-    :ivar time_s: from when on it is true, in seconds since the start.
-    :ivar subject: 'node', 'topic' or 'frame', and its full name; ('', '') for the run as a whole.
-    :ivar rule: the name of the rule.
-    """
-
-    time_s: float
-    subject: tuple[str, str]
-    text: str
-    rule: str
-
-
-def marks_of(recording: Recording) -> list[Mark] | None:
-    """What the function that is attached as `advice_marks` says of a run; None where no rules are there.
-
-    It is given a Recording and gives Marks, in texts without paths of this machine: notebooks store them.
-    """
-    return list(attached('advice_marks')(recording)) if 'advice_marks' in PLACES else None
+    return marks(recording)
 
 
 def told(marks: Iterable[Mark]) -> list[dict[str, Any]]:

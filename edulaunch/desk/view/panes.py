@@ -9,9 +9,9 @@ import signal
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.attached import attached
 from edulaunch.engine.processes.inputs import PipedInput
 from edulaunch.engine.processes.process import Process
+from edulaunch.runtime import ros2_command
 
 if TYPE_CHECKING:
     from edulaunch.runtime.session import Session
@@ -109,7 +109,7 @@ class _Keyboard(PipedInput):
 
 def completions(session: Session, words: list[str], typed: str) -> list[str]:
     """Words that could come behind `ros2 WORDS...` and begin as what is typed, in alphabetical order."""
-    possible = attached('completions')(words, typed, lambda: session.index, lambda command: _listed(session, command))
+    possible = ros2_command.complete(words, typed, lambda: session.index, lambda command: _listed(session, command))
     return sorted({word for word in possible if word.startswith(typed)})
 
 

@@ -16,6 +16,7 @@ from edulaunch.canvas.picture import scene_data
 from edulaunch.canvas.worlds import World, read_worlds
 from edulaunch.desk.view.film import Film, marks_of
 from edulaunch.desk.view.page import recorded_page
+from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recorder, Recording
@@ -181,3 +182,6 @@ class Replay:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the desk as an HTML file that any browser plays, without a network."""
         Path(path).write_text(self.page(), encoding='utf-8')
+
+
+views.register(replay=Replay)

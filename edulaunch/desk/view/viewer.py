@@ -174,7 +174,7 @@ class Viewer:
 
     def _advise(self, words: dict[str, Any]) -> None:
         """Let the rules look at what has happened until now."""
-        marks = marks_of(self._machine.recording()) or []
+        marks = marks_of(self._machine.recording())
         self._film.mark(marks)
         self._say({'said': f'to look at: {len(marks)}' if marks else 'the rules find nothing to say'})
 

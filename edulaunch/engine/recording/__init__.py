@@ -1,23 +1,28 @@
 """The narrow waist: everything below produces a Recording, everything above reads one.
 
 `records.py` says what is in it, `recorder.py` collects it from a running simulation, `recording.py` answers questions about
-it, `file_format.py` writes and reads it as text that is the same byte for byte for the same run.
+it, `file_format.py` writes and reads it as text that is the same byte for byte for the same run. `views.py` is where other wings
+register what they make of a recording.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
-from edulaunch.engine.recording.recording import Recording
-
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`: every `import edulaunch` loads this module
 if TYPE_CHECKING:
+    from typing import Any
+
     from edulaunch.engine.recording.recorder import Recorder
+    from edulaunch.engine.recording.recording import Recording
 
 __all__ = ['Recorder', 'Recording']
 
 
 def __getattr__(name: str) -> Any:
-    """The recorder comes late: who only reads recordings loads no engine."""
+    """Load late: `import edulaunch` loads neither, and who only reads recordings loads no recorder."""
+    if name == 'Recording':
+        from edulaunch.engine.recording.recording import Recording
+
+        return Recording
     if name == 'Recorder':
         from edulaunch.engine.recording.recorder import Recorder
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.attached import attached
 from edulaunch.engine.recording import file_format
 from edulaunch.engine.recording.absent import NodeParameters, not_recorded
 from edulaunch.engine.recording.messages import Messages, seconds
@@ -25,7 +24,7 @@ from edulaunch.engine.recording.records import (
     ProcessRecord,
     UnreadArgument,
 )
-from edulaunch.engine.recording.shown import Shown
+from edulaunch.engine.recording.views import Views, view
 from edulaunch.errors import RecordingError
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
 """Kinds of notes about what differs from run to run."""
 
 
-class Recording(Messages, Shown):
+class Recording(Messages, Views):
     """A run as data: processes, nodes, parameters with their origin, every message, tf, logs.
 
     All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
@@ -260,10 +259,10 @@ class Recording(Messages, Shown):
     @cached_property
     def advice(self) -> list[Any]:
         """What the rules of :mod:`edulaunch.advice` find in this run, as its Findings, the worst first."""
-        found: list[Any] = attached('judge')(self)
+        found: list[Any] = view('judge')(self)
         return found
 
     @property
     def warnings(self) -> list[str]:
-        """What people should hear of after the run, in words: dead programs, misspelt names, and what went wrong in silence."""
-        return [*map(str, map(attached('told'), self.advice))]
+        """The findings of :attr:`advice` as sentences: programs that died, misspelt names, what went wrong without an error."""
+        return [*map(str, map(view('sentences'), self.advice))]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from edulaunch.engine.attached import attached
+from edulaunch.engine.recording.views import view
 
 PARAMETER_SERVICES = (
     'describe_parameters',
@@ -67,8 +67,8 @@ class LaunchRecord(NamedTuple):
             return None
         place = None if self.error_file is None else (self.error_file, self.error_line)
         facts = {'type': self.error_type or '', 'message': self.error_cause or '', 'place': place, 'facts': self.error_facts}
-        words: str | None = attached('help_of')(facts)
-        return words
+        help: str | None = view('help_of')(facts)
+        return help
 
 
 class ProcessRecord(NamedTuple):

@@ -39,9 +39,9 @@ def _run(program: dict[str, Any], process: Any) -> Any:
     sys.path[:0] = program['python_roots']  # as PYTHONPATH: before Python's own
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':
-        from edulaunch.engine.attached import attached
+        from edulaunch.desk.cli.ros2.commands import main as ros2
 
-        return attached('ros2')(process)
+        return ros2(process)
     if kind == 'script':
         sys.path.insert(0, os.path.dirname(os.path.realpath(file)))
         return runpy.run_path(file, run_name='__main__') and None

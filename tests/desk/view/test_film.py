@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.advice.wording import Mark
 from edulaunch.desk.view.columns import FINE
-from edulaunch.desk.view.film import SCAN_TYPE, Film, Mark
+from edulaunch.desk.view.film import SCAN_TYPE, Film
 from edulaunch.desk.view.page import packed
 from edulaunch.desk.view.replay import OfRecorder, OfRecording, film_of
-from edulaunch.engine.attached import PLACES
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.recording import Recording
 from edulaunch.runtime.session import Session
@@ -36,8 +36,7 @@ def test_what_the_rules_say_is_told_once_as_plain_data(recording: Recording) -> 
 
 
 def test_rules_that_are_attached_are_asked(recording: Recording, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert 'advice' not in film_of(recording) or 'advice_marks' in PLACES
-    monkeypatch.setitem(PLACES, 'advice_marks', (__name__, 'every_frame'))
+    monkeypatch.setattr('edulaunch.advice.wording.marks', every_frame)
     assert [row['subject'] for row in film_of(recording)['advice']] == [{'frame': 'turtle1'}, {'frame': 'turtle2'}]
 
 

@@ -1,51 +1,78 @@
-"""A recording as one looks at it: pictures, tables, the replay. Higher rooms make them (see `edulaunch.engine.attached`)."""
+"""What other wings make of a recording: pictures and tables (canvas), findings and their words (advice), the replay (desk).
+
+The engine makes none of these. A wing registers its views when it is imported; the facade sets the loader, which imports the wing
+that has a view when somebody asks for it the first time.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`: every `import edulaunch` loads this module
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
 
-from edulaunch.engine.attached import attached
+_VIEWS: dict[str, Callable[..., Any]] = {}
 
 
-class Shown:
+def _load_nothing(name: str) -> object:
+    raise RuntimeError(f'nothing shows {name!r} of a recording: import edulaunch first')
+
+
+load: Callable[[str], object] = _load_nothing
+"""Called with the name of a view that is not registered yet: imports the wing that registers it. The facade sets it."""
+
+
+def register(**views: Callable[..., Any]) -> None:
+    """Register views by name; a later one of the same name takes its place."""
+    _VIEWS.update(views)
+
+
+def view(name: str) -> Callable[..., Any]:
+    """Return the view of that name."""
+    if name not in _VIEWS:
+        load(name)
+    return _VIEWS[name]
+
+
+class Views:
     """The part of a recording that shows it. Every picture takes `ax=`, axes of matplotlib to draw on, and returns them."""
 
     def plot(self, topic: str, *fields: str, ax: Any = None) -> Any:
         """Numbers of a topic over time: `recording.plot('/turtle1/pose', 'x', 'y')`; see :func:`edulaunch.canvas.plot_series`."""
-        return attached('plot_series')(self, topic, *fields, ax=ax)
+        return view('plot_series')(self, topic, *fields, ax=ax)
 
     def table(self, topic: str, *fields: str) -> Any:
         """The messages of a topic as a table; see :func:`edulaunch.canvas.table.message_table`."""
-        return attached('message_table')(self, topic, fields)
+        return view('message_table')(self, topic, fields)
 
     def log_table(self, process: str | None = None, level: str = 'DEBUG', word: str = '') -> Any:
         """Log lines as a table: of one process, from a level up ('WARN'), with a word in them."""
-        return attached('log_table')(self, process, level, word)
+        return view('log_table')(self, process, level, word)
 
     def plot_turtles(self, time_s: float | None = None, **looks: Any) -> Any:
         """The turtle windows at a time (default: the end); for `looks` see :func:`edulaunch.canvas.plot_turtles`."""
-        return attached('plot_turtles')(self, time_s, **looks)
+        return view('plot_turtles')(self, time_s, **looks)
 
     def plot_frames(self, time_s: float | None = None, *, side: str = 'xy', ax: Any = None) -> Any:
         """tf frames from above or from a side, at a time (default: the end); see :func:`edulaunch.canvas.plot_frames`."""
-        return attached('plot_frames')(self, time_s, side=side, ax=ax)
+        return view('plot_frames')(self, time_s, side=side, ax=ax)
 
     def plot_tf_tree(self, *, ax: Any = None) -> Any:
         """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""
-        return attached('plot_tf_tree')(self, ax=ax)
+        return view('plot_tf_tree')(self, ax=ax)
 
     def plot_graph(self, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
         """Nodes and topics; see :func:`edulaunch.canvas.plot_graph`."""
-        return attached('plot_graph')(self, unused=unused, services=services, ax=ax)
+        return view('plot_graph')(self, unused=unused, services=services, ax=ax)
 
     def plot_distance(self, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
         """How far a turtle, robot or tf frame is from another over time; see :func:`edulaunch.canvas.plot_distance`."""
-        return attached('plot_distance')(self, first, second, close_m, ax=ax)
+        return view('plot_distance')(self, first, second, close_m, ax=ax)
 
     def parameter_table(self, node: str | None = None, *, every: bool = False) -> Any:
         """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""
-        return attached('parameter_table')(self, node, every=every)
+        return view('parameter_table')(self, node, every=every)
 
     def replay(self) -> Any:
         """Everything of the run over time, with a slider; see :class:`edulaunch.desk.view.replay.Replay`."""
-        return attached('replay')(self)
+        return view('replay')(self)
