@@ -10,9 +10,11 @@ from random import Random
 
 from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
-from edugrade.library.following import require_copy, require_near, require_pursuit
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.following import require_copy, require_driver, require_near, require_pursuit
 from edugrade.library.frames import require_frame
-from edugrade.library.launched import find_processes, refuse_dead, require_process
+from edugrade.library.identity import nodes_of, process_of
+from edugrade.library.launched import find_processes, require_process
 from edugrade.library.movement import turtle_track
 from edugrade.library.node_graph import loose_ends
 from edugrade.library.parameters import require_parameter
@@ -66,6 +68,7 @@ def turtle1_copies(run: Evidence) -> None:
         )
     except Failure as failure:
         raise _at(failure, find_processes(run.first, 'turtlesim', 'mimic')[0].origin) from None
+    require_driver(run, '/turtle1', 'turtlesim', 'mimic')
 
 
 @check(points=1, needs=[no_node_dies])
@@ -111,6 +114,7 @@ def turtle2_follows(run: Evidence) -> None:
         # The listener covers half of the distance in each second: at a speed v it lags 2 v behind.
         require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S, ELSE)
         require_pursuit(run, name, '/turtle1', '/turtle2', SETTLED_S, ELSE)
+    require_driver(run, '/turtle2', *LISTENER)
 
 
 def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
@@ -123,9 +127,10 @@ def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
 def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:
     """Where the broadcaster that hears nobody is written."""
     recording = run.first
-    for process in find_processes(recording, *BROADCASTER):
-        names = [node.name for node in recording.nodes if node.process == process.name]
-        if any(words.startswith(f'{name} ') for name in names for words in loose):
+    for position in nodes_of(recording, *BROADCASTER):
+        node = recording.nodes[position]
+        process = process_of(recording, node, position)
+        if process is not None and any(words.startswith(f'{node.name} ') for words in loose):
             return process.origin
     return None
 

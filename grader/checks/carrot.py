@@ -11,14 +11,16 @@ from math import hypot, isfinite
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
-from edugrade.library.arguments import require_argument, require_default
-from edugrade.library.following import require_near, still
+from edugrade.library.arguments import require_declared, require_default
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.following import require_arrival, require_driver, require_near, still
 from edugrade.library.frames import frames_at_end, numbers, place_in, require_frame, transforms
-from edugrade.library.launched import launched, refuse_dead, require_process
+from edugrade.library.launched import find_processes, require_process
 from edugrade.library.movement import length, turtle_track
 from edugrade.library.parameters import require_parameter
 
-LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
+PACKAGE = 'turtle_tf2_py'
+LISTENER = (PACKAGE, 'turtle_tf2_listener')
 BROADCASTERS = {'fixed': 'fixed_frame_tf2_broadcaster', 'moving': 'dynamic_frame_tf2_broadcaster'}
 LEFT_M = (0.0, 2.0)  # where the fixed carrot hangs, seen from turtle1
 SETTLED_S = 15.0
@@ -36,8 +38,8 @@ def scenarios(random: Random) -> list[Scenario]:
 
 @check(points=1)
 def argument_is_declared(run: Evidence) -> None:
-    """The launch argument carrot is declared, with a default"""
-    require_argument(run, 'carrot', 'fixed')
+    """The launch argument carrot is declared"""
+    require_declared(run, 'carrot', 'fixed')
 
 
 @check(points=1, needs=[argument_is_declared])
@@ -60,11 +62,11 @@ def no_node_dies(run: Evidence) -> None:
     refuse_dead(run)
 
 
-@check(points=2, needs=[argument_is_declared, no_node_dies])
+@check(points=2, needs=[no_node_dies])
 def one_carrot_at_a_time(run: Evidence) -> None:
     """Each value of carrot starts its own broadcaster, and not the other one"""
     for name, wanted in BROADCASTERS.items():
-        started = [process.executable for process in launched(run[name]) if process.executable in BROADCASTERS.values()]
+        started = [executable for executable in BROADCASTERS.values() for _ in find_processes(run[name], PACKAGE, executable)]
         if started != [wanted]:
             raise Mismatch(
                 f'the carrot that is started with {run.scenario(name).words}',
@@ -132,11 +134,14 @@ def fixed_carrot_is_reached(run: Evidence) -> None:
         SETTLED_S,
         'let the listener follow the frame carrot1',
     )
+    require_arrival(run, 'fixed', '/turtle2', 'let the listener follow the frame carrot1')
+    require_driver(run, '/turtle2', *LISTENER)
 
 
 @check(points=1, needs=[moving_carrot_swings, carrot_is_the_target])
 def moving_carrot_is_chased(run: Evidence) -> None:
     """turtle2 runs after the moving carrot without ever coming to rest"""
+    require_driver(run, '/turtle2', *LISTENER)
     track = [sample for sample in turtle_track(run['moving'], '/turtle2/pose') if 10.0 <= sample[0] < 15.0]
     if not length(track) >= RESTLESS_M:
         raise Failure(

@@ -10,10 +10,12 @@ from collections.abc import Iterable
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
-from edugrade.library.arguments import require_argument, require_default
+from edugrade.library.arguments import require_declared, require_default
 from edugrade.library.circle_fit import fit_circle
-from edugrade.library.launched import find_processes, included_files, node_names, refuse_dead, require_process
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.launched import find_processes, included_files, refuse_strangers, require_process
 from edugrade.library.movement import length, odometry_track, since
+from edugrade.library.parameters import find_parameter
 
 ARGUMENT = 'circle_radius'
 PACKAGE, EXECUTABLE = 'part3_beyond_basics', 'param_circle.py'
@@ -30,8 +32,8 @@ def scenarios(random: Random) -> list[Scenario]:
 
 @check(points=1)
 def argument_is_declared(run: Evidence) -> None:
-    """The launch argument circle_radius is declared, with a default"""
-    require_argument(run, ARGUMENT, '1.0')
+    """The launch argument circle_radius is declared"""
+    require_declared(run, ARGUMENT, '1.0')
 
 
 @check(points=1, needs=[argument_is_declared])
@@ -68,7 +70,7 @@ def no_node_dies(run: Evidence) -> None:
     refuse_dead(run)
 
 
-@check(points=2, needs=[argument_is_declared, no_node_dies])
+@check(points=2, needs=[no_node_dies])
 def radius_is_passed(run: Evidence) -> None:
     """The node's parameter radius has the value of circle_radius"""
     wanted = [_asked_radius(run, name) for name in run]
@@ -94,6 +96,8 @@ def circle_is_driven(run: Evidence) -> None:
     """The robot drives circles of the radii asked for (measured from /odom)"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
+    for recording in run.values():
+        refuse_strangers(recording, '/cmd_vel', PACKAGE, EXECUTABLE)
     if not all(abs(seen - asked) <= TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
         raise Mismatch(
             'the radius that the robot drives',
@@ -109,12 +113,8 @@ def _asked_radius(run: Evidence, scenario: str) -> float:
 
 
 def _radius_parameter(run: Evidence, scenario: str) -> object:
-    recording = run[scenario]
-    for node in node_names(recording, find_processes(recording, PACKAGE, EXECUTABLE)):
-        parameter = recording.parameters(node).get('radius')
-        if parameter is not None:
-            return parameter.value
-    return None
+    parameter = find_parameter(run[scenario], PACKAGE, EXECUTABLE, 'radius', _asked_radius(run, scenario))
+    return parameter.value if parameter is not None else None
 
 
 def _measured_radius(run: Evidence, scenario: str) -> float:

@@ -10,10 +10,12 @@ from math import cos, hypot, sin
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
-from edugrade.library.launched import refuse_dead
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.identity import processes_of
 from edugrade.library.movement import length, since, turtle_track
 from edugrade.library.node_graph import require_started
 
+FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
 ORDER = [
     'a link of the chain',
@@ -60,7 +62,7 @@ def everybody_is_there(run: Evidence) -> None:
 def everybody_came_after_the_simulator(run: Evidence) -> None:
     """No follower starts before the simulator"""
     for scenario in run:
-        sim = require_started(run, scenario, '/sim', 'the simulator is called sim')
+        sim = require_started(run, scenario, '/sim', 'the simulator is called sim', 'turtlesim')
         nodes = [node for node in run[scenario].nodes if node.name.startswith(('/follower', '/carrot_of'))]
         if not nodes:
             raise Missing(
@@ -82,9 +84,7 @@ def everybody_came_after_the_simulator(run: Evidence) -> None:
 
 def _after(run: Evidence, scenario: str) -> bool:
     """Whether the simulator's process was begun before those of the followers."""
-    names = [process.name for process in run[scenario].processes]
-    own = [place for place, name in enumerate(names) if name.startswith('follower')]
-    sims = [place for place, name in enumerate(names) if name.startswith('turtlesim_node')]
+    own, sims = (processes_of(run[scenario], *program) for program in (FOLLOWER, SIMULATOR))
     return not own or (bool(sims) and sims[0] < own[0])
 
 

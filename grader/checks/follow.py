@@ -10,15 +10,17 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
-from edugrade.library.following import require_near, require_pursuit
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.following import require_arrival, require_driver, require_near, require_pursuit
 from edugrade.library.frames import require_frame
-from edugrade.library.launched import refuse_dead, refuse_shared_names, require_process
+from edugrade.library.launched import refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
 # The square is driven at 1 m/s; a follower that drives half the distance in a second lags 1 to 1.7 m behind.
 BOUNDS_M = {'standing': 0.25, 'moving': 2.5}
+LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 LISTEN = "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]"
 
 
@@ -103,6 +105,8 @@ def leader_moves_when_asked(run: Evidence) -> None:
 def standing_leader_is_reached(run: Evidence) -> None:
     """turtle2 comes to turtle1 while turtle1 stands, and stays there"""
     _require_near(run, 'standing')
+    require_arrival(run, 'standing', '/turtle2', LISTEN)
+    require_driver(run, '/turtle2', *LISTENER)
 
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf, leader_moves_when_asked])
@@ -110,6 +114,7 @@ def moving_leader_is_followed(run: Evidence) -> None:
     """turtle2 stays close behind turtle1 while turtle1 moves"""
     _require_near(run, 'moving')
     require_pursuit(run, 'moving', '/turtle1', '/turtle2', SETTLED_S, LISTEN)
+    require_driver(run, '/turtle2', *LISTENER)
 
 
 def _require_frame(run: Evidence, turtle: str) -> None:

@@ -8,11 +8,12 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Mismatch, Rubric, Scenario, check
-from edugrade.library.following import require_copy, require_near, still
+from edugrade.library.deaths import refuse_dead
+from edugrade.library.following import require_arrival, require_copy, require_driver, require_near, still
 from edugrade.library.frames import frames_at_end, place_in, require_frame
-from edugrade.library.launched import refuse_dead, require_process
+from edugrade.library.launched import require_process
 from edugrade.library.node_graph import loose_ends, require_node
-from edugrade.library.parameters import require_parameter
+from edugrade.library.parameters import node_parameter, require_parameter
 
 from edulaunch.engine.recording.records import Parameter
 
@@ -55,8 +56,7 @@ def second_world_is_there(run: Evidence) -> None:
 def water_comes_from_the_file(run: Evidence) -> None:
     """Both worlds have the colours of config/turtlesim.yaml"""
     for node in ('/sim', '/turtlesim2/sim'):
-        parameters = run.first.parameters(node)
-        seen = {name: parameters.get(name, ABSENT) for name in WATER}
+        seen = {name: node_parameter(run.first, node, 'turtlesim', name, value) or ABSENT for name, value in WATER.items()}
         wrong = {
             name: parameter
             for name, parameter in seen.items()
@@ -101,6 +101,8 @@ def goal_is_reached(run: Evidence) -> None:
             SETTLED_S,
             'look whether something else than the listener drives turtle2',
         )
+        require_arrival(run, goal, '/turtle2', 'let the listener follow the goal')
+    require_driver(run, '/turtle2', *LISTENER)
 
 
 @check(points=1, needs=[second_world_is_there])
@@ -113,6 +115,7 @@ def mimic_copies(run: Evidence) -> None:
         'compare the remappings in mimic.launch.py with the topics',
         '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')),
     )
+    require_driver(run, '/turtlesim2/turtle1', 'turtlesim', 'mimic')
 
 
 RUBRIC = Rubric(

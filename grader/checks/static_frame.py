@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
 from edugrade.library.arguments import require_argument
+from edugrade.library.deaths import refuse_dead
 from edugrade.library.frames import numbers, require_frame, tilt, transforms, yaw
-from edugrade.library.launched import refuse_dead
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Frame
@@ -47,7 +47,7 @@ def laser_is_on_tf(run: Evidence) -> None:
     require_frame(run, 'laser', 'base_link', f'start {PUBLISHER} with --frame-id base_link and --child-frame-id laser')
 
 
-@check(points=3, needs=[argument_is_declared, laser_is_on_tf])
+@check(points=3, needs=[laser_is_on_tf])
 def laser_is_in_its_place(run: Evidence) -> None:
     """The laser is 0.2 m in front of base_link, and as high as the launch argument says"""
     for name in run:

@@ -208,14 +208,15 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
     """The outcome that these bytes stand for; None when they are no recording of this scenario.
 
-    :param content: a line of JSON, which nodes and parameters are the trusted half's own; then the recording.
+    :param content: a line of JSON, the provenance of the rows; then the recording.
     """
     from edulaunch.engine.recording import Recording as Known
+    from edulaunch.runtime.link.provenance import attach
 
     try:
-        hosted, _, rest = content.partition(b'\n')
+        provenance, _, rest = content.partition(b'\n')
         recording = Known.from_bytes(rest)
-        recording.hosted_nodes, recording.hosted_parameters = map(frozenset, json.loads(hosted))
+        attach(recording, json.loads(provenance))
         if recording.seed != scenario.seed or recording.launch.arguments != dict(scenario.arguments):
             return None
     except Exception:  # hostile bytes may upset the reader in any way; each of them means the same

@@ -33,7 +33,8 @@ class FakeRecording:
     frames: dict[str, Frame] = field(default_factory=dict)
     duration_s: float = 20.0
     start_ns: int = 0
-    hosted_nodes: frozenset[int] | None = None
+    owners: dict[str, list[int]] | None = None
+    hosted: dict[int, tuple[str, str]] | None = None
 
     @property
     def includes(self) -> list[str]:
@@ -48,6 +49,11 @@ class FakeRecording:
 
     def parameters(self, node: str) -> dict[str, Parameter]:
         return {} if self.radius is None else {'radius': Parameter(self.radius, 'launch argument')}
+
+    @property
+    def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
+        names = dict.fromkeys(node.name for node in self.nodes)
+        return [(0, node, name, *values) for node in names for name, values in self.parameters(node).items()]
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
         return self.frames

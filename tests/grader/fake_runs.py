@@ -37,13 +37,19 @@ class FakeRun:
     frames: Callable[[float], Mapping[str, Frame]] = lambda time_s: {}
     duration_s: float = 20.0
     start_ns: int = 0
-    hosted_nodes: frozenset[int] | None = None
+    owners: dict[str, list[int]] | None = None
+    hosted: dict[int, tuple[str, str]] | None = None
 
     def series(self, topic: str, *fields: str) -> Track:
         return self.tracks.get(topic, [])
 
     def parameters(self, node: str) -> dict[str, Parameter]:
         return self.values.get(node, {})
+
+    @property
+    def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
+        names = dict.fromkeys(node.name for node in self.nodes)
+        return [(0, node, name, *values) for node in names for name, values in self.parameters(node).items()]
 
     def frames_at(self, time_s: float) -> Mapping[str, Frame]:
         return self.frames(time_s)

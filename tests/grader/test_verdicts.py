@@ -128,7 +128,10 @@ SCENARIO = Scenario('s', {}, 0.2, 3)
 
 @pytest.fixture(scope='module')
 def content() -> bytes:
-    return b'[[0], []]\n' + edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
+    return (
+        b'[{"nodes": [1], "parameters": [], "logs": [], "output": []}, [[1, "turtlesim", "turtlesim_node"]]]\n'
+        + edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
+    )
 
 
 def failed(tmp_path: Path, text: str) -> bytes:
@@ -138,14 +141,15 @@ def failed(tmp_path: Path, text: str) -> bytes:
     with edulaunch.Session(seed=3) as session:
         session.launch(str(file))
         session.run(0.2)
-        return b'[[], []]\n' + session.recording().to_bytes()
+        return b'[{"nodes": [], "parameters": [], "logs": [], "output": []}, []]\n' + session.recording().to_bytes()
 
 
 def test_a_recording_of_the_scenario_is_accepted(content: bytes) -> None:
     outcome = recorded(SCENARIO, content)
     assert outcome is not None
     assert outcome.kind == 'recorded' and outcome.recording is not None
-    assert outcome.recording.hosted_nodes == {0}
+    assert outcome.recording.owners is not None and outcome.recording.owners['nodes'] == [1]
+    assert outcome.recording.hosted == {1: ('turtlesim', 'turtlesim_node')}
 
 
 @pytest.mark.parametrize('other', [SCENARIO._replace(seed=4), SCENARIO._replace(arguments={'x': '1'})])

@@ -46,10 +46,11 @@ class Recording(Messages, Views):
     """Launch names of the programs of the command that this is an excerpt of; None: of everything on the machine."""
     beside: Mapping[str, str] = {}
     """Of the other programs of an excerpt, by launch name: the command that started them."""
-    hosted_nodes: frozenset[int] | None = None
-    """Positions in `nodes` of those that a trusted half hosted (`edulaunch.runtime.link`); None when all ran in one process."""
-    hosted_parameters: frozenset[int] = frozenset()
-    """Positions among the parameters of what these nodes set: another node of the same name does not speak for them."""
+    owners: dict[str, list[int]] | None = None
+    """For 'nodes', 'parameters', 'logs' and 'output': the position in `processes` of the process behind each row, as a
+    trusted half (`edulaunch.runtime.link`) knows it; None when all ran in one process."""
+    hosted: dict[int, tuple[str, str]] | None = None
+    """The package and the executable of each program that a trusted half ran itself, by position in `processes`."""
 
     def __init__(self, content: dict[str, Any]) -> None:
         super().__init__(content)
@@ -135,23 +136,9 @@ class Recording(Messages, Views):
     @cached_property
     def processes(self) -> list[ProcessRecord]:
         """The programs that were started, in order."""
-        return [
-            ProcessRecord(
-                row['name'],
-                row['pid'],
-                row['argv'],
-                row['package'],
-                row['executable'],
-                row['file'],
-                row['line'],
-                row['parameter_origins'],
-                row['started'] / 1e9,
-                seconds(row['ended']),
-                row['returncode'],
-                row['exception'],
-            )
-            for row in self._content['processes']
-        ]
+        fields = [dict(row) for row in self._content['processes']]
+        times = [{'started_s': row.pop('started') / 1e9, 'ended_s': seconds(row.pop('ended'))} for row in fields]
+        return [ProcessRecord(**row, **span) for row, span in zip(fields, times, strict=True)]
 
     @cached_property
     def nodes(self) -> list[NodeRecord]:
@@ -187,16 +174,22 @@ class Recording(Messages, Views):
         :raises KeyError: when no such node was there; the message names the nodes that were.
         """
         found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
-        is_hosted = any(self.nodes[position].name == node for position in self.hosted_nodes or ())
-        for position, (_, name, parameter, value, origin) in enumerate(self._content['parameters']):
-            if name == node and (position in self.hosted_parameters or not is_hosted):
-                if value is None:
-                    found.pop(parameter, None)
-                else:
-                    found[parameter] = Parameter(value, origin)
+        rows = [row for row, values in enumerate(self.parameter_rows) if values[1] == node]
+        hosted = [row for row in rows if self.owners and self.owners['parameters'][row] in (self.hosted or ())]
+        for row in hosted or rows:  # another node of the same name does not speak for a hosted one
+            _, _, parameter, value, origin = self.parameter_rows[row]
+            if value is None:
+                found.pop(parameter, None)
+            else:
+                found[parameter] = Parameter(value, origin)
         if not found and node not in {record.name for record in self.nodes}:
             raise not_recorded(f'no node {node!r}', node, (record.name for record in self.nodes))
         return found
+
+    @cached_property
+    def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
+        """Every value that was set, in order: (time in ns, node, parameter, value or None when undeclared, origin)."""
+        return list(map(tuple, self._content['parameters']))
 
     @cached_property
     def own_processes(self) -> list[ProcessRecord]:

@@ -5,7 +5,7 @@ others, and reads nothing of the student's but frames.
 from __future__ import annotations
 
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Sized
 from typing import Any
 
 from edulaunch.engine.graph.graph import Graph
@@ -16,6 +16,7 @@ from edulaunch.engine.graph.topics import WatchedPublisher
 from edulaunch.engine.graph.tracer import Record
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording.recorder import Recorder
@@ -25,8 +26,9 @@ from edulaunch.runtime.fittings import hint_of
 from edulaunch.runtime.link.clock import HalfSimulation
 from edulaunch.runtime.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.provenance import HostedProgram, Provenance
 from edulaunch.runtime.link.replica import Replica
-from edulaunch.runtime.link.trusted_host import TrustedHost, hosted_program, shipped_path, spec_from_data, text_of
+from edulaunch.runtime.link.trusted_host import TrustedHost, is_shipped, runs_beside_the_student, spec_from_data, text_of
 
 STREAMS = ('stdout', 'stderr')
 
@@ -46,7 +48,8 @@ class ConfinedProgram:
 class TrustedRecorder(Recorder):
     """Keeps the record, and lets the confined half know what it may see of it.
 
-    :ivar hosted_nodes, hosted_parameters: positions in `nodes` of the nodes that run here, and in `parameters` of theirs.
+    :ivar provenance: which process each row belongs to, and which programs ran here.
+    :ivar programs: the programs that run here, by pid.
     """
 
     replica: Replica
@@ -54,8 +57,29 @@ class TrustedRecorder(Recorder):
 
     def __init__(self, sim: HalfSimulation) -> None:
         super().__init__(sim)
-        self.hosted_nodes: list[int] = []
-        self.hosted_parameters: list[int] = []
+        self.provenance = Provenance()
+        self.programs: dict[int, HostedProgram] = {}
+        self._positions: dict[int, int] = {}
+
+    def process_started(self, process: Process) -> None:
+        position = len(self.processes)
+        super().process_started(process)
+        self._positions[process.pid] = position
+        if process.pid in self.programs:
+            self.provenance.programs[position] = self.programs[process.pid]
+
+    def _own(self, part: str, rows: Sized, process: Process | ConfinedProgram) -> None:
+        """Note which process the rows belong to that were added since the last call."""
+        owners = self.provenance.owners[part]
+        owners += [self._positions.get(process.pid, -1)] * (len(rows) - len(owners))
+
+    def output(self, process: Process, stream: str, text: str) -> None:
+        super().output(process, stream, text)
+        self._own('output', self.output_lines, process)
+
+    def log(self, process: Process, level: int, logger: str, message: str) -> None:
+        super().log(process, level, logger, message)
+        self._own('logs', self.logs, process)
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         keep = super().channel(publisher)
@@ -70,15 +94,13 @@ class TrustedRecorder(Recorder):
         return keep_and_tell
 
     def node_added(self, node: NodeEntry) -> None:
-        if not self.replica.is_repeating:
-            self.hosted_nodes.append(len(self.nodes))
         super().node_added(node)
+        self._own('nodes', self.nodes, node.process)
         self.replica.node_added(node)
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
-        if node.index not in self.replica.theirs:
-            self.hosted_parameters.append(len(self.parameters))
         super().parameter(node, name, value, origin)
+        self._own('parameters', self.parameters, node.process)
 
     def node_removed(self, node: NodeEntry) -> None:
         super().node_removed(node)
@@ -110,6 +132,7 @@ class Trusted:
         self.recorder = TrustedRecorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
         self.host = TrustedHost(self.sim, self.graph, Index([underlay_prefix()]), env={}, hint_of=hint_of)
+        self.host.identified = self.recorder.programs
         self.half = self.host.half = Half(self.sim, end, trusts=False, quota=quota)
         self.messages = Messages(underlay_registry())
         self.replica = self.recorder.replica = Replica(self.half, self.graph, self.messages, self._program)
@@ -161,8 +184,8 @@ class Trusted:
     def _started(self, payload: memoryview) -> None:
         pid, data = load(bytes(payload))
         spec = spec_from_data(data)
-        if hosted_program(spec.package or '', spec.executable or '') and spec.argv[:1] == (
-            shipped_path(spec.package, spec.executable),
+        if is_shipped(spec.argv[0] if spec.argv else '') and not runs_beside_the_student(
+            spec.package, spec.executable, spec.argv[0]
         ):
             raise Violation('what came with edulaunch does not run there')
         program = self._programs[self.host.their_pid(pid)] = ConfinedProgram(pid, spec)

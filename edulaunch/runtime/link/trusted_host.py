@@ -22,6 +22,7 @@ from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.runtime.link.codec import Kind, Violation, load
 from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.provenance import HostedProgram
 
 OF_THE_STUDENT = {
     'joint_state_publisher': None,
@@ -61,13 +62,29 @@ def shipped_path(package: str | None, executable: str | None) -> str:
     return os.path.join(underlay_prefix(), 'lib', package or '', executable or '')
 
 
+def is_shipped(word: str) -> bool:
+    """Whether the first word of a command line names a program that came with edulaunch, or one that could have."""
+    return os.path.normpath(word).startswith(os.path.join(underlay_prefix(), 'lib', ''))
+
+
+def runs_beside_the_student(package: str | None, executable: str | None, word: str) -> bool:
+    """Whether a stock program, started by this word, is one of those that the confined half runs itself."""
+    if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
+        return False
+    return _underlay().program(package or '', executable or '') is not None
+
+
 MOST_PROGRAMS = 2000
 
 
 class TrustedHost(Host):
-    """Hosts what came with edulaunch. It starts no program of the system, and looks for none among the student's files."""
+    """Hosts what came with edulaunch. It starts no program of the system, and looks for none among the student's files.
+
+    :ivar identified: which program each process that runs here is, by its pid.
+    """
 
     half: Half
+    identified: dict[int, HostedProgram]
 
     def spawn(self, payload: memoryview) -> None:
         """Start a program that the confined half asks for."""
@@ -78,7 +95,8 @@ class TrustedHost(Host):
         is_called_so = spec.argv[:1] == (shipped_path(spec.package, spec.executable),)
         if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
             raise Violation('no program that is hosted here')
-        process = Process(self, spec, self.their_pid(pid), argv, lambda process: run_program(process, program))
+        self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
+        process = Process(self, spec, pid, argv, lambda process: run_program(process, program))
         process.on_output = lambda stream, text: self.half.call(Kind.OUTPUT, [pid, stream, text])
         process.on_exit = lambda code: self.half.call(Kind.EXIT, [pid, code, process.exception])
         self.adopt(process)

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 _JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
 
 
-def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument:
-    """A launch argument is declared, with a default.
+def require_declared(run: Evidence, name: str, example: str) -> DeclaredArgument:
+    """Return the declaration of a launch argument, with a default or without one.
 
     :param example: a default value for the advice.
-    :raises Missing: when it is not declared, or has no default.
+    :raises Missing: when it is not declared.
     """
     declared = {argument.name: argument for argument in run.first.launch.declared}
     argument = declared.get(name)
@@ -29,6 +29,16 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
             where=run.source.place,
             try_=f"add DeclareLaunchArgument('{name}', default_value='{example}', description='...')",
         )
+    return argument
+
+
+def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument:
+    """Return the declaration of a launch argument that has a default.
+
+    :param example: a default value for the advice.
+    :raises Missing: when it is not declared, or has no default.
+    """
+    argument = require_declared(run, name, example)
     if argument.default is None:
         raise Missing(
             f'the default value of "{name}"',

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from ..evidence import Evidence, Failure
+from .launched import refuse_strangers
 from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
 
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
 LAST_S = 1.0  # a turtle is there to the end when its last pose is not older than this
+LEAST_WAY_M = 0.5  # of a turtle that comes to a goal
 LEAST_SHARE = 0.4  # of the way of a moving goal; whoever cuts its corners travels less than the goal
 
 
@@ -30,6 +32,32 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
             where=run.source.place,
             try_=try_,
         )
+
+
+def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> None:
+    """A turtle that should come to a goal at rest has driven there.
+
+    :raises Failure: for one that was there from the beginning.
+    """
+    track = _driven(run, scenario, follower)
+    if not length(track) >= LEAST_WAY_M:
+        raise Failure(
+            f'{follower.strip("/")} does not come to its goal, when launched with {run.scenario(scenario).words}',
+            expected=f'it drives there, at least {LEAST_WAY_M:g} m',
+            seen=f'{length(track):.2f} m travelled: it was there from the beginning',
+            where=run.source.place,
+            try_=try_,
+        )
+
+
+def require_driver(run: Evidence, turtle: str, package: str, executable: str) -> None:
+    """Nobody but one program commands a turtle, so what the turtle does is what this program does.
+
+    :param turtle: such as ``/turtle2``.
+    :raises Failure: naming the node that commands it besides, or instead.
+    """
+    for recording in run.values():
+        refuse_strangers(recording, f'{turtle}/cmd_vel', package, executable)
 
 
 def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:

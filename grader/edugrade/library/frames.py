@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence, Failure, Missing
+from .movement import turtle_track
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import Frame
 
 Frames = Mapping[str, 'Frame']
+LATE_S, OFF_M = 0.5, 0.1  # how late a frame may be, and how far off
 LAST_S = 1.0  # a moving frame is there to the end when it was last sent this long before it, or later
 
 
@@ -80,6 +83,29 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
                 try_=try_,
             )
         _require_all_the_time(run, scenario, child, sent, try_)
+        if parent == 'world':
+            _require_truth(run, scenario, child, sent, try_)
+
+
+def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sent], try_: str) -> None:
+    """A frame of a turtle must be where the simulator has the turtle, at every instant; other frames may be anywhere.
+
+    :raises Failure: with both places.
+    """
+    track = turtle_track(run[scenario], f'/{turtle}/pose') if f'/{turtle}/pose' in run[scenario].topics else []
+    times = [sample[0] for sample in track]
+    for item in sent if track else ():
+        newest = bisect_right(times, item.time_s)
+        recent = track[max(0, bisect_right(times, item.time_s - LATE_S) - 1) : newest]
+        x, y, _ = item.frame.translation
+        if recent and not min(hypot(sample[1] - x, sample[2] - y) for sample in recent) <= OFF_M:
+            raise Failure(
+                f'the frame {turtle} is not where {turtle} is, when launched with {run.scenario(scenario).words}',
+                expected=f'{numbers(recent[-1][1:])} at {item.time_s:.2f} s, as the simulator says',
+                seen=numbers((x, y)),
+                where=run.source.place,
+                try_=try_,
+            )
 
 
 def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequence[Sent], try_: str) -> None:

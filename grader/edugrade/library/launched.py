@@ -1,4 +1,4 @@
-"""What a launch started, or what it started instead; whether that came with edulaunch, and whether a topic speaks for it."""
+"""What a launch started, or what it started instead; and who may publish a topic."""
 
 from __future__ import annotations
 
@@ -6,57 +6,36 @@ import os
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence, Failure, Missing
-from ..source import Place, comes_with_edulaunch, shipped_program
+from ..source import shipped_program
+from .identity import nodes_of, process_of, processes_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import ProcessRecord
 
-STARTERS = ('ros2', 'bash', 'sh')  # programs that start others under their own name
 
+def refuse_strangers(recording: Recording, topic: str, package: str, executable: str | None = None) -> None:
+    """A topic counts only when nobody but programs of a package publish it.
 
-def is_stock(process: ProcessRecord) -> bool:
-    """Whether a process ran its executable itself: not one of that name in another workspace, nor another program before it.
-
-    An executable of a package that did not come with edulaunch is what its action says.
-    """
-    if process.package is None or process.executable is None:
-        return False
-    return not comes_with_edulaunch(process.package) or process.argv[:1] == [shipped_program(process.package, process.executable)]
-
-
-def refuse_strangers(recording: Recording, topic: str, package: str) -> None:
-    """A topic of a world counts only when nobody but the world publishes it.
-
-    :param package: of the programs that may.
+    :param executable: the program of that package that may; default: all of them.
     :raises Failure: naming the node that publishes it besides, or instead.
     """
-    hosted = recording.hosted_nodes
+    own = set(nodes_of(recording, package, executable))
     for position, node in enumerate(recording.nodes):
-        is_stranger = (hosted is not None and position not in hosted) or not is_of(recording, node.process, package)
-        if is_stranger and any(name == topic for name, _ in node.publishers):
-            origins = [process.origin for process in recording.processes if process.name == node.process]
+        if position not in own and any(name == topic for name, _ in node.publishers):
+            process = process_of(recording, node, position)
             raise Failure(
-                f'{node.name} publishes {topic}, which only a program of {package} may',
-                expected=f'{topic} comes from {package}: it is what happened, and not an answer',
-                seen=f'the process {node.process}',
-                where=next(filter(None, origins), None),
-                try_='publish on another topic, and let the commands move what you want to move',
+                f'{node.name} publishes {topic}, which only a program of {package} may publish',
+                expected=f'{topic} comes from {package} alone',
+                seen=f'the process {node.process} publishes it',
+                where=process.origin if process else None,
+                try_='publish on another topic, and move what you want to move with commands',
             )
 
 
-def is_of(recording: Recording, name: str, package: str) -> bool:
-    """Whether the process of that name, or what it started under its name, is of a package and nothing else."""
-    ran = [process for process in recording.processes if process.name == name]
-    programs = [
-        process for process in ran if not (process.package is None and os.path.basename(process.argv[0].split()[0]) in STARTERS)
-    ]
-    return bool(programs) and all(process.package == package and is_stock(process) for process in programs)
-
-
 def find_processes(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
-    """The processes of one executable, in order of their start; started by Node, by ``ros2 run`` or by a shell."""
-    return [process for process in _named(recording, package, executable) if is_stock(process)]
+    """Return the processes of one executable in the order of their start, started by Node, by ``ros2 run`` or by a shell."""
+    return [recording.processes[position] for position in processes_of(recording, package, executable)]
 
 
 def _named(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
@@ -93,52 +72,14 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
 
 
 def launched(recording: Recording) -> list[ProcessRecord]:
-    """Every process but launch itself."""
-    return [process for process in recording.processes if process.name != 'launch']
+    """Every process but launch itself, which is the first one."""
+    known = recording.processes
+    return known[1:] if known and known[0].name == 'launch' else list(known)
 
 
 def included_files(recording: Recording) -> list[str]:
     """Names, without folders, of the launch files that were included; not the launched file itself."""
     return [os.path.basename(path) for path in recording.includes if path != recording.launch.file]
-
-
-def refuse_dead(run: Evidence) -> None:
-    """Fail when a process died (ended with another exit code than 0) before its run was over.
-
-    :raises Failure: with the exception's own text and place when one ended it.
-    """
-    for name, recording in run.items():
-        for process in launched(recording):
-            if process.returncode:
-                raise _death(process, run.scenario(name).words)
-
-
-def node_names(recording: Recording, processes: list[ProcessRecord]) -> list[str]:
-    """Fully qualified names of the nodes in these processes."""
-    launched = {process.name for process in processes}
-    return [node.name for node in recording.nodes if node.process in launched]
-
-
-def _death(process: ProcessRecord, words: str) -> Failure:
-    when = f'after {process.ended_s:.1f} s, when launched with {words}'
-    error = process.exception
-    if error is None:
-        return Failure(
-            f'{process.name} died {when}',
-            expected='it runs until the end',
-            where=process.origin,
-            seen=f'exit code {process.returncode}',
-            try_='read what it printed before it died',
-        )
-    place = Place(error['file'], error['line']) if error.get('file') else process.origin
-    origin = '' if process.origin is None else f', at {process.origin[0]}:{process.origin[1]}'
-    return Failure(
-        f'{process.name} died {when}',
-        seen=f'{error["type"]}: {error["message"]}',
-        where=place,
-        expected='it runs until the end',
-        try_=f'look at what the launch file gives it{origin}',
-    )
 
 
 def refuse_shared_names(run: Evidence) -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
-from .launched import find_processes, is_of, refuse_strangers
+from .identity import STARTERS, nodes_of, process_of
+from .launched import refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -15,62 +16,121 @@ if TYPE_CHECKING:
 ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
 
 
-def require_node(run: Evidence, name: str, package: str, try_: str) -> None:
-    """Every run has a node of this fully qualified name, of a program of this package.
+Found = tuple[int, 'NodeRecord']
+OF_A_TOOL = '_ros2cli'  # how the nodes of the command line's tools begin; ROS 2 hides them
 
-    :raises Missing: naming the nodes of the package that are there.
+
+def named_nodes(recording: Recording, name: str, package: str | None = None, executable: str | None = None) -> list[Found]:
+    """Return the nodes with a fully qualified name as (position, node): of any program, or of a package's programs only."""
+    own = None if package is None else set(nodes_of(recording, package, executable))
+    found = [(position, node) for position, node in enumerate(recording.nodes) if node.name == name]
+    return [item for item in found if own is None or item[0] in own]
+
+
+def require_node(
+    run: Evidence, name: str, package: str | None, try_: str | None, executable: str | None = None
+) -> dict[str, Found]:
+    """Return, for each run, the first node with this fully qualified name whose program is of this package.
+
+    :param package: the package of the program; None: any program will do.
+    :param executable: the program of that package; default: any of them.
+    :raises Missing: naming the nodes that are there; a node of another program is shown with its process.
     """
-    for recording in run.values():
-        names = [node.name for node in recording.nodes if is_of(recording, node.process, package)]
-        if name not in names:
-            raise Missing(f'the node {name}', name=name, among=names, where=run.source.place, try_=try_)
+    found: dict[str, Found] = {}
+    for scenario, recording in run.items():
+        nodes = named_nodes(recording, name, package, executable)
+        if not nodes:
+            others = [f'{node.name} of another program ({node.process})' for _, node in named_nodes(recording, name)]
+            own = range(len(recording.nodes)) if package is None else nodes_of(recording, package, executable)
+            among = [recording.nodes[position].name for position in own]
+            program = f' of {" ".join(filter(None, (package, executable)))}' if package and others else ''
+            raise Missing(
+                f'the node {name}{program}',
+                name=name,
+                among=among,
+                seen=', '.join(others) or None,
+                where=run.source.place,
+                try_=try_,
+            )
+        found[scenario] = nodes[0]
+    return found
 
 
-def require_nodes(run: Evidence, scenario: str, names: Sequence[str], try_: str | None = None) -> None:
-    """Exactly these nodes run; those of the command line's tools do not count.
+def require_nodes(
+    run: Evidence, scenario: str, names: Sequence[str], try_: str | None = None, packages: Mapping[str, str] | None = None
+) -> None:
+    """Exactly these nodes run; the nodes of `ros2` commands do not count.
 
+    :param packages: the package of the program of each node, by the node's name; the others may be of any program.
     :raises Mismatch: naming both.
+    :raises Missing: for a node of another program.
     """
-    found = sorted(node.name for node in run[scenario].nodes if not node.name.rpartition('/')[2].startswith('_'))
+    recording = run[scenario]
+    found = sorted(node.name for position, node in enumerate(recording.nodes) if not _is_of_a_tool(recording, position))
     if found != sorted(names):
         seen = ', '.join(found) or 'none'
         words = run.scenario(scenario).words
         raise Mismatch(
-            f'the nodes, when launched with {words}', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
+            f'the list of nodes, when launched with {words},', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
         )
+    for name, package in (packages or {}).items():
+        if name in names:
+            require_node(run.only([scenario]), name, package, try_)
 
 
-def require_listener(run: Evidence, scenario: str, node: str, topic: str, try_: str | None = None) -> None:
+def _is_of_a_tool(recording: Recording, position: int) -> bool:
+    """Whether a hidden node belongs to a `ros2` command. A node that only has such a name is a node like any other."""
+    node = recording.nodes[position]
+    process = process_of(recording, node, position)
+    if process is None or not node.name.rpartition('/')[2].startswith(OF_A_TOOL):
+        return False
+    first, *others = (word.rpartition('/')[2] for word in ' '.join(process.argv).split())
+    return first == 'ros2' or (first in STARTERS and 'ros2' in others)
+
+
+def require_listener(
+    run: Evidence,
+    scenario: str,
+    node: str,
+    topic: str,
+    try_: str | None = None,
+    package: str | None = None,
+    executable: str | None = None,
+) -> None:
     """Messages come on a topic, and a node of this name listens there.
 
+    :param package: the package of the node's program; None: any program will do. `executable` likewise.
     :raises Missing: naming who listens.
     """
     found = require_topic(run, scenario, topic, try_=try_)
-    if node not in found.subscriptions:
+    nodes = named_nodes(run[scenario], node, package, executable)
+    if not any(name == topic for _, each in nodes for name, _ in each.subscriptions):
         seen = f'listened to by {", ".join(found.subscriptions) or "nobody"}'
+        if node in found.subscriptions:
+            seen += f'; this {node} is no program of {package}'
         raise Missing(f'{node} among those who listen to {topic}', seen=seen, where=run.source.place, try_=try_)
 
 
-def require_started(run: Evidence, scenario: str, node: str, try_: str | None = None) -> float:
-    """When a node started, in simulated seconds.
+def require_started(
+    run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
+) -> float:
+    """Return when a node started, in simulated seconds.
 
     :raises Missing: naming the nodes that are there.
     """
-    started = {each.name: each.started_s for each in run[scenario].nodes}
-    if node not in started:
-        raise Missing(f'the node {node}', name=node, among=list(started), where=run.source.place, try_=try_)
-    return started[node]
+    return require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].started_s
 
 
-def require_ended(run: Evidence, scenario: str, node: str, try_: str | None = None) -> float:
-    """When a node ended before the run was over, in simulated seconds.
+def require_ended(
+    run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
+) -> float:
+    """Return when a node ended before the run was over, in simulated seconds.
 
     :raises Missing: when it never started, naming the nodes that are there.
     :raises Failure: when it ran until the run was over.
     """
-    require_started(run, scenario, node, try_)
+    ended_s = require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].ended_s
     recording = run[scenario]
-    ended_s = next(each.ended_s for each in recording.nodes if each.name == node)
     if ended_s is None:
         raise Failure(
             f'{node} does not end, when launched with {run.scenario(scenario).words}',
@@ -108,12 +168,10 @@ def require_topic(
 
 
 def loose_ends(recording: Recording, package: str, executable: str) -> list[str]:
-    """In words: topics on which the nodes of an executable talk to nobody, or listen to nobody."""
-    launched = {process.name for process in find_processes(recording, package, executable)}
+    """Describe the topics on which the nodes of an executable have no partner."""
     words: list[str] = []
-    for node in recording.nodes:
-        if node.process in launched:
-            words += _loose(node, recording)
+    for position in nodes_of(recording, package, executable):
+        words += _loose(recording.nodes[position], recording)
     return words
 
 

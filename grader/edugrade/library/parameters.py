@@ -5,22 +5,59 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.recording.records import Parameter
+
 from ..evidence import Evidence, Mismatch, Missing
 from ..source import Place
-from .launched import find_processes, node_names
+from .identity import nodes_of
+from .launched import find_processes
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
-    from edulaunch.engine.recording.records import Parameter
 
 
-def find_parameter(recording: Recording, package: str, executable: str, name: str) -> Parameter | None:
-    """A parameter of the nodes of an executable: of the first node that has it."""
-    for node in node_names(recording, find_processes(recording, package, executable)):
-        parameter = recording.parameters(node).get(name)
+def parameter_of(recording: Recording, position: int, name: str, wanted: Any = None) -> Parameter | None:
+    """Return a parameter of a node as the node read it at its start.
+
+    A value that somebody sets later does not change what the node did with the first one. Where the first one is `wanted` and the
+    last one is not, the last one is returned: the node must keep the value.
+
+    :param position: of the node in `recording.nodes`.
+    """
+    changes = _changes(recording, position, name)
+    if not changes:
+        return None
+    first, last = (Parameter(*change[1:]) for change in (changes[0], changes[-1]))
+    if first.value is None or first.value == last.value:
+        return first if first.value is not None else None
+    if first.value == wanted:
+        return last._replace(origin=f'{last.origin}, set at {changes[-1][0]:.2f} s')
+    return first._replace(origin=f'{first.origin}, until {changes[1][0]:.2f} s')
+
+
+def _changes(recording: Recording, position: int, name: str) -> list[tuple[float, Any, str]]:
+    """Return every value that a parameter of a node had: (time in s, value or None when undeclared, origin)."""
+    node, owners = recording.nodes[position].name, recording.owners
+    return [
+        (time_ns / 1e9, value, origin)
+        for row, (time_ns, of, parameter, value, origin) in enumerate(recording.parameter_rows)
+        if (of, parameter) == (node, name) and (owners is None or owners['parameters'][row] == owners['nodes'][position])
+    ]
+
+
+def find_parameter(recording: Recording, package: str, executable: str, name: str, wanted: Any = None) -> Parameter | None:
+    """Return a parameter of the nodes of an executable, of the first node that has it; see :func:`parameter_of`."""
+    for position in nodes_of(recording, package, executable):
+        parameter = parameter_of(recording, position, name, wanted)
         if parameter is not None:
             return parameter
     return None
+
+
+def node_parameter(recording: Recording, node: str, package: str, name: str, wanted: Any = None) -> Parameter | None:
+    """Return a parameter of the node with a fully qualified name, whose program is of a package; see :func:`parameter_of`."""
+    positions = [position for position in nodes_of(recording, package) if recording.nodes[position].name == node]
+    return parameter_of(recording, positions[0], name, wanted) if positions else None
 
 
 def with_origin(parameter: Parameter | None) -> str:
@@ -38,7 +75,7 @@ def require_parameter(
     :raises Missing: when the launch file gives the node no parameter of this name, but others.
     :raises Mismatch: with the values seen and their origin.
     """
-    found = {scenario: find_parameter(run[scenario], package, executable, name) for scenario in wanted}
+    found = {key: find_parameter(run[key], package, executable, name, value) for key, value in wanted.items()}
     if all(seen is not None and seen.value == wanted[scenario] for scenario, seen in found.items()):
         return
     process = find_processes(run.first, package, executable)[0]

@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_argument, require_default
 from ..library.circle_fit import fit_circle
-from ..library.following import require_near, require_pursuit
+from ..library.deaths import refuse_dead
+from ..library.following import require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
-from ..library.launched import find_processes, refuse_dead, require_process
+from ..library.identity import rows_of
+from ..library.launched import require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
+from ..library.parameters import node_parameter as read_parameter
 from ..library.parameters import require_parameter
 from .yaml_wanted import OfRun, Wanted
 
@@ -23,6 +26,7 @@ if TYPE_CHECKING:
 
 Function = Callable[[Evidence, Wanted], None]
 MEASURE = 'tolerance near share'
+PROGRAM = 'package executable'
 
 
 class Kind(NamedTuple):
@@ -68,48 +72,51 @@ def alive(run: Evidence, wanted: Wanted) -> None:
     refuse_dead(run)
 
 
-@kind('There is a node {name} of the package {package}', 'name package')
+@kind('There is a node {name} of the package {package}', 'name package', 'executable')
 def node(run: Evidence, wanted: Wanted) -> None:
     """A node of a package has this name."""
     for one in wanted.of_each(run):
         name, package = one.text('name'), wanted['package']
         both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
-        require_node(one.alone, name, package, wanted.try_ or f'give the Node of {package} {both}')
+        require_node(one.alone, name, package, wanted.try_ or f'give the Node of {package} {both}', wanted['executable'] or None)
 
 
-@kind('These nodes run, and no others: {are}', 'are')
+@kind('These nodes run, and no others: {are}', 'are', 'package')
 def nodes(run: Evidence, wanted: Wanted) -> None:
-    """Exactly these nodes run."""
+    """Exactly these nodes run; `package` is that of all, or a table of packages by the nodes' names."""
+    names, package = [str(name) for name in wanted['are']], wanted['package'] or None
+    packages = package if isinstance(package, dict) else dict.fromkeys(names, package) if package else None
     for scenario in run:
-        require_nodes(run, scenario, [str(name) for name in wanted['are']], wanted.try_)
+        require_nodes(run, scenario, names, wanted.try_, packages)
 
 
-@kind('{node} hears what is published on {topic}', 'node topic')
+@kind('{node} hears what is published on {topic}', 'node topic', PROGRAM)
 def hears(run: Evidence, wanted: Wanted) -> None:
     """A node listens to a topic on which messages come."""
     for one in wanted.of_each(run):
         topic = one.text('topic')
         advice = wanted.try_ or f"give the Node remappings=[(..., '{topic}')]"
-        require_listener(run, one.scenario, one.text('node'), topic, advice)
+        require_listener(run, one.scenario, one.text('node'), topic, advice, *one.program())
 
 
-@kind('{node} starts when it should', 'node at', f'after {MEASURE}')
+@kind('{node} starts when it should', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
     """A node starts at a time, or so long after the start of another node."""
     _happens(run, wanted, 'start', require_started)
 
 
-@kind('{node} ends when it should', 'node at', f'after {MEASURE}')
+@kind('{node} ends when it should', 'node at', f'after {PROGRAM} {MEASURE}')
 def ends(run: Evidence, wanted: Wanted) -> None:
     """A node ends at a time, or so long after the start of another node."""
     _happens(run, wanted, 'end', require_ended)
 
 
-def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[[Evidence, str, str, str | None], float]) -> None:
+def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
     for one in wanted.of_each(run):
-        time_s = require(run, one.scenario, one.text('node'), wanted.try_)
-        since_s = require_started(run, one.scenario, one.text('after'), wanted.try_) if 'after' in wanted else 0.0
-        words = f'the {what} of {wanted["node"]}' + (f' after the start of {wanted["after"]}' if 'after' in wanted else '')
+        time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
+        other, *program = one.other('after')
+        since_s = require_started(run, one.scenario, other, wanted.try_, *program) if other else 0.0
+        words = f'the {what} of {one.text("node")}' + (f' after the start of {other}' if other else '')
         one.require_close(f'{words} in s', time_s - since_s, one.number('at'), 0.3)
 
 
@@ -163,7 +170,8 @@ def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Paramete
         node, name = one.text('node'), wanted['name']
         advice = wanted.try_ or f'ros2 param get {node} {name} shows the value; look in the launch file for what sets it'
         require_node(one.alone, node, wanted['package'], advice)
-        yield one, one.recording.parameters(node).get(name), advice
+        asked = one.same_type('value') if 'value' in wanted else None
+        yield one, read_parameter(one.recording, node, wanted['package'], name, asked), advice
 
 
 @kind('{name} has its value', 'name is')
@@ -176,12 +184,14 @@ def defined(run: Evidence, wanted: Wanted) -> None:
         raise Mismatch(name, repr(asked), repr(run.names[name])[:1000], try_=wanted.try_)
 
 
-@kind('{node} says {pattern}', 'node pattern', 'example')
+@kind('{node} logs {pattern}', 'node pattern', f'example {PROGRAM}')
 def logs(run: Evidence, wanted: Wanted) -> None:
     """A node says a line that fits."""
     for one in wanted.of_each(run):
         logger = one.text('node').strip('/').replace('/', '.')
-        said = [log.message for log in one.recording.logs if log.logger.replace('/', '.') == logger]
+        logs, (package, executable) = one.recording.logs, one.program()
+        rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
+        said = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
         if not _fits(wanted, said):
             seen = '\n'.join(text[:200] for text in said[-4:]) or 'it says nothing'
             asked = wanted['example'] or wanted['pattern']
@@ -192,8 +202,8 @@ def logs(run: Evidence, wanted: Wanted) -> None:
 def prints(run: Evidence, wanted: Wanted) -> None:
     """A program prints a line that fits."""
     for one in wanted.of_each(run):
-        names = [process.name for process in find_processes(one.recording, wanted['package'], wanted['executable'])]
-        said = [item.text for item in one.recording.output if item.process in names]
+        rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
+        said = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in said for line in text.splitlines())):
             thing = f'{wanted["pattern"]} in what {wanted["executable"]} prints, when launched with {one.words},'
             raise Missing(thing, seen=''.join(said)[-400:] or 'nothing is printed', **one.told)
@@ -235,7 +245,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, advice)
 
 
-@kind('{turtle} moves by at least {at_least} m', 'at_least', 'turtle odometry share')
+@kind('{turtle} moves by at least {at_least} m', 'at_least', 'turtle odometry share driver')
 def travels(run: Evidence, wanted: Wanted) -> None:
     """A turtle or the robot travels so far."""
     for one, who, track in _tracks(run, wanted):
@@ -251,7 +261,7 @@ def travels(run: Evidence, wanted: Wanted) -> None:
             )
 
 
-@kind('{turtle} drives a circle with the radius {radius}', 'radius', f'turtle odometry since {MEASURE}')
+@kind('{turtle} drives a circle with the radius {radius}', 'radius', f'turtle odometry since driver {MEASURE}')
 def circle(run: Evidence, wanted: Wanted) -> None:
     """A turtle or the robot drives a circle."""
     for one, who, track in _tracks(run, wanted):
@@ -267,7 +277,7 @@ def circle(run: Evidence, wanted: Wanted) -> None:
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
 
 
-@kind('{follower} stays close to {goal}, within {within} m', 'follower goal within', 'since')
+@kind('{follower} stays close to {goal}, within {within} m', 'follower goal within', 'since driver')
 def follows(run: Evidence, wanted: Wanted) -> None:
     """A turtle comes to another one, and goes after it when that moves."""
     advice = wanted.try_ or 'look at the frames that the listener asks tf for'
@@ -275,6 +285,7 @@ def follows(run: Evidence, wanted: Wanted) -> None:
     for one in wanted.of_each(run):
         start, track = wanted['since'] or one.recording.duration_s / 2, _turtle(one, 'goal')
         require_near(run, one.scenario, track, follower, wanted['within'], start, advice)
+        _require_driver(one, follower)
         if length(since(track, start)) > 1.0:
             require_pursuit(run, one.scenario, goal, follower, start, advice)
 
@@ -283,9 +294,16 @@ def _turtle(one: OfRun, key: str) -> Track:
     return turtle_track(one.recording, f'/{one.wanted[key].strip("/")}/pose')
 
 
+def _require_driver(one: OfRun, turtle: str) -> None:
+    """Where the rubric names a driver, nobody else commands the turtle, or the robot."""
+    if one.wanted['driver']:
+        require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split())
+
+
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:
     """For each run who moves, and where it was."""
     for one in wanted.of_each(run):
+        _require_driver(one, str(wanted['turtle']))
         if wanted['turtle']:
             yield one, str(wanted['turtle']), _turtle(one, 'turtle')
         else:

@@ -10,6 +10,7 @@ import yaml
 
 from ..evidence import Evidence, Failure, Scenario
 from ..rubric import Check, CheckFunction, Rubric, RubricMistake
+from . import yaml_behaviour as _  # noqa: F401  (its kinds)
 from .yaml_checks import KINDS
 from .yaml_wanted import ARGUMENT, Wanted
 

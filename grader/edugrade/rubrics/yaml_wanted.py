@@ -48,7 +48,10 @@ class Wanted(dict[str, Any]):
         for key in ('tolerance', 'within', 'since', 'rate', 'near'):
             if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
-        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at'):
+        after = self.get('after')
+        if isinstance(after, dict) and not {'node'} <= set(after) <= {'node', 'package', 'executable'}:
+            raise ValueError(f'after is {after!r}; write the name of a node, or {{node: NAME, package: PACKAGE}}')
+        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at', 'ago'):
             try:
                 calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
             except ValueError:
@@ -75,10 +78,24 @@ class OfRun:
         self.alone = run.only([scenario])
         self.told: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
 
+    def program(self) -> tuple[str | None, str | None]:
+        """Return the package and the executable that the rubric names, each None where it does not."""
+        return self.wanted['package'] or None, self.wanted['executable'] or None
+
     def text(self, key: str) -> str:
         """A value as text."""
+        return self.filled(self.wanted[key])
+
+    def other(self, key: str) -> tuple[str, str | None, str | None]:
+        """Return the name, the package and the executable of another node: `/sim`, or `{node: /sim, package: turtlesim}`."""
+        value = self.wanted[key]
+        found = value if isinstance(value, dict) else {'node': value}
+        return self.filled(found.get('node', '')), found.get('package'), found.get('executable')
+
+    def filled(self, value: object) -> str:
+        """Return a value as text, with the launch arguments of the run in it."""
         arguments = self.run.scenario(self.scenario).arguments
-        return ARGUMENT.sub(lambda found: arguments[found[1]], str(self.wanted[key]))
+        return ARGUMENT.sub(lambda found: arguments[found[1]], str(value))
 
     def number(self, key: str) -> float:
         """A value as a number; it may have to be calculated."""

@@ -7,7 +7,7 @@ that reads anything of the submission.
 letter content
 ====== ===========================================================================
 C      JSON: which layers of confinement hold; then one of
-R      what this half recorded: a line of JSON (which nodes and parameters are its own), then the recording's bytes
+R      what this half recorded: a line of JSON (the provenance of its rows), then the recording's bytes
 U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
 S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other half sent nonsense),
        'broken' (it says that edulaunch broke in it)
@@ -89,8 +89,7 @@ class TrustedHalf:
             raise
         except Exception as error:  # only what the other half told of itself can be of the wrong kind
             self._on_fatal(error)
-        hosted = [trusted.recorder.hosted_nodes, trusted.recorder.hosted_parameters]
-        return json.dumps(hosted).encode() + b'\n' + recording
+        return json.dumps(trusted.recorder.provenance.as_data()).encode() + b'\n' + recording
 
     def _on_fatal(self, error: Exception) -> NoReturn:
         from edulaunch.runtime.link.half import Gone, TooMuch

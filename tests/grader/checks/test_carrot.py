@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from edugrade import Scenario
-from fake_recording import FILE, graded
+from fake_recording import FILE, Track, graded
 from fake_runs import FakeRun, circles, declared, frame, node, program, statuses, stays
 
 from edulaunch.engine.recording.records import Parameter
@@ -15,12 +15,25 @@ FIXED = program(2, 'turtle_tf2_py', 'fixed_frame_tf2_broadcaster')
 MOVING = program(3, 'turtle_tf2_py', 'dynamic_frame_tf2_broadcaster')
 
 
+def comes(x: float, y: float) -> Track:
+    """Two seconds' drive to a place, and then rest."""
+    return [(t, x, y - max(0.0, 2.0 - t)) for t, _, _ in stays(x, y)]
+
+
 def run(scenario: Scenario, **changes: Any) -> FakeRun:
     moves = scenario.arguments['carrot'] == 'moving'
 
+    def at(time_s: float) -> tuple[float, float]:
+        track = circles(3.0, 1.0) if moves else comes(5.5, 7.5)
+        return track[round(time_s * 10)][1:] if round(time_s * 10) < len(track) else track[-1][1:]
+
     def frames(time_s: float) -> Any:
         side = (10.0 if int(time_s) % 2 else -10.0) if moves else 2.0
-        return {'turtle1': frame('world', 5.5, 5.5), 'turtle2': frame('world', 5.5, 7.5), 'carrot1': frame('turtle1', 0.0, side)}
+        return {
+            'turtle1': frame('world', 5.5, 5.5),
+            'turtle2': frame('world', *at(time_s)),
+            'carrot1': frame('turtle1', 0.0, side),
+        }
 
     return FakeRun(
         **{
@@ -29,7 +42,7 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
             'nodes': [node('/listener', LISTENER)],
             'frames': frames,
             'values': {'/listener': {'target_frame': Parameter('carrot1', 'launch argument target_frame')}},
-            'tracks': {'/turtle2/pose': circles(3.0, 1.0) if moves else stays(5.5, 7.5)},
+            'tracks': {'/turtle2/pose': circles(3.0, 1.0) if moves else comes(5.5, 7.5)},
             **changes,
         }
     )

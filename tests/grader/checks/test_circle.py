@@ -77,10 +77,11 @@ def test_a_misspelt_argument_is_recognised() -> None:
     assert 'did you mean "circle_radius" where you wrote "circle_radious"?' in results['argument_is_declared'].try_
 
 
-def test_an_argument_needs_a_default() -> None:
+def test_a_missing_default_costs_its_own_point_only() -> None:
     argument = DeclaredArgument('circle_radius', None, '', None, '/student/a.launch.py', 3)
     results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
-    assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
+    assert results['default_is_one_metre'].where == ('/student/a.launch.py', 3)
+    assert sum(result.earned for result in results.values()) == 11
 
 
 def defaulted(described: str) -> Any:
@@ -156,7 +157,7 @@ def test_odometry_of_ones_own_is_no_robot() -> None:
 
     results = graded('circle', claimed)
     assert statuses(results) == {'world_is_there': 'failed', 'circle_is_driven': 'not_run'}
-    assert results['world_is_there'].reason == '/fake publishes /odom, which only a program of turtlebot3_gazebo may'
+    assert results['world_is_there'].reason == '/fake publishes /odom, which only a program of turtlebot3_gazebo may publish'
     assert results['world_is_there'].where == ('/student/a.launch.py', 9)
 
 

@@ -15,6 +15,18 @@ FRAME = Frame('world', (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), False, 20.0)
 TIMES = [t / 10 for t in range(200)]
 
 
+class FollowRun(FakeRecording):
+    """A run in which the frames of turtles are where the turtles are."""
+
+    def frames_at(self, time_s: float) -> dict[str, Frame]:
+        found = dict(self.frames)
+        for name, frame in self.frames.items():
+            places = [place for place in self.tracks.get(f'/{name}/pose', []) if place[0] <= time_s]
+            if places:
+                found[name] = frame._replace(translation=(*places[-1][1:], 0.0))
+        return found
+
+
 def leader(scenario: Scenario) -> Track:
     speed = 0.5 if scenario.arguments else 0.0
     return [(t, speed * t, 5.5) for t in TIMES]
@@ -22,8 +34,8 @@ def leader(scenario: Scenario) -> Track:
 
 def run(scenario: Scenario, lag_m: float = 0.1, **changes: Any) -> FakeRecording:
     first = leader(scenario)
-    second = [(t, x - lag_m, y) for t, x, y in first if t > 2]
-    return FakeRecording(
+    second = [(t, x - max(lag_m, 4.0 - t), y) for t, x, y in first if t > 2]
+    return FollowRun(
         **{
             'processes': [process('turtlesim', 'turtlesim_node')],
             'frames': {'turtle1': FRAME, 'turtle2': FRAME},
@@ -70,7 +82,8 @@ def test_a_frame_in_the_wrong_parent_is_no_frame_in_world() -> None:
 
 def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:
     still = [(t, 5.5, 5.5) for t in TIMES]
-    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': still, '/turtle2/pose': still}))
+    comes = [(t, min(5.5, 4.0 + t), 5.5) for t in TIMES]
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': still, '/turtle2/pose': comes}))
     assert statuses(results) == {'leader_moves_when_asked': 'failed', 'moving_leader_is_followed': 'not_run'}
 
 
@@ -96,6 +109,27 @@ def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
     results = graded('follow', middle)
     assert statuses(results) == {'moving_leader_is_followed': 'failed'}
     assert results['moving_leader_is_followed'].seen == '0.00 m driven towards it'
+
+
+def test_a_turtle_that_was_spawned_at_its_goal_does_not_come_to_it() -> None:
+    still = [(t, 0.1, 5.5) for t in TIMES]
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': leader(scenario), '/turtle2/pose': still}))
+    assert results['standing_leader_is_reached'].reason == 'turtle2 does not come to its goal, when launched with no arguments'
+
+
+def test_a_frame_that_is_elsewhere_than_its_turtle_is_false() -> None:
+    def false(scenario: Scenario) -> FakeRecording:
+        return run(scenario, frames={'turtle1': FRAME, 'turtle2': FRAME, 'turtle3': FRAME})
+
+    def frozen(scenario: Scenario) -> FakeRecording:
+        return FakeRecording(**vars(run(scenario)))
+
+    assert graded('follow', false)['leader_is_on_tf'].status == 'passed'
+    result = graded('follow', frozen)['leader_is_on_tf']
+    assert (result.status, result.reason) == (
+        'failed',
+        'the frame turtle1 is not where turtle1 is, when launched with no arguments',
+    )
 
 
 @pytest.mark.parametrize('track', ['/turtle1/pose', '/turtle2/pose'])

@@ -102,6 +102,8 @@ def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tupl
 
 def fake_stock() -> Iterator[tuple[str, bytes]]:
     yield 'a stock program that runs there', started(1001, [SIM], 'turtlesim', 'turtlesim_node')
+    yield 'a stock program that does not exist', started(1001, [shipped_path('turtlesim', 'none')], 'turtlesim', 'none')
+    yield 'a stock program under another claim', started(1001, [SIM], 'mine', 'fake')
     yield (
         'a stock name for another program',
         spawn(1001, ['/x/lib/demo_nodes_cpp/talker'], 'demo_nodes_cpp', 'talker', spec([SIM], 'turtlesim', 'turtlesim_node')),
@@ -235,7 +237,10 @@ def test_a_topic_of_a_world_has_the_world_among_its_publishers_and_says_who_else
     )
     trusted, error = after_the_sim(mine)
     assert isinstance(error, Gone)
-    assert [trusted.recorder.nodes[position][4] for position in trusted.recorder.hosted_nodes] == [sim]
+    provenance = trusted.recorder.provenance
+    assert [
+        row[4] for row, of in zip(trusted.recorder.nodes, provenance.owners['nodes'], strict=True) if of in provenance.programs
+    ] == [sim]
 
 
 def test_too_many_bytes_are_too_many() -> None:

@@ -1,0 +1,46 @@
+"""Which process each row of a record belongs to, and which program each hosted process is, as the trusted half knows it.
+
+Names in a recording are claims of whoever chose them, and two processes can have one name. Positions are not.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.recording import Recording
+
+PARTS = ('nodes', 'parameters', 'logs', 'output')
+
+
+class HostedProgram(NamedTuple):
+    """The package and the executable of a program that a trusted half ran itself."""
+
+    package: str
+    executable: str
+
+
+class Provenance:
+    """Where the rows of a recording come from.
+
+    :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 for none.
+    :ivar programs: the programs that the trusted half ran itself, by position in `processes`.
+    """
+
+    def __init__(self) -> None:
+        self.owners: dict[str, list[int]] = {part: [] for part in PARTS}
+        self.programs: dict[int, HostedProgram] = {}
+
+    def as_data(self) -> list[Any]:
+        """Return the content as plain data for JSON; :func:`attach` reads it."""
+        return [self.owners, [[position, *program] for position, program in self.programs.items()]]
+
+
+def attach(recording: Recording, data: Any) -> None:
+    """Give a recording the provenance that `Provenance.as_data` described.
+
+    :raises KeyError, TypeError, ValueError: for other data.
+    """
+    owners, programs = data
+    recording.owners = {part: [int(owner) for owner in owners[part]] for part in PARTS}
+    recording.hosted = {int(position): HostedProgram(package, executable) for position, package, executable in programs}

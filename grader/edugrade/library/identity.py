@@ -1,0 +1,93 @@
+"""Which program a process or a node really is: what the trusted half of a run hosts, never what a submission claims.
+
+A recording without a provenance comes from one process (an author's own run): there the claims of the launch file count.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from ..source import comes_with_edulaunch, shipped_program
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
+
+STARTERS = ('ros2', 'bash', 'sh')  # programs that start others under their own name
+
+
+def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
+    """Return the (package, executable) of a process; None for one that has no package, or claims one that is not its own.
+
+    :param position: of the process in `recording.processes`.
+    """
+    process, hosted = recording.processes[position], recording.hosted
+    if hosted is not None and position in hosted:
+        return hosted[position]
+    if process.package is None or process.executable is None:
+        return None
+    if comes_with_edulaunch(process.package) and not _is_stock_by_its_word(process, hosted is not None):
+        return None
+    return process.package, process.executable
+
+
+def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
+    """Whether a process of the confined half may be a stock program: only those that the trusted half never hosts."""
+    package, executable, word = process.package or '', process.executable or '', process.argv[0] if process.argv else ''
+    if not is_confined:
+        return word == shipped_program(package, executable)
+    from edulaunch.runtime.link.trusted_host import runs_beside_the_student
+
+    return runs_beside_the_student(package, executable, word)
+
+
+def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
+    """Return the positions of the processes that are a program of a package, in the order of their start."""
+    return [
+        position
+        for position in range(len(recording.processes))
+        if (found := program_of(recording, position)) is not None and found[0] == package and executable in (None, found[1])
+    ]
+
+
+def nodes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
+    """Return the positions of the nodes whose process is a program of a package, in the order in which they joined."""
+    if recording.owners is None:
+        return [
+            position
+            for position, node in enumerate(recording.nodes)
+            if _is_of_by_name(recording, node.process, package, executable)
+        ]
+    wanted = set(processes_of(recording, package, executable))
+    return [position for position in range(len(recording.nodes)) if recording.owners['nodes'][position] in wanted]
+
+
+def rows_of(recording: Recording, part: str, package: str, executable: str | None = None) -> list[int]:
+    """Return the positions of the rows of `part` ('logs' or 'output') that come from a program of a package."""
+    wanted = processes_of(recording, package, executable)
+    if recording.owners is None:
+        names = {recording.processes[position].name for position in wanted}
+        owners = [row.process for row in recording.logs] if part == 'logs' else [row.process for row in recording.output]
+        return [position for position, owner in enumerate(owners) if owner in names]
+    return [position for position, owner in enumerate(recording.owners[part]) if owner in wanted]
+
+
+def process_of(recording: Recording, node: NodeRecord, position: int) -> ProcessRecord | None:
+    """Return the process of a node, by its position in `recording.nodes`."""
+    if recording.owners is not None:
+        owner = recording.owners['nodes'][position]
+        return recording.processes[owner] if owner >= 0 else None
+    return next((process for process in recording.processes if process.name == node.process), None)
+
+
+def _is_of_by_name(recording: Recording, name: str, package: str, executable: str | None) -> bool:
+    """Whether the process of that name, or what it started under its name, is a program of a package and nothing else."""
+    ran = [position for position, process in enumerate(recording.processes) if process.name == name]
+    programs = [position for position in ran if not _is_starter(recording.processes[position])]
+    found = [program_of(recording, position) for position in programs]
+    return bool(found) and all(each is not None and each[0] == package and executable in (None, each[1]) for each in found)
+
+
+def _is_starter(process: ProcessRecord) -> bool:
+    return process.package is None and os.path.basename(process.argv[0].split()[0]) in STARTERS
