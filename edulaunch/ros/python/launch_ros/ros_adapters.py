@@ -104,6 +104,8 @@ def get_ros_node(context: LaunchContext) -> Node:
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
+    if context.is_shutdown:  # it was announced before this began, and would never be heard here
+        return None
     from launch.event_handlers.on_shutdown import OnShutdown
 
     from edulaunch.engine.processes import current_process
