@@ -47,7 +47,7 @@ def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
     """The student's own Python launch files with their syntax trees; nothing of them is executed."""
     from launch._failure import is_students
 
-    from edulaunch.advice.workspace.sources import parsed
+    from edulaunch.ros.sources.source_package import parsed
 
     for file in launch_files(rehearsal):
         tree = parsed(file) if file.endswith('.py') and is_students(file) else None

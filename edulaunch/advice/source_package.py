@@ -6,8 +6,8 @@ import os
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from edulaunch.advice.workspace.sources import SourcePackage
     from edulaunch.engine.packages import Index
+    from edulaunch.ros.sources.source_package import SourcePackage
 
 
 class Source(NamedTuple):
@@ -42,9 +42,9 @@ class Workspace(NamedTuple):
 
 def workspace_at(path: str) -> Workspace:
     """The workspace or package folder at `path`."""
-    from edulaunch.advice.workspace.sources import source_packages
     from edulaunch.engine.packages import Index
     from edulaunch.ros.sources import read_source
+    from edulaunch.ros.sources.source_package import source_packages
 
     index = Index((), [path], read_source=read_source)
     return Workspace(os.path.abspath(path), index, source_packages(index))

@@ -212,4 +212,11 @@ def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
     return Mark(finding.time_s or 0.0, subject, str(words), finding.rule)
 
 
-views.register(judge=judge, sentences=told, closing_lines=said_at_the_end, help_below=help_below, help_of=help_of)
+views.register(
+    judge=judge,
+    sentences=told,
+    closing_lines=said_at_the_end,
+    help_below=help_below,
+    help_of=help_of,
+    help_of_facts=help_of_facts,
+)

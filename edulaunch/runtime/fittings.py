@@ -1,4 +1,4 @@
-"""What every simulated machine is fitted with from the rooms above the engine: the `ros2` tool, a shell, hints below errors."""
+"""What a simulated machine and a session get from the rooms above: the `ros2` tool, a shell, help for errors."""
 
 from __future__ import annotations
 
@@ -24,3 +24,15 @@ def hint_of(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
     """
     help: str | None = view('help_below')(error, env)
     return None if help is None else f'  help: {help}'
+
+
+def help_of(error: dict[str, Any]) -> str | None:
+    """The help for an error as plain data (type, message, place, facts), in one line; None when no rule knows it."""
+    help: str | None = view('help_of')(error)
+    return help
+
+
+def help_of_facts(facts: dict[str, Any]) -> str:
+    """The help for an error of which only facts are known, in one line; '' when there are none."""
+    help: str = view('help_of_facts')(facts)
+    return help

@@ -6,7 +6,6 @@ import signal
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
-from edulaunch.advice.wording import help_of
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
@@ -14,6 +13,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.recording import Recorder
 from edulaunch.engine.recording.records import UnreadArgument
 from edulaunch.errors import LaunchFileError
+from edulaunch.runtime.fittings import help_of
 
 _STOPPED = {
     'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),

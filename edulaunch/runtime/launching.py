@@ -7,6 +7,8 @@ import os
 from edulaunch.engine.nearest import nearest_file
 from edulaunch.engine.packages import Index
 from edulaunch.errors import UnusableInput
+from edulaunch.ros.sources.missing import missing_launch_file, missing_package
+from edulaunch.runtime.fittings import help_of_facts
 
 SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
@@ -62,9 +64,6 @@ def _existing_file(path: str) -> str:
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:
-    from edulaunch.advice.wording import help_of_facts
-    from edulaunch.advice.workspace.missing import missing_launch_file, missing_package
-
     if package not in index.packages():
         path = os.path.join(package, file or '')
         if file and os.path.isfile(path):

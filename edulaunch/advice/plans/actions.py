@@ -84,7 +84,7 @@ def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _code(file: str) -> str:
-    from edulaunch.advice.workspace.sources import read_text
+    from edulaunch.ros.sources.source_package import read_text
 
     return _COMMENTS.sub('', read_text(file))
 

@@ -163,7 +163,7 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
     """A path below a home folder that is written out."""
     from launch._failure import is_students
 
-    from edulaunch.advice.workspace.sources import read_text
+    from edulaunch.ros.sources.source_package import read_text
 
     for file in filter(is_students, launch_files(rehearsal)):
         for number, line in enumerate(read_text(file).splitlines(), 1):

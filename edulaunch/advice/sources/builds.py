@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.workspace.sources import parsed, read_text
+from edulaunch.ros.sources.source_package import parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source

@@ -8,12 +8,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.workspace.sources import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 from edulaunch.engine.nearest import nearest
+from edulaunch.ros.sources.source_package import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source
-    from edulaunch.advice.workspace.sources import SourcePackage
+    from edulaunch.ros.sources.source_package import SourcePackage
 
 LESSON = '07_packages'
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.workspace.sources import DATA_FOLDERS, RUNTIME_TAGS, SourcePackage, install_facts, parsed, read_text
+from edulaunch.ros.sources.source_package import DATA_FOLDERS, RUNTIME_TAGS, SourcePackage, install_facts, parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source

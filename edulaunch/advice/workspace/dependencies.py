@@ -6,10 +6,10 @@ from fnmatch import fnmatchcase
 from importlib.util import find_spec
 from typing import NamedTuple
 
-from edulaunch.advice.workspace.sources import Dependency, SourcePackage, source_packages
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages import Index
 from edulaunch.ros.sources import read_source
+from edulaunch.ros.sources.source_package import Dependency, SourcePackage, source_packages
 
 NOT_NEEDED = (
     *('ament_*', 'rosidl_*', 'cmake', 'catkin', 'pkg-config', 'launch_testing_ament_cmake'),

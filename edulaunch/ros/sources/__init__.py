@@ -2,7 +2,8 @@
 
 `read_source` is what an `Index` of source workspaces is made with. `setup_script.py` reads a setup.py (`static_python.py` and
 `static_values.py` are the small interpreter for it, `setup_tables.py` reads setup.cfg and pyproject.toml); `cmake.py` reads a
-CMakeLists.txt (`cmake_text.py` has its syntax).
+CMakeLists.txt (`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files, and
+`missing.py` finds out why something is not found: facts, of which `edulaunch.advice` makes sentences.
 """
 
 from __future__ import annotations

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
-from demo_nodes_py._running import run
 from rclpy.action import ActionClient
 from rclpy.node import Node
 from rclpy.task import Future
+
+from edulaunch.ros.running import run
 
 ORDER = 10
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import time
 
 from action_tutorials_interfaces.action import Fibonacci
-from demo_nodes_py._running import spin
 from rclpy.action import ActionServer
 from rclpy.action.server import ServerGoalHandle
 from rclpy.node import Node
+
+from edulaunch.ros.running import spin
 
 
 class FibonacciActionServer(Node):

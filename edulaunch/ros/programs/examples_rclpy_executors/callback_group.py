@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import run
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from edulaunch.ros.running import run
 from examples_rclpy_executors.listener import Listener
 
 

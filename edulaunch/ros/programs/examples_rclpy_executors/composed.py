@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import run
 from rclpy.executors import SingleThreadedExecutor
 
+from edulaunch.ros.running import run
 from examples_rclpy_executors.listener import Listener
 from examples_rclpy_executors.talker import Talker
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from demo_nodes_py._running import spin
 from rclpy.callback_groups import CallbackGroup
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from edulaunch.ros.running import spin
 
 
 class ThrottledCallbackGroup(CallbackGroup):

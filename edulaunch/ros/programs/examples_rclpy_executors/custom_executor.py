@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 
-from demo_nodes_py._running import run
 from rclpy.executors import Executor, TimeoutException
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from edulaunch.ros.running import run
 from examples_rclpy_executors.listener import Listener
 from examples_rclpy_executors.talker import Talker
 

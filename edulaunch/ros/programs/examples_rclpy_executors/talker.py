@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import spin
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from edulaunch.ros.running import spin
 
 
 class Talker(Node):

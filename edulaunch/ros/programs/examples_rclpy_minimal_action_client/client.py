@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import rclpy
 from action_msgs.msg import GoalStatus
-from demo_nodes_py._running import run
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.action.client import ClientGoalHandle
 from rclpy.node import Node
 from rclpy.task import Future
+
+from edulaunch.ros.running import run
 
 ORDER = 10
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import asyncio
 
 import rclpy
-from demo_nodes_py._running import run
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.logging import get_logger
 from rclpy.node import Node
+
+from edulaunch.ros.running import run
 
 ORDER = 10
 

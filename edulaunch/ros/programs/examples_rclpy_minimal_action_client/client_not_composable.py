@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import rclpy
 from action_msgs.msg import GoalStatus
-from demo_nodes_py._running import run
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
+
+from edulaunch.ros.running import run
 
 ORDER = 10
 

@@ -6,13 +6,14 @@ import time
 from functools import partial
 
 import rclpy
-from demo_nodes_py._running import run
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import ServerGoalHandle
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
+
+from edulaunch.ros.running import run
 
 STEP_S = 1.0
 

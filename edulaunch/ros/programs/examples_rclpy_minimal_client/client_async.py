@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import rclpy
-from demo_nodes_py._running import run
 
+from edulaunch.ros.running import run
 from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from time import sleep
 
 import rclpy
-from demo_nodes_py._running import run
 from std_msgs.msg import String
+
+from edulaunch.ros.running import run
 
 PERIOD_S = 0.5
 

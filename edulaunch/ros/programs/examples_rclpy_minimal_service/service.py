@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import rclpy
-from demo_nodes_py._running import run
 from example_interfaces.srv import AddTwoInts
+
+from edulaunch.ros.running import run
 
 
 def serve() -> None:

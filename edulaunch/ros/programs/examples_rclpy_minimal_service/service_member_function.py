@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import spin
 from example_interfaces.srv import AddTwoInts
 from rclpy.node import Node
+
+from edulaunch.ros.running import spin
 
 
 class MinimalService(Node):

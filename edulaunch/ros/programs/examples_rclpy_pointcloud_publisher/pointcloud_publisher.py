@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from demo_nodes_py._running import spin
 from rclpy.node import Node
 from sensor_msgs.msg import PointCloud2, PointField
 from sensor_msgs_py import point_cloud2
 from std_msgs.msg import Header
+
+from edulaunch.ros.running import spin
 
 RATE_HZ = 30
 SIDE_M = 2.0

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import spin
 from lifecycle_msgs.msg import TransitionEvent
 from rclpy.node import Node
 from std_msgs.msg import String
+
+from edulaunch.ros.running import spin
 
 
 class LifecycleListener(Node):

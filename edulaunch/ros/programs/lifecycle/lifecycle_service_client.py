@@ -5,10 +5,11 @@ from __future__ import annotations
 import time
 
 import rclpy
-from demo_nodes_py._running import run
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 from rclpy.node import Node
+
+from edulaunch.ros.running import run
 
 STEPS = (
     ('TRANSITION_CONFIGURE', 10.0),

@@ -5,9 +5,10 @@ from __future__ import annotations
 import time
 
 import rclpy
-from demo_nodes_py._running import run
 from lifecycle_py.talker import LifecycleTalker
 from rclpy.lifecycle import State, TransitionCallbackReturn
+
+from edulaunch.ros.running import run
 
 
 class SlowTalker(LifecycleTalker):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import rclpy
-from demo_nodes_py._running import run
 from rclpy.lifecycle import LifecycleNode, LifecyclePublisher, State, TransitionCallbackReturn
 from rclpy.timer import Timer
 from std_msgs.msg import String
+
+from edulaunch.ros.running import run
 
 
 class LifecycleTalker(LifecycleNode):

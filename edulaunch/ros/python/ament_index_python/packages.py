@@ -80,7 +80,7 @@ def _left_out_by_launch(package_name: str) -> str | None:
 
 
 def _not_found(package_name: str) -> PackageNotFoundError:
-    from edulaunch.advice.workspace.missing import missing_package
+    from edulaunch.ros.sources.missing import missing_package
 
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
     return with_facts(error, **missing_package(index_in_force(), package_name))

@@ -9,7 +9,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import String
 
-from demo_nodes_py._running import run
+from edulaunch.ros.running import run
 
 STEPS = (
     ('default', None),

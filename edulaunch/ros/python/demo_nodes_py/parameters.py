@@ -12,7 +12,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 
-from demo_nodes_py._running import run, spin
+from edulaunch.ros.running import run, spin
 
 REMOTE = 'parameter_blackboard'
 VALUES = [

@@ -9,7 +9,7 @@ from example_interfaces.srv import AddTwoInts
 from rclpy.client import Client
 from rclpy.node import Node
 
-from demo_nodes_py._running import run, spin
+from edulaunch.ros.running import run, spin
 
 
 class AddTwoIntsServer(Node):

@@ -11,7 +11,7 @@ from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from rclpy.utilities import remove_ros_args
 from std_msgs.msg import String
 
-from demo_nodes_py._running import run, spin
+from edulaunch.ros.running import run, spin
 
 PERIOD_S = 1.0
 

@@ -7,13 +7,14 @@ from math import pi
 from typing import Any
 
 import rclpy
-from demo_nodes_py._running import run
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.utilities import remove_ros_args
 from robot_state_publisher._joints import Joint, Mimic, read_joints
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
+
+from edulaunch.ros.running import run
 
 DEFAULTS: dict[str, Any] = {
     'rate': 10,

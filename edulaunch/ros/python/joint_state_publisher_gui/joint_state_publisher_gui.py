@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import rclpy
-from demo_nodes_py._running import run
 from joint_state_publisher.joint_state_publisher import JointStatePublisher
+
+from edulaunch.ros.running import run
 
 
 def work() -> None:

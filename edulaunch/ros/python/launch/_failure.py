@@ -127,7 +127,7 @@ def _file_beside(error: ModuleNotFoundError) -> dict[str, Any]:
 
 
 def _about_file(path: str) -> dict[str, Any]:
-    from edulaunch.advice.workspace.missing import installed_file
+    from edulaunch.ros.sources.missing import installed_file
 
     from ._absent_packages import absent_file
 

@@ -21,7 +21,6 @@ _NAMES = {
     'tf2_ros.static_transform_broadcaster': 'StaticTransformBroadcaster',
     'tf2_ros.transform_broadcaster': 'TransformBroadcaster',
     'tf2_ros.transform_listener': 'TransformListener',
-    'message_filters.tf2_message_filter': 'MessageFilter',
 }
 """Module -> the names that are taken from it, with blanks between."""
 _EXPORTS = {name: module for module, names in _NAMES.items() for name in names.split()}

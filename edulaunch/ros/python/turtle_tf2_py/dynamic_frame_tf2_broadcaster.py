@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
-from demo_nodes_py._running import spin
-
+from edulaunch.ros.running import spin
 from turtle_tf2_py.fixed_frame_tf2_broadcaster import CarrotPublisher
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from demo_nodes_py._running import spin
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
+
+from edulaunch.ros.running import spin
 
 PERIOD_S = 0.1
 

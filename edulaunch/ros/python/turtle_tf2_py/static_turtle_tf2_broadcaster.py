@@ -5,12 +5,13 @@ from __future__ import annotations
 import sys
 from math import cos, sin
 
-from demo_nodes_py._running import spin
 from geometry_msgs.msg import TransformStamped
 from rclpy.logging import get_logger
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 from tf2_ros import StaticTransformBroadcaster
+
+from edulaunch.ros.running import spin
 
 
 def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from demo_nodes_py._running import spin
 from rclpy.constants import S_TO_NS
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
 from turtlesim.msg import Pose
+
+from edulaunch.ros.running import spin
 
 
 class FramePublisher(Node):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import atan2, hypot
 
-from demo_nodes_py._running import spin
 from geometry_msgs.msg import Twist
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformException, TransformListener
 
+from edulaunch.ros.running import spin
 from turtle_tf2_py._spawning import SpawningNode
 
 FOLLOWER = 'turtle2'

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from demo_nodes_py._running import spin
 from geometry_msgs.msg import PointStamped, Twist
 from turtlesim.msg import Pose
 
+from edulaunch.ros.running import spin
 from turtle_tf2_py._spawning import SpawningNode
 
 

@@ -74,6 +74,6 @@ class ExecutableInPackage(FindPackagePrefix):
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
     """ROS's own error, with what is known of such an executable."""
-    from edulaunch.advice.workspace.missing import missing_executable
+    from edulaunch.ros.sources.missing import missing_executable
 
     return with_facts(SubstitutionFailure(message), **missing_executable(index, package, executable))

@@ -6,9 +6,9 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.workspace.sources import SourcePackage, install_facts, read_text
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.reading import find_packages, read_manifest
+from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
 
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index

@@ -1,4 +1,4 @@
-"""How the demo programs run."""
+"""How the built-in programs run, each of which is a node that somebody spins until Ctrl-C."""
 
 from __future__ import annotations
 
