@@ -10,7 +10,7 @@ from pathlib import Path
 from tests.desk.machine.shells import Desk, Shell
 from tests.desk.terminals.pages import Page, Step
 
-COMMANDS = {'ros2': 'machine.command:ros2', 'rosdep': 'cli.rosdep:command', 'edulaunch': 'cli.main:main'}
+COMMANDS = {'ros2': 'desk.machine.command:ros2', 'rosdep': 'desk.cli.rosdep:command', 'edulaunch': 'desk.cli.main:main'}
 SPEED = 10
 PROMPT = re.compile(r'<(\d+)>\$ $')
 ESCAPES = re.compile(r'\x1b\[[0-9;?]*[A-Za-z]|\r')
