@@ -13,6 +13,8 @@ from functools import cache
 from importlib import import_module
 from typing import Any, NamedTuple
 
+from edulaunch.runtime.plugins import modules_with_rules
+
 
 class Finding(NamedTuple):
     """One mistake at one place.
@@ -134,10 +136,11 @@ _loaded: dict[str, Rule] = {}
 
 @cache
 def rules_over(kind: str) -> tuple[Rule, ...]:
-    """The rules that look at one kind of thing, in the order of their files."""
+    """The rules that look at one kind of thing, in the order of their files; those of plug-ins are the last."""
     folder = os.path.join(os.path.dirname(__file__), kind)
     modules = sorted(name.removesuffix('.py') for name in os.listdir(folder) if name.endswith('.py') and name[0] != '_')
     loaded = [import_module(f'edulaunch.advice.{kind}.{name}') for name in modules]
+    loaded += modules_with_rules(kind)
     rules = tuple(value for module in loaded for value in vars(module).values() if isinstance(value, Rule))
     _loaded.update((rule.name, rule) for rule in rules)
     return rules

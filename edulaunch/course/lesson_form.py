@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 
 from .lessons import FOLDER as NOTES
 from .lessons import LESSONS, read_lessons, read_notes
-from .quiz import FILE, read_questions
+from .quizzes import FILE, read_questions
 from .stored import read_outputs
 
 _ID = re.compile(r'[a-z][a-z0-9]*(-[a-z0-9]+)*')

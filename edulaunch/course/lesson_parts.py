@@ -19,7 +19,7 @@ from edugrade.reports.markup import element
 
 from edulaunch.errors import UnusableInput
 
-from .quiz import Question
+from .quizzes import Question
 
 WRITES = '%%writefile '
 _CALL = r"^{}\('([\w-]+)'(?:.*#\s*(.*))?"

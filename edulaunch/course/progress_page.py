@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 
 from .lessons import Lesson, lessons_folder, read_lessons
 from .predictions import Words
-from .quiz import Question, find_questions
+from .quizzes import Question, find_questions
 
 HEAD = ('lesson', 'predictions', 'questions', 'exercises', 'points')
 MOST_REPEATED = 5

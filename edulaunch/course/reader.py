@@ -21,7 +21,7 @@ from edulaunch.errors import UnusableInput
 from .copying import copy_files, student_files, write_file
 from .lesson_parts import FOLDER, Part, environment, heading_id, lesson_parts, markdown
 from .lessons import LESSONS, manifest, read_lessons, read_notes
-from .quiz import FILE, read_questions
+from .quizzes import FILE, read_questions
 from .stored import read_outputs, run_notebook, without_place
 
 REPLAYS = 'replays'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from edugrade.files import files_below
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime import plugins
 from edulaunch.version import __version__
 
 from .copying import write_file
@@ -58,10 +59,13 @@ def write_template(name: str, course: str) -> list[str]:
 
 def _files(name: str, course: str) -> dict[str, bytes]:
     requirements = _requirements(course)
-    made = MAKERS.get(name)
+    made = plugins.template(name)
     if made is not None:
         with _inside(course):
-            return made(requirements)
+            files: dict[str, bytes] = made(requirements, _exercises())
+        return files
+    if (missing := plugins.absent(f'edulaunch course template {name}')) is not None:
+        raise missing
     found = {} if os.path.exists(os.path.join(course, REQUIREMENTS)) else {REQUIREMENTS: requirements.encode()}
     folder = os.path.join(FOLDER, name)
     title = re.sub(r'[^a-z0-9]+', '-', os.path.basename(os.path.abspath(course)).lower()).strip('-') or 'course'
@@ -71,41 +75,10 @@ def _files(name: str, course: str) -> dict[str, bytes]:
     return found
 
 
-def _classroom(requirements: str) -> dict[str, bytes]:
-    """A command for each check of each exercise."""
-    from edugrade.classes.export.classroom import autograding, tests, workflow
-
-    found = [test for name, path in _exercises() for test in tests(f'{name}={EXERCISES}/{path}')]
-    install = f'pip install -r {REQUIREMENTS}'
-    files = {
-        '.github/workflows/classroom.yml': workflow(found, install).encode(),
-        '.github/classroom/autograding.json': autograding(found, install).encode(),
-    }
-    return files if os.path.exists(REQUIREMENTS) else {REQUIREMENTS: requirements.encode(), **files}
-
-
-def _gradescope(requirements: str) -> dict[str, bytes]:
-    """An autograder for each exercise."""
-    import tempfile
-
-    from edugrade.classes.export.gradescope import build
-
-    files = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, _ in _exercises():
-            path = os.path.join(folder, f'{name}.zip')
-            build(name, path)
-            files[f'gradescope/{name}.zip'] = Path(path).read_bytes()
-    return files
-
-
-MAKERS: dict[str, Callable[[str], dict[str, bytes]]] = {'classroom': _classroom, 'gradescope': _gradescope}
-"""Templates whose files come of the course's exercises; the course is the current folder."""
-
-
 def _exercises() -> list[tuple[str, str]]:
+    """Name and path of each exercise of the course that is the current folder."""
     place = manifest('.')
-    return [(entry.name, entry.path) for entry in (read_course(place) if place else ())]
+    return [(entry.name, f'{EXERCISES}/{entry.path}') for entry in (read_course(place) if place else ())]
 
 
 def _requirements(course: str) -> str:

@@ -28,6 +28,7 @@ from edulaunch.runtime.excerpt import Excerpt
 from edulaunch.runtime.fittings import command_set, hint_of
 from edulaunch.runtime.launch_process import LaunchRun, describe
 from edulaunch.runtime.launching import find_launch_file
+from edulaunch.runtime.plugins import package_folders
 
 PathLike = str | os.PathLike[str]
 LONGEST_SHUTDOWN_S = 30.0
@@ -260,9 +261,9 @@ def _nanoseconds(duration_s: float) -> int:
 
 
 def index_for(workspaces: Sequence[PathLike]) -> Index:
-    """An index of the workspaces over the underlay."""
+    """An index of the workspaces over the packages of plug-ins, over the underlay."""
     built, sources = install_folders(workspaces)
-    return Index([*built, underlay_prefix()], sources, read_source=read_source)
+    return Index([*built, underlay_prefix()], [*sources, *package_folders()], read_source=read_source)
 
 
 def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.course.quiz import FILE, read_questions
+from edulaunch.course.quizzes import FILE, read_questions
 from tests.browser.lab import WANTED, Lab
 from tests.browser.student import BrowserStudent
 from tests.lessons.notebook import LESSONS, ORDER, Lesson

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import pytest
@@ -54,7 +55,7 @@ def test_a_verb_stands_in_the_help_and_runs(installed: Installed, capsys: pytest
     with pytest.raises(SystemExit):
         main(['--help'])
     verbs = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line.startswith('    ') and line[4] != ' ']
-    assert verbs == sorted(verbs) and {'greet', 'launch', 'network'} <= set(verbs)
+    assert verbs == sorted(verbs) and {'greet', 'launch', 'rosdep'} <= set(verbs)
 
 
 def test_the_package_offers_a_function_of_a_plug_in(installed: Installed) -> None:
@@ -75,8 +76,9 @@ def test_the_package_offers_a_function_of_a_plug_in(installed: Installed) -> Non
 def test_a_broken_plug_in_is_named_and_the_others_are_there(
     installed: Installed, capsys: pytest.CaptureFixture[str], text: str, why: str
 ) -> None:
+    installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
     installed('odd', 'odd_plugin:PLUGIN', text)
-    assert 'network' in plugins.plugins() and 'odd' not in plugins.plugins()
+    assert 'greeting' in plugins.plugins() and 'odd' not in plugins.plugins()
     assert capsys.readouterr().err == (
         f"warning: the plug-in 'odd' of odd cannot be used: {why}\n  help: repair odd_plugin, or remove it: pip uninstall odd\n"
     )
@@ -95,7 +97,7 @@ def test_one_that_needs_a_plug_in_that_is_not_there_is_not_there_either(installe
     assert {'first', 'second'} & set(plugins.plugins()) == {'second'}
 
 
-def test_what_our_own_would_bring_is_named_with_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_our_own_would_bring_is_named_with_how_to_install_it() -> None:
     error = plugins.absent('edulaunch network')
     assert str(error) == (
         "edulaunch network needs the plug-in 'network', which is not installed.\n"
@@ -104,16 +106,13 @@ def test_what_our_own_would_bring_is_named_with_how_to_install_it(monkeypatch: p
     assert plugins.absent('edulaunch launch') is None
 
 
-def test_every_word_of_our_own_plug_ins_can_be_named_when_it_is_missing() -> None:
-    ours = {name: plugins.plugins()[name] for name in ('classes', 'comparing', 'course', 'grader', 'network')}
-    words = {f'edulaunch {word}' for plugin in ours.values() for word in plugin.verbs}
-    words |= {f'edugrade {word}' for plugin in ours.values() for word in plugin.grading}
-    words |= {f'edulaunch.{name}' for plugin in ours.values() for name in plugin.functions}
-    assert words == {word for word in plugins.SOURCES if '--' not in word}
-    assert {source.plugin for source in plugins.SOURCES.values()} == set(ours)
+def test_the_entry_points_are_those_that_the_standard_library_finds(installed: Installed) -> None:
+    installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
+    there = {(entry.name, entry.value) for entry in entry_points(group=plugins.GROUP)}
+    assert {(entry.name, entry.place) for entry in plugins.entries()} == there and len(there) > 1
 
 
 def test_a_built_in_verb_looks_for_no_plug_in(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(plugins, 'plugins', lambda: pytest.fail('looked for plug-ins'))
-    assert main(['launch', 'turtlesim', 'multisim.launch.py', '--fast', '--for', '0.1', '--quiet']) == 0
+    monkeypatch.setattr(plugins, 'entries', lambda: pytest.fail('looked for plug-ins'))
+    plugins.plugins.cache_clear()
     assert main(['env']) == 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from edulaunch.runtime.plugins import GradingVerb, Plugin
 
 PLUGIN = Plugin(
+    templates={name: f'edugrade.classes.export.templates:{name}' for name in ('classroom', 'gradescope')},
     grading={
         'batch': GradingVerb(
             'edugrade.classes.batch.command:main',
@@ -30,5 +31,5 @@ PLUGIN = Plugin(
         'verify': GradingVerb(
             'edugrade.classes.verify:main', 'verify report.json', 'make a mark again, and say whether it holds'
         ),
-    }
+    },
 )

@@ -26,14 +26,21 @@ def test_known_words_look_for_no_plug_in(words: list[str], monkeypatch: pytest.M
     assert plugins_of(parser.parse_args(words)) == []
 
 
-@pytest.mark.parametrize('words', [['--real'], ['--help'], ['-h'], ['--network-link=rclpy']])
-def test_other_options_and_help_add_those_of_plug_ins(words: list[str]) -> None:
+class Slowly:
+    """A module with an option."""
+
+    @staticmethod
+    def add_options(parser: argparse.ArgumentParser) -> None:
+        parser.add_argument('--slowly', action='store_true')
+
+
+@pytest.mark.parametrize('words', [['--slowly'], ['--help'], ['-h'], ['--slowly=1']])
+def test_other_options_and_help_add_those_of_plug_ins(words: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plugins, 'options_of_plugins', {'launch': [Slowly]}.__getitem__)
     parser = launch_parser()
     add_plugin_options('launch', parser, words)
-    arguments = parser.parse_args(['--real', '--network'])
-    assert arguments.real and [module.__name__ for module in plugins_of(arguments)] == [
-        'edulaunch.extras.network.edulaunch_launch'
-    ]
+    arguments = parser.parse_args(['--slowly', 'demo'])
+    assert arguments.slowly and plugins_of(arguments) == [Slowly]
 
 
 @pytest.mark.parametrize(('command', 'word'), [('launch', 'edulaunch launch --real'), ('ros2 launch', 'ros2 launch --network')])

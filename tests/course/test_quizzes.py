@@ -8,7 +8,7 @@ import pytest
 from edugrade.progress_file import ProgressFile
 
 from edulaunch.course import quiz
-from edulaunch.course.quiz import read_questions
+from edulaunch.course.quizzes import read_questions
 from edulaunch.errors import UnusableInput
 
 ONE = """\
