@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 from edugrade.progress_file import ProgressFile
-from tests.course.test_quizzes import ONE
 
 from edulaunch.course import predict, progress, quiz
+from tests.course.test_quizzes import ONE
 
 COURSE = """\
 [[exercise]]
