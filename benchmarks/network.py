@@ -175,14 +175,14 @@ class Pinger:
         self.link.flush()
 
     def say(self, text: str) -> None:
-        from edulaunch.engine.interfaces.cdr import encode
+        from edulaunch.ros.serialization.cdr import encode
 
         self.link.publish(self.mouth, encode(self.cls, (text,)))
 
     def hear(self, longest_s: float) -> str | None:
         """The next answer; None when there is none for so long."""
-        from edulaunch.engine.interfaces.cdr import decode
         from edulaunch.extras.network.link import Message
+        from edulaunch.ros.serialization.cdr import decode
 
         end_s = time.monotonic() + longest_s
         while (left_s := end_s - time.monotonic()) > 0:

@@ -17,10 +17,10 @@ from pathlib import Path
 from benchmarks.network import TURTLES
 from edulaunch.desk.machine.place import folder, read_address
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.interfaces.cdr import encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
 from edulaunch.extras.network.links import make_link
+from edulaunch.ros.serialization.cdr import encode
 
 STAYS_S = 18.0
 AWAY_S = 2.0

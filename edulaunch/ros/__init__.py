@@ -3,6 +3,7 @@
 The folder is laid out like an install prefix: `python/` has the import packages, `share/` their launch files, interfaces and
 `package.xml`, `programs/` the programs that are written as students write theirs.
 A package here is a face over `edulaunch.engine`, with ROS 2's names, defaults and error texts; it may import the engine only.
+`sources/` reads the build files of source packages, and `serialization/` has messages as bytes and text.
 Nothing here is a top-level name of an installation: `edulaunch.source()` (in `sourcing.py`) puts `python/` on the path.
 Start reading with `python/rclpy/node.py` and `python/launch/launch_service.py`.
 """

@@ -1,8 +1,8 @@
-"""Message, service and action classes made from .msg, .srv and .action text; wire tuples; CDR bytes.
+"""Message, service and action classes made from .msg, .srv and .action text; wire tuples.
 
 Reading order: `spec` (what an interface is), `notation` and `parser` (from text), `layout` (flattened fields), `generator` and
 `services` (the classes), `registry` (finds files, makes each class once), `importer` (`import geometry_msgs.msg`), `texts`
-(kept in recordings), `cdr` and `description` (bytes and type hashes, as on a real ROS network).
+(kept in recordings). The forms that leave the simulation, such as CDR, are in `edulaunch.ros.serialization`.
 """
 
 from __future__ import annotations

@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from edulaunch.engine.interfaces.cdr import decode
 from edulaunch.engine.packages import Program as Executable
 from edulaunch.engine.packages.index import interfaces_of
 from edulaunch.engine.processes.spec import ProcessSpec
@@ -39,6 +38,7 @@ from edulaunch.extras.comparing.observation import (
 from edulaunch.extras.native.command import command
 from edulaunch.extras.native.host import NativeHost
 from edulaunch.extras.network.native_session import NativeSession
+from edulaunch.ros.serialization.cdr import decode
 from edulaunch.runtime.session import Session
 
 END_S = 15.0

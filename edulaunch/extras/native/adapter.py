@@ -12,7 +12,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType
 from typing import Any
 
-from edulaunch.engine.interfaces.cdr import decode, encode
+from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
 """So many callbacks are run in one go by `spin_ready`, before what comes later has its turn."""

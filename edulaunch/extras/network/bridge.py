@@ -10,7 +10,6 @@ from typing import Any
 from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
 from edulaunch.engine.graph.services import ServiceClient
-from edulaunch.engine.interfaces.cdr import decode, encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.far import FarPublisher, Nowhere, is_far
@@ -30,6 +29,7 @@ from edulaunch.extras.network.link import (
 )
 from edulaunch.extras.network.mirror import Mirror
 from edulaunch.extras.network.troubles import Troubles
+from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 REMEMBERED = 1000

@@ -38,7 +38,7 @@ class Interface:
     @cached_property
     def hash(self) -> str:
         """The type hash, 'RIHS01_...'."""
-        from edulaunch.engine.interfaces.description import type_hash
+        from edulaunch.ros.serialization.type_description import type_hash
 
         return type_hash(self.name, self.registry.spec)
 

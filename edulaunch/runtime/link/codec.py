@@ -7,9 +7,9 @@ from enum import IntEnum
 from struct import Struct
 from typing import Any
 
-from edulaunch.engine.interfaces.cdr import decode, encode
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.errors import EdulaunchError, InterfaceError
+from edulaunch.ros.serialization.cdr import decode, encode
 
 HEADER = Struct('<IB')
 LONGEST_FRAME = 16 << 20

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from edulaunch.desk.cli.ros2.fill_message import FillError, ValuesError, fill_message, parse_values
 from edulaunch.engine.interfaces import message_class
-from edulaunch.engine.interfaces.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
+from edulaunch.ros.serialization.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 

@@ -82,8 +82,8 @@ for message in (car, Nothing()):
 
 
 def test_a_students_own_messages_go_there_and_back(real: Environment, tmp_path: Path) -> None:
-    from edulaunch.engine.interfaces.description import type_hash
     from edulaunch.engine.packages.index import interfaces_of
+    from edulaunch.ros.serialization.type_description import type_hash
 
     workspace = own_interfaces(tmp_path)
     index = index_for([workspace])

@@ -8,7 +8,6 @@ from types import SimpleNamespace
 from typing import Any
 
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.interfaces.cdr import decode, encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.bridge import Bridge
@@ -28,6 +27,7 @@ from edulaunch.extras.network.link import (
     Response,
     Settings,
 )
+from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 STRING = 'std_msgs/msg/String'

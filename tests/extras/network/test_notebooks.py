@@ -12,12 +12,12 @@ import pytest
 
 import edulaunch
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.interfaces.cdr import encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.extras.network.link import Interface
 from edulaunch.jupyter.line import read_line
 from edulaunch.jupyter.machine import Machine
+from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, cls_of
 from tests.extras.network.wires import LIMIT_S
 

@@ -13,7 +13,6 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.interfaces.cdr import deserialize, serialize
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.packages import Index, Program
 from edulaunch.engine.processes.spec import ProcessSpec
@@ -35,6 +34,7 @@ from edulaunch.extras.network.link import (
     Trouble,
 )
 from edulaunch.extras.network.rclpy_link import RclpyLink
+from edulaunch.ros.serialization.cdr import deserialize, serialize
 from tests.extras.network.wires import own_domain
 
 pytestmark = pytest.mark.real

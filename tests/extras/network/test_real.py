@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
-from edulaunch.engine.interfaces.description import type_hash
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native import environment
+from edulaunch.ros.serialization.type_description import type_hash
 from tests.extras.network.places import STRING
 
 pytestmark = pytest.mark.real

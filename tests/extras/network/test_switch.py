@@ -16,11 +16,11 @@ import pytest
 from edulaunch.desk.cli.main import main
 from edulaunch.desk.machine.terminals import Terminals
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.interfaces.cdr import encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.link import Interface
+from edulaunch.ros.serialization.cdr import encode
 from edulaunch.runtime.session import Session
 from tests.desk.machine.shells import Desk
 from tests.extras.network.places import PUBLISHER, cls_of

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.desk.cli.ros2 import cli_node, names
 from edulaunch.desk.cli.ros2.fill_message import FillError, fill_message, interface_class, parse_values
 from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
-from edulaunch.engine.interfaces.message_text import message_yaml
 from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.serialization.message_text import message_yaml
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -49,7 +49,7 @@ class Player:
 
         :raises RuntimeError: when there is no bag.
         """
-        from edulaunch.engine.interfaces.cdr import deserialize
+        from edulaunch.ros.serialization.cdr import deserialize
 
         chosen = self._arguments
         with opened(path) as reader:

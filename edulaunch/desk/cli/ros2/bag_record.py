@@ -17,10 +17,10 @@ from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.topics import Publisher
 from edulaunch.engine.interfaces import current_registry
-from edulaunch.engine.interfaces.cdr import encode
-from edulaunch.engine.interfaces.description import type_hash
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.engine.interfaces.spec import Constant, FieldType, MessageSpec
+from edulaunch.ros.serialization.cdr import encode
+from edulaunch.ros.serialization.type_description import type_hash
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 
 from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
 from edulaunch.engine.interfaces import current_registry
-from edulaunch.engine.interfaces.message_text import message_yaml
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.engine.interfaces.spec import InterfaceSpec, MessageSpec, ServiceSpec
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.serialization.message_text import message_yaml
 
 KINDS = (('msg', 'Messages'), ('srv', 'Services'), ('action', 'Actions'))
 

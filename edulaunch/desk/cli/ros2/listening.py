@@ -10,9 +10,9 @@ from edulaunch.desk.cli.ros2 import cli_node, names
 from edulaunch.desk.cli.ros2.fill_message import interface_class
 from edulaunch.desk.cli.ros2.output import complain, say, with_help
 from edulaunch.engine.interfaces.message import Message
-from edulaunch.engine.interfaces.message_text import Shortening, message_csv, message_yaml, plain_value
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.serialization.message_text import Shortening, message_csv, message_yaml, plain_value
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -6,9 +6,9 @@ import ctypes as c
 from collections.abc import Sequence as Rows
 from typing import Any
 
-from edulaunch.engine.interfaces.description import type_description, type_hash
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.extras.native.typesupport import abi
+from edulaunch.ros.serialization.type_description import type_description, type_hash
 
 
 def described(type_name: str, registry: Registry) -> tuple[int, int, int]:

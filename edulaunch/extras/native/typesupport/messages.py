@@ -5,12 +5,12 @@ from __future__ import annotations
 import ctypes as c
 from typing import Any
 
-from edulaunch.engine.interfaces.cdr import HEADER, decode, encode
-from edulaunch.engine.interfaces.description import EMPTY_FIELD
 from edulaunch.engine.interfaces.message import Message
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.extras.native.typesupport import abi, cdr_block
 from edulaunch.extras.native.typesupport.description import described
+from edulaunch.ros.serialization.cdr import HEADER, decode, encode
+from edulaunch.ros.serialization.type_description import EMPTY_FIELD
 
 _KIND_NUMBERS = {
     'float32': 1,

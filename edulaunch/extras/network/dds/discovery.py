@@ -20,13 +20,13 @@ from cyclonedds.qos import Policy, Qos
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
-from edulaunch.engine.interfaces.cdr import decode, encode
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.dds.mangling import far_name
 from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds
 from edulaunch.extras.network.dds.types import idl_class
 from edulaunch.extras.network.link import ENCLAVE, MARK, FarEndpoint, FarGraph, FarNode, Trouble
+from edulaunch.ros.serialization.cdr import decode, encode
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000

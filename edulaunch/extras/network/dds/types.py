@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from cyclonedds.idl import IdlMeta, IdlStruct
 from cyclonedds.idl import types as idl
 
-from edulaunch.engine.interfaces.description import EMPTY_FIELD
 from edulaunch.extras.network.dds.mangling import dds_type
+from edulaunch.ros.serialization.type_description import EMPTY_FIELD
 
 if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry

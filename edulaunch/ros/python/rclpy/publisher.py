@@ -56,7 +56,7 @@ class Publisher(TopicEnd):
         if not self.context.alive:
             raise after_shutdown('Failed to publish: publisher')
         if isinstance(msg, bytes):
-            from edulaunch.engine.interfaces.cdr import decode
+            from edulaunch.ros.serialization.cdr import decode
 
             self.send_wire(decode(self.msg_type, msg))
         else:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.interfaces.cdr import deserialize, serialize
 from edulaunch.engine.interfaces.message import rules_of
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.serialization.cdr import deserialize, serialize
 from rclpy._rclpy_pybind11 import RMWError
 from rclpy.impl.passed_on import passed_on
 from rclpy.type_support import check_is_valid_msg_type

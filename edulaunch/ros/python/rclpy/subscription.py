@@ -101,7 +101,7 @@ class Subscription(TopicEnd, Entity):
         }
 
     def _to_bytes(self, wire: Any) -> bytes:
-        from edulaunch.engine.interfaces.cdr import encode
+        from edulaunch.ros.serialization.cdr import encode
 
         return encode(self.msg_type, wire)
 

@@ -156,8 +156,8 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 def _hash_of(type_name: str) -> TypeHash:
     """The hash of a type; none for a type that only another program's workspace has."""
     from edulaunch.engine.interfaces import current_registry
-    from edulaunch.engine.interfaces.description import type_hash
     from edulaunch.errors import InterfaceError
+    from edulaunch.ros.serialization.type_description import type_hash
 
     try:
         text = type_hash(type_name, current_registry().spec)

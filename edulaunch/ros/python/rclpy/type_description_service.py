@@ -49,7 +49,7 @@ class TypeDescriptionService:
 
     def _answer(self, request: Any, response: Any) -> Any:
         from edulaunch.engine.interfaces import current_registry
-        from edulaunch.engine.interfaces.description import type_description, type_hash
+        from edulaunch.ros.serialization.type_description import type_description, type_hash
 
         if not re.fullmatch('RIHS01_[0-9a-f]{64}', request.type_hash):
             response.failure_reason = 'Failed to parse type hash'

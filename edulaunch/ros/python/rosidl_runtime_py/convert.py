@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from typing import Any
 
-from edulaunch.engine.interfaces.message_text import Shortening, message_csv, message_dict, message_yaml
+from edulaunch.ros.serialization.message_text import Shortening, message_csv, message_dict, message_yaml
 
 
 def message_to_ordereddict(

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
-from edulaunch.engine.interfaces.cdr import encode
 from edulaunch.engine.interfaces.registry import Registry, underlay_registry
 from edulaunch.extras.network.link import Interface, Message, Response, Settings, Trouble
+from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, STRING, text, words_in
 
 UNDERLAY = Interface(STRING, underlay_registry())

@@ -1,6 +1,6 @@
 import pytest
 
-from edulaunch.engine.interfaces.description import type_description, type_hash
+from edulaunch.ros.serialization.type_description import type_description, type_hash
 
 
 def test_the_hash_of_a_string_is_the_one_of_every_ros(registry):

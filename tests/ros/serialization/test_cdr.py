@@ -2,9 +2,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.engine.interfaces import cdr
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.serialization import cdr
 
 
 def test_the_bytes_of_a_twist_are_a_header_and_six_doubles(get):
