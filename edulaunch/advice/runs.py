@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from functools import lru_cache
@@ -45,6 +46,46 @@ def speaker(recording: Recording, node: str) -> str:
 def node_place(recording: Recording, node: str) -> Place:
     """Where the program of a node was started."""
     return places(recording).get(programs(recording).get(node, ''), NOWHERE)
+
+
+@lru_cache(maxsize=1)
+def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
+    """Where each end was made first, by kind, name and node."""
+    nodes = {row[4]: row[0] for row in recording.rows('nodes')}
+    return {
+        (kind, name, nodes.get(node, '')): recording.lines[index]
+        for kind, name, _, node, index, *_ in reversed(recording.rows('endpoints'))
+        if index in recording.lines
+    }
+
+
+def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
+    """The student's line that made a publisher, subscription, service or client; else where its program was started."""
+    return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
+
+
+def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
+    """The student's line that sends transforms; where a file has several, the one that made the broadcaster."""
+    file, line = end_place(recording, 'publisher', topic, node)
+    calls = () if file is None else _calls_of('sendTransform', file)
+    return (file, calls[0]) if len(calls) == 1 else (file, line)
+
+
+@lru_cache(maxsize=16)
+def _calls_of(method: str, file: str) -> tuple[int, ...]:
+    """The lines of a Python file on which a method of that name is called."""
+    from edulaunch.advice.workspace.sources import parsed
+
+    tree = parsed(file) if file.endswith('.py') else None
+    return (
+        ()
+        if tree is None
+        else tuple(
+            node.lineno
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == method
+        )
+    )
 
 
 def fact_place(recording: Recording, fact: Fact) -> Place:

@@ -182,7 +182,7 @@ class Session:
         self.describe()
         excerpt = Excerpt(self.recorder, pid)
         launch = next((describe(launch) for launch in self.launches if launch.process.pid == pid), {})
-        found = Recording(excerpt.content(launch))
+        found = Recording(excerpt.content(launch), self.recorder.lines)
         found.command, found.beside = excerpt.programs, excerpt.beside
         return found
 
@@ -194,7 +194,9 @@ class Session:
         self.recorder.stop()
         content = self.recorder.content()
         self.recorder.on = True
-        return Recording({part: value if part == 'topics' else deepcopy(value) for part, value in content.items()})
+        return Recording(
+            {part: value if part == 'topics' else deepcopy(value) for part, value in content.items()}, self.recorder.lines
+        )
 
     def _installed_roots(self) -> list[list[str]]:
         """Where packages and their modules lie: a workspace gives the same digest built and from source. And what else differs

@@ -80,3 +80,24 @@ def test_a_latched_message_from_before_counts(tmp_path: Path) -> None:
         session.run(1.0)
         recording = session.of_command(own.process.pid)
         assert len(recording.messages('/tf_static')) == 1
+
+
+def test_a_finding_names_the_line_that_makes_the_end(tmp_path: Path) -> None:
+    file = tmp_path / 'driver.py'
+    file.write_text(
+        'import rclpy\nfrom geometry_msgs.msg import Twist\nfrom rclpy.node import Node\n\n'
+        "rclpy.init()\nnode = Node('driver')\npublisher = node.create_publisher(Twist, 'cmd_val', 10)\n"
+        'node.create_timer(0.1, lambda: publisher.publish(Twist()))\nrclpy.spin(node)\n'
+    )
+    launch = tmp_path / 'main.launch.py'
+    launch.write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n\n\ndef generate_launch_description():\n'
+        f"    return LaunchDescription([ExecuteProcess(cmd=['python3', {str(file)!r}])])\n"
+    )
+    with Session() as session:
+        own = session.launch(launch)
+        session.run(2.0)
+        assert session.recorder.lines and {place[0] for place in session.recorder.lines.values()} == {str(file)}
+        for recording in (session.of_command(own.process.pid), session.snapshot(), session.recording()):
+            (finding,) = recording.advice
+            assert (finding.rule, finding.file, finding.line) == ('messages.nobody-listens', str(file), 7)

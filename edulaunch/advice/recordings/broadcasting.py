@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import Broadcasts, broadcasts, by_child, fact_place, node_of, node_place
+from edulaunch.advice.runs import Broadcasts, broadcast_place, broadcasts, by_child, fact_place, node_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -16,7 +16,7 @@ STATIC = '08_static_broadcaster'
 
 
 def _found(recording: Recording, one: Broadcasts, **facts: Any) -> Finding:
-    file, line = node_place(recording, one.node)
+    file, line = broadcast_place(recording, one.node, '/tf_static' if one.is_static else '/tf')
     facts = {'node': one.node, 'parent': one.parent, 'time_s': one.first_s, **facts}
     return found('frame', one.child, file=file, line=line, **facts)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import asking_place, fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
+from edulaunch.advice.runs import asking_place, end_place, fact_place, is_ros_own, names_of, own_nodes, programs, speaker
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
     for fact in recording.facts:
         if fact.kind == 'messages wait' and fact.data['node'] not in unspun and fact.data['topic'] != '/parameter_events':
-            file, line = node_place(recording, fact.data['node'])
+            file, line = end_place(recording, 'subscription', fact.data['topic'], fact.data['node'])
             age_s = round(fact.time_s - fact.data['since_s'], 1)
             facts = {'messages': fact.data['messages'], 'depth': fact.data['depth'], 'age_s': age_s, 'node': fact.data['node']}
             is_full = fact.data['messages'] == fact.data['depth'] and fact.data['node'] in own_nodes(recording)
@@ -113,7 +113,7 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
             replies = [call.replied_s for call in recording.service_calls if (call.service, call.client) == (service, node)]
             came = [time for time in replies if time is not None]
             if came and fact.time_s - came[-1] >= SECOND:
-                file, line = node_place(recording, node)
+                file, line = end_place(recording, 'client', service, node)
                 yield found('service', service, file=file, line=line, time_s=came[-1], node=node)
 
 

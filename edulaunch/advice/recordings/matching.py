@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import NOWHERE, asking_place, ends_by_name, is_ros_own, node_place, speaker
+from edulaunch.advice.runs import NOWHERE, asking_place, end_place, ends_by_name, is_ros_own, speaker
 from edulaunch.engine.graph.names import RemapRule, expand_name
 from edulaunch.engine.graph.ros_arguments import remap_rule
 from edulaunch.engine.graph.rule_reader import RuleError
@@ -23,7 +23,7 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
     """Pairs that one of the policies keeps apart."""
     for mismatch in recording.mismatches:
         if mismatch.why in policies:
-            file, line = node_place(recording, mismatch.subscriber)
+            file, line = end_place(recording, 'subscription', mismatch.topic, mismatch.subscriber)
             pair = {
                 'node': speaker(recording, mismatch.publisher),
                 'other': speaker(recording, mismatch.subscriber),
@@ -94,7 +94,7 @@ def different_types(recording: Recording) -> Iterator[Finding]:
         offered = {end.type for end in publishers if end.node == mismatch.publisher}
         wanted = {end.type for end in subscriptions}
         if not heard & sent or not offered & wanted:
-            file, line = node_place(recording, mismatch.publisher)
+            file, line = end_place(recording, 'publisher', mismatch.topic, mismatch.publisher)
             pair = {'node': speaker(recording, mismatch.publisher), 'other': speaker(recording, mismatch.subscriber)}
             types = {'sent': sorted(offered), 'heard': sorted(heard)}
             yield found('topic', mismatch.topic, file=file, line=line, time_s=mismatch.note.time_s, **pair, **types)

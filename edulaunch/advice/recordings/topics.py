@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place, own_nodes, programs, speaker
+from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, own_nodes, programs, speaker
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -58,7 +58,8 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
     for end in lone_ends(recording, 'publisher'):
         other = meant(end, subscriptions)
         if other is not None and (end.node in own or other.node in own) and _sent(recording, end):
-            place = node_place(recording, end.node if end.node in own else other.node)
+            mine = end if end.node in own else other
+            place = end_place(recording, mine.kind, mine.name, mine.node)
             yield found(
                 'topic',
                 end.name,
@@ -93,7 +94,7 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
     heard = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
-            file, line = node_place(recording, end.node)
+            file, line = end_place(recording, end.kind, end.name, end.node)
             listening = [name for name in heard if ends_by_name(recording)['subscription', name][0].type == end.type]
             near = nearest(end.name, listening) or next(iter(listening), None)
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
@@ -119,7 +120,7 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     own = own_nodes(recording)
     for end in lone_ends(recording, 'subscription'):
         if end.node in own and recording.duration_s - end.made_s >= 1.0 and end.type not in COMMANDS:
-            file, line = node_place(recording, end.node)
+            file, line = end_place(recording, end.kind, end.name, end.node)
             fitting = [name for name in sent if ends_by_name(recording)['publisher', name][0].type == end.type]
             near = nearest(end.name, fitting)
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
@@ -154,7 +155,7 @@ def too_early(recording: Recording) -> Iterator[Finding]:
             first.made_s == last[topic] and order[id(first)] > order[id(publishers[-1])] and _apart(recording, first, publishers)
         )
         if (first.made_s > last[topic] or at_once) and not kept:
-            file, line = node_place(recording, publishers[0].node)
+            file, line = end_place(recording, 'publisher', topic, publishers[0].node)
             pair = {'node': speaker(recording, publishers[0].node), 'other': speaker(recording, first.node)}
             yield found('topic', topic, file=file, line=line, time_s=last[topic], **pair)
 
@@ -183,7 +184,7 @@ def two_commanders(recording: Recording) -> Iterator[Finding]:
             continue
         turns, first_s, pair = _quarrels(recording.published(topic, publishers[0].type))
         if turns >= TURNS:
-            file, line = node_place(recording, pair[1])
+            file, line = end_place(recording, 'publisher', topic, pair[1])
             yield found('topic', topic, file=file, line=line, time_s=first_s, first=pair[0], second=pair[1], turns=turns)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.tracer import Look, Record, Tracer
+from edulaunch.engine.processes.frame_owner import student_line
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.finding import Overlay
@@ -20,6 +21,7 @@ class Recorder(Tracer):
     """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
     :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
+    :ivar lines: file and line of the student's code that made each publisher, subscription, service or client, by its index.
     :ivar groups: of each program, by process id, the program that a terminal or a session started: also by process id.
     :ivar pids: the process id of each node's program, by the node's index.
     :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
@@ -46,6 +48,7 @@ class Recorder(Tracer):
         self.forgotten: dict[Any, int] = {}
         self.groups: dict[int, int] = {}
         self.pids: dict[int, int] = {}
+        self.lines: dict[int, tuple[str, int]] = {}
         self._numbers: dict[str, list[int]] = {}
         self._node_row: dict[NodeEntry, list[Any]] = {}
         self._process_row: dict[Any, dict[str, Any]] = {}
@@ -66,7 +69,7 @@ class Recorder(Tracer):
         from edulaunch.engine.recording.recording import Recording
 
         self.stop()
-        return Recording(self.content())
+        return Recording(self.content(), self.lines)
 
     def content(self) -> dict[str, Any]:
         """The recording as plain data, in a fixed order."""
@@ -201,6 +204,9 @@ class Recorder(Tracer):
             self.endpoints.append(
                 [kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(), list(endpoint.qos)]
             )
+            line = student_line()
+            if line:
+                self.lines[endpoint.index] = line['file'], line['line']
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         if self.on:
@@ -269,6 +275,10 @@ class Recorder(Tracer):
             for place in (row, row['exception']):
                 if place and place['file']:
                     place['file'] = source_path(place['file'])
+        for _, _, _, data, *_ in self.facts.values():
+            if isinstance(data.get('line'), int):
+                data['file'] = source_path(data['file'])
+        self.lines = {index: (source_path(file), line) for index, (file, line) in self.lines.items()}
 
     def output(self, process: Process, stream: str, text: str) -> None:
         if self.on:

@@ -52,8 +52,13 @@ class Recording(Messages, Views):
     hosted: dict[int, tuple[str, str]] | None = None
     """The package and the executable of each program that a trusted half ran itself, by position in `processes`."""
 
-    def __init__(self, content: dict[str, Any]) -> None:
+    def __init__(self, content: dict[str, Any], lines: Mapping[int, tuple[str, int]] | None = None) -> None:
+        """
+        :param content: the parts of a recording, as plain data.
+        :param lines: file and line that made each publisher, subscription, service or client, by its index; not kept in files.
+        """
         super().__init__(content)
+        self.lines = dict(lines or {})
         self.seed: int = content['seed']
         self.duration_s: float = content['duration_ns'] / 1e9
 
