@@ -74,7 +74,7 @@ def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
 @lru_cache(maxsize=16)
 def _calls_of(method: str, file: str) -> tuple[int, ...]:
     """The lines of a Python file on which a method of that name is called."""
-    from edulaunch.advice.workspace.sources import parsed
+    from edulaunch.ros.sources.source_package import parsed
 
     tree = parsed(file) if file.endswith('.py') else None
     return (
