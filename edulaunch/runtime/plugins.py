@@ -122,10 +122,16 @@ class Entry(NamedTuple):
 
 
 def entries() -> Iterator[Entry]:
-    """The entry points of the group in all distributions that are installed as folders on the path."""
+    """The entry points of the group in all distributions that are installed as folders on the path.
+
+    The current folder is none of them: `python -m` puts it on the path, and what lies there may be a submission.
+    """
+    here = os.path.realpath(os.curdir)
     for folder in sys.path:
+        if os.path.realpath(folder) == here:
+            continue
         try:
-            names = os.listdir(folder or '.')
+            names = os.listdir(folder)
         except OSError:
             continue
         for name in names:

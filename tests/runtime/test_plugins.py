@@ -112,6 +112,15 @@ def test_the_entry_points_are_those_that_the_standard_library_finds(installed: I
     assert {(entry.name, entry.place) for entry in plugins.entries()} == there and len(there) > 1
 
 
+def test_the_current_folder_brings_no_plug_in(installed: Installed, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
+    assert 'greeting' in {entry.name for entry in plugins.entries()}
+    monkeypatch.chdir(tmp_path)
+    for here in ('', '.', str(tmp_path)):
+        monkeypatch.setattr(sys, 'path', [here, *(folder for folder in sys.path if folder != str(tmp_path))])
+        assert 'greeting' not in {entry.name for entry in plugins.entries()}
+
+
 def test_a_built_in_verb_looks_for_no_plug_in(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(plugins, 'entries', lambda: pytest.fail('looked for plug-ins'))
     plugins.plugins.cache_clear()

@@ -1,0 +1,1 @@
+"""A world with a ferry, and what edulaunch says of it: an example of a plug-in."""
