@@ -69,11 +69,12 @@ def init(
 def get_global_executor() -> Executor:
     """The single-threaded executor of the program, used when none is named; made at first use."""
     state = process_state()
-    if state.global_executor is None:
+    executor: Executor | None = state.global_executor
+    if executor is None:
         from rclpy.executors import SingleThreadedExecutor
 
-        state.global_executor = SingleThreadedExecutor()
-    return state.global_executor
+        executor = state.global_executor = SingleThreadedExecutor()
+    return executor
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.services import ServiceClient
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.qos import QoSProfile
 
 POLL_NS = 250_000_000
@@ -160,7 +160,7 @@ class Client(ServiceEnd, Asker):
         if not isinstance(request, self.srv_type.Request):
             raise wrong_class(request, self.srv_type, 'Request')
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self.endpoint.queue
         if not queue:

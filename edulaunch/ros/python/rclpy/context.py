@@ -14,8 +14,7 @@ from rclpy.impl.entity import Handle
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:
-    from rclpy.executors import Executor
-    from rclpy.node import Node
+    from rclpy.impl.protocols import ExecutorProtocol, NodeProtocol
 
 
 class Context:
@@ -31,9 +30,9 @@ class Context:
         self._domain_id = 0
         self.arguments = RosArguments()
         self._callbacks: list[Callable[[], object]] = []
-        self.executors: list[Executor] = []
+        self.executors: list[ExecutorProtocol] = []
         self.parked: list[Task] = []
-        self._nodes: list[Node] = []
+        self._nodes: list[NodeProtocol] = []
 
     @property
     def handle(self) -> Handle:
@@ -128,11 +127,11 @@ class Context:
         """End if not ended yet."""
         self.try_shutdown()
 
-    def track_node(self, node: Node) -> None:
+    def track_node(self, node: NodeProtocol) -> None:
         """Remember a node of this context."""
         self._nodes.append(node)
 
-    def untrack_node(self, node: Node) -> None:
+    def untrack_node(self, node: NodeProtocol) -> None:
         """Forget a node."""
         if node in self._nodes:
             self._nodes.remove(node)

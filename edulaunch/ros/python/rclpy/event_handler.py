@@ -14,7 +14,7 @@ from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
 
 EventCallback = Callable[[Any], object]
 
@@ -92,7 +92,7 @@ class EventHandler(Waitable):
         self.callback = callback
         self._take_info = take
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         info = self._take_info()
         if info is not None and not self.destroyed:

@@ -13,7 +13,7 @@ from rclpy.task import is_coroutine_function
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
 
 
 class GuardCondition(Entity):
@@ -45,7 +45,7 @@ class GuardCondition(Entity):
             raise invalid_handle()
         self.signal()
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         return self.callback() if self.callback is not None and not self.destroyed else None
 

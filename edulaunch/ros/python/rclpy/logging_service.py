@@ -9,13 +9,13 @@ from rclpy.logging import LoggingSeverity, get_logger_level, set_logger_level
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
 
 
 class LoggingService:
     """Makes the services `<node>/get_logger_levels` and `<node>/set_logger_levels`."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
         name = node.get_name()

@@ -123,7 +123,8 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
     @property
     def executor(self) -> Executor | None:
         """The executor that calls the callbacks; setting it moves the node there."""
-        return self._rclpy.executor
+        executor: Executor | None = self._rclpy.executor  # type: ignore[assignment]  # an executor, known by its protocol
+        return executor
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
@@ -154,11 +155,13 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     def get_clock(self) -> ROSClock:
         """The node's clock."""
-        return self._rclpy.clock
+        clock: ROSClock = self._rclpy.clock
+        return clock
 
     def get_logger(self) -> RcutilsLogger:
         """The node's logger."""
-        return self._rclpy.logger
+        logger: RcutilsLogger = self._rclpy.logger
+        return logger
 
     def destroy_node(self) -> None:
         """Destroy the node with everything it has. Doing it twice is doing it once."""

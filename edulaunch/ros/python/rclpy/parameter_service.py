@@ -10,7 +10,7 @@ from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameters
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
 
 
 class ParameterService:
@@ -18,7 +18,7 @@ class ParameterService:
     `set_parameters` and `set_parameters_atomically`.
     """
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces import srv
 
         self._node = node

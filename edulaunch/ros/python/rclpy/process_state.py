@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.processes.current import current_process
 
 if TYPE_CHECKING:
-    from rclpy.context import Context
-    from rclpy.executors import Executor
     from rclpy.impl.logging_state import LoggingState
+    from rclpy.impl.protocols import ContextProtocol
 
 
 class ProcessState:
@@ -22,9 +21,9 @@ class ProcessState:
 
     def __init__(self, process: Any) -> None:
         self.process = process
-        self.default_context: Context | None = None
-        self.global_executor: Executor | None = None
-        self.contexts: list[Context] = []
+        self.default_context: Any = None  # a Context, or None
+        self.global_executor: Any = None  # an Executor, or None
+        self.contexts: list[ContextProtocol] = []
         self.signal_options: Any = None
         self.previous_handlers: dict[int, Any] = {}
         self.logging: LoggingState | None = None

@@ -12,7 +12,7 @@ from rclpy.task import is_coroutine_function
 if TYPE_CHECKING:
     from edulaunch.engine.graph.services import RequestId, ServiceServer
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.qos import QoSProfile
 
 
@@ -39,7 +39,7 @@ class Service(ServiceEnd, Entity):
         self.qos_profile = qos_profile
         self.is_async = is_coroutine_function(callback)
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self.endpoint.queue
         if not queue:

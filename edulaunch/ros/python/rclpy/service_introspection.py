@@ -9,7 +9,7 @@ from rclpy.qos import QoSProfile, engine_qos
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.services import RequestId
-    from rclpy.clock import Clock
+    from rclpy.impl.protocols import ClockProtocol
 
 REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
@@ -28,7 +28,9 @@ class ServiceIntrospectionState(IntEnum):
 class Introspection:
     """Publishes service events of one service or client on `<service>/_service_event`."""
 
-    def __init__(self, endpoint: Any, event_class: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> None:
+    def __init__(
+        self, endpoint: Any, event_class: Any, clock: ClockProtocol, qos: QoSProfile, state: ServiceIntrospectionState
+    ) -> None:
         self._client = endpoint
         self._clock = clock
         self._contents = state == ServiceIntrospectionState.CONTENTS

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.topics import Subscription as GraphSubscription
     from edulaunch.engine.graph.topics import Taken
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.qos import QoSProfile
 
 
@@ -68,7 +68,7 @@ class Subscription(TopicEnd, Entity):
         self._wire_callback: Callable[[Any], object] | None = None
         self.is_async = is_coroutine_function(value)
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self._queue
         if self.endpoint.may_expire:

@@ -12,8 +12,8 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
-    from rclpy.executors import Executor
     from rclpy.impl.entity import Entity
+    from rclpy.impl.protocols import ExecutorProtocol
 
 
 class _UnfetchedException:
@@ -47,12 +47,12 @@ class Future:
     _result: Any = None
     _exception: BaseException | None = None
     _unfetched: _UnfetchedException | None = None
-    _executor: Executor | None = None
-    _awaiting: tuple[Executor, ...] = ()
+    _executor: ExecutorProtocol | None = None
+    _awaiting: tuple[ExecutorProtocol, ...] = ()
     source: Any = None
     _looks: tuple[Any, int, int] = (None, 0, 0)
 
-    def __init__(self, *, executor: Executor | None = None) -> None:
+    def __init__(self, *, executor: ExecutorProtocol | None = None) -> None:
         self._callbacks: list[Callable[[Any], object]] = []
         if executor is not None:
             self._executor = executor
@@ -147,7 +147,7 @@ class Future:
             for executor in awaiting:
                 executor.wake()
 
-    def wake_when_done(self, executor: Executor) -> None:
+    def wake_when_done(self, executor: ExecutorProtocol) -> None:
         """Let an executor look again when this is done."""
         if executor not in self._awaiting:
             self._awaiting += (executor,)
@@ -167,7 +167,7 @@ class Future:
             except Exception as error:
                 warn(f'Unhandled exception in done callback: {error}', stacklevel=2)
 
-    def _set_executor(self, executor: Executor | None) -> None:
+    def _set_executor(self, executor: ExecutorProtocol | None) -> None:
         """Let this executor run the callbacks."""
         self._executor = executor
 
@@ -206,7 +206,12 @@ class Task(Future):
     _running: Coroutine[Any, Any, Any] | None = None
 
     def __init__(
-        self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None, entity: Entity | None = None
+        self,
+        handler: Any,
+        args: Any = None,
+        kwargs: Any = None,
+        executor: ExecutorProtocol | None = None,
+        entity: Entity | None = None,
     ) -> None:
         self._callbacks = []
         self._executor = executor

@@ -13,7 +13,7 @@ from rclpy.time import Time
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult
 
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
     from rclpy.subscription import Subscription
 
 CLOCK_TOPIC = '/clock'
@@ -27,9 +27,9 @@ class TimeSource:
     :param node: whose parameter it watches and which hears /clock; it may be attached later.
     """
 
-    def __init__(self, *, node: Node | None = None) -> None:
+    def __init__(self, *, node: NodeProtocol | None = None) -> None:
         self._clocks: list[ROSClock] = []
-        self._node: Node | None = None
+        self._node: NodeProtocol | None = None
         self._subscription: Subscription | None = None
         self._last_time: Time | None = None
         self._active = False
@@ -53,7 +53,7 @@ class TimeSource:
         else:
             self._unsubscribe()
 
-    def attach_node(self, node: Node) -> None:
+    def attach_node(self, node: NodeProtocol) -> None:
         """Hear /clock through this node and obey its parameter use_sim_time, which is declared if need be.
 
         :raises TypeError: when it is no node.

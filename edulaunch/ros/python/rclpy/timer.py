@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
 from rclpy.exceptions import ROSInterruptException
-from rclpy.impl.entity import NEVER_NS, TIMER, Entity, Handle, ReadyList
+from rclpy.impl.entity import NEVER_NS, TIMER, Handle, ReadyList, TimedEntity
 from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import invalid_handle
 from rclpy.task import is_coroutine_function
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.context import Context
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
 
 
-class Timer(Entity):
+class Timer(TimedEntity):
     """Calls back on an exact grid of nanoseconds: the first time one period after its creation.
 
     A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
@@ -102,7 +102,7 @@ class Timer(Entity):
             self._next_ns = now + self._period_ns
         self._plan()
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         if self._canceled or self.destroyed:
             return None

@@ -13,7 +13,7 @@ from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
 
 START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
 
@@ -21,7 +21,7 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
 class TypeDescriptionService:
     """Declares start_type_description_service (read-only) and, unless it is false, makes `<node>/get_type_description`."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.msg import ParameterDescriptor
 
         self._node = node

@@ -10,7 +10,7 @@ from rclpy.process_state import process_state
 def get_default_context(*, shutting_down: bool = False) -> Context:
     """The context that is used when none is named. After a shutdown the next one is new, so ROS 2 can be initialised again."""
     state = process_state()
-    context = state.default_context
+    context: Context | None = state.default_context
     if context is None:
         context = state.default_context = Context()
     if shutting_down:

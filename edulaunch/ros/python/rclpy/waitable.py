@@ -9,7 +9,7 @@ from rclpy.impl.entity import WAITABLE, Entity, ReadyList
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.task import Future
 
 
@@ -92,7 +92,7 @@ class Waitable(Entity):
         """Forget a future."""
         self._futures.remove(future)
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         return self.execute(self.take_data())
 

@@ -11,8 +11,8 @@ from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
 from rclpy.client import Asker, parked_until_done
 from rclpy.impl.entity import check_endpoint
+from rclpy.impl.new_end_checks import checked_action_name
 from rclpy.impl.passed_on import passed_on
-from rclpy.impl.refusals import checked_action_name
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
@@ -22,7 +22,7 @@ from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.node import Node
 
 __all__ = ['ActionClient', 'ClientGoalHandle', 'GoalStatus']
@@ -123,7 +123,7 @@ class ActionClient(Asker, Waitable):
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
         return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.signal)
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
         As over a real network the answer to a goal and its status come before the goal's first feedback, and its last feedback
@@ -140,7 +140,7 @@ class ActionClient(Asker, Waitable):
             self.signal()
         return self._handle_all(taken, executor)
 
-    async def _handle_all(self, taken: list[tuple[str, Any]], executor: Executor) -> None:
+    async def _handle_all(self, taken: list[tuple[str, Any]], executor: ExecutorProtocol) -> None:
         for kind, one in taken:
             if one is None:
                 continue
@@ -151,7 +151,7 @@ class ActionClient(Asker, Waitable):
             else:
                 self._handle_answer(kind, one[0], one[1], executor)
 
-    def _handle_answer(self, kind: str, sequence: int, wire: Any, executor: Executor) -> None:
+    def _handle_answer(self, kind: str, sequence: int, wire: Any, executor: ExecutorProtocol) -> None:
         impl = self._action_type.Impl
         service = {'goal': impl.SendGoalService, 'cancel': impl.CancelGoalService, 'result': impl.GetResultService}[kind]
         answer = service.Response.from_wire(wire)

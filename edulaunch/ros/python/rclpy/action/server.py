@@ -10,8 +10,9 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
+from rclpy.impl.new_end_checks import checked_action_name
 from rclpy.impl.passed_on import passed_on
-from rclpy.impl.refusals import after_shutdown, checked_action_name
+from rclpy.impl.refusals import after_shutdown
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, await_or_execute
@@ -21,7 +22,7 @@ from rclpy.waitable import Waitable
 if TYPE_CHECKING:
     from edulaunch.engine.graph.services import RequestId, ServiceServer
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.node import Node
 
 
@@ -142,7 +143,7 @@ class ActionServer(Waitable):
             raise TypeError('Failed to register goal execution callback: not callable')
         self._execute_callback = execute_callback
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         """At most one goal, one cancel request and one result request in a turn, as rclpy."""
         self.queued = False
         taken = [

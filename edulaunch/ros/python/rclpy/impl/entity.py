@@ -12,13 +12,9 @@ from rclpy.impl.refusals import after_shutdown, invalid_handle
 if TYPE_CHECKING:
     from edulaunch.engine.sim.task import Task as SimTask
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.clock import Clock
-    from rclpy.context import Context
-    from rclpy.executors import Executor
+    from rclpy.impl.protocols import ClockProtocol, ContextProtocol, ExecutorProtocol
     from rclpy.qos import QoSProfile
     from rclpy.service_introspection import ServiceIntrospectionState
-    from rclpy.timer import Timer
-    from rclpy.waitable import Waitable
 
 
 class Handle:
@@ -48,7 +44,7 @@ def check_alive(endpoint: Any) -> None:
         raise invalid_handle()
 
 
-def check_endpoint(endpoint: Any, context: Context, what: str) -> None:
+def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
     """Raise what ROS 2 raises when something is asked of an endpoint that is gone, or after shutdown.
 
     :param what: how the error text begins, up to its colon, and whose context it is: 'failed to ...: publisher'.
@@ -77,9 +73,9 @@ class ReadyList:
 
     def __init__(self) -> None:
         self.entities: list[Entity] = []
-        self.timers: list[Timer] = []
-        self.asked: list[Waitable] = []
-        self.executor: Executor | None = None
+        self.timers: list[TimedEntity] = []
+        self.asked: list[Any] = []
+        self.executor: ExecutorProtocol | None = None
         self.waiting: list[SimTask] = []
         self.due_ns = NEVER_NS
 
@@ -122,9 +118,18 @@ class Entity:
             for task in ready_list.waiting:
                 task.wake()
 
-    def run_callback(self, executor: Executor) -> Any:
+    def run_callback(self, executor: ExecutorProtocol) -> Any:
         """Take what waits and call the callback with it; it has left the ready list. A coroutine is for the executor to run."""
         raise TypeError(f'{type(self).__name__} cannot be executed')
+
+
+class TimedEntity(Entity):
+    """An entity that is ready at some time.
+
+    :ivar due_ns: when, in simulated time; `NEVER_NS` while nobody can tell.
+    """
+
+    due_ns: int = NEVER_NS
 
 
 class GraphEnd:
@@ -175,7 +180,7 @@ class ServiceEnd(GraphEnd):
         return name
 
     def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+        self, clock: ClockProtocol, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish what it sends and receives on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection

@@ -18,9 +18,8 @@ from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:
-    from rclpy.executors import Executor
     from rclpy.impl.entity import Entity
-    from rclpy.node import Node
+    from rclpy.impl.protocols import ExecutorProtocol, NodeProtocol
     from rclpy.node_parts.core import NodeCore
 
 
@@ -62,7 +61,7 @@ def _note(kind: str, entity: Entity, data: dict[str, Any], line: dict[str, Any] 
     _keep(kind, {**data, **(student_line() if line is None else line)})
 
 
-def note_spin(function: str, node: Node, executor: Executor) -> None:
+def note_spin(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
     """A node is spun inside one of its callbacks; that brings nothing when all that could come is shut out by it."""
     core = core_of(node)
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
@@ -70,17 +69,17 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
     _note_spin('spin in callback in vain' if in_vain else 'spin in callback', function, node, executor)
 
 
-def note_lost_node(function: str, node: Node, executor: Executor) -> None:
+def note_lost_node(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
     """A callback gives its node to another executor: the one that runs the callback will not spin it any more."""
     _note_spin('node taken away', function, node, executor)
 
 
-def _note_spin(kind: str, function: str, node: Node, executor: Executor) -> None:
+def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
     data = {'node': core_of(node).full_name, 'callback': callback_name(executor.running_entity()), 'spins': function}
     _keep(kind, {**data, **student_line()})
 
 
-def note_foreign_future(node: Node, entity: Any) -> None:
+def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
     """A node is spun until the client of another one, which nobody spins, gets its answer."""
     data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
     _keep('other node spun', {**data, **student_line()})

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.facts import with_facts
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
 
 AT_START = ('handle', 'default_callback_group', 'executor')
 """What a node needs when it is made."""
@@ -20,7 +20,7 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 """What an executor asks each node for."""
 
 
-def check_own_names(node: Node, names: tuple[str, ...]) -> None:
+def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
     """Use what a node has under these names as rclpy does.
 
     :raises TypeError, AttributeError: of something else under that name, in Python's words.
@@ -33,7 +33,7 @@ def check_own_names(node: Node, names: tuple[str, ...]) -> None:
             raise with_facts(error, 'programs.own-name', node=type(node).__name__, attribute=name) from None
 
 
-def private_names(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
+def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
     """What a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
     own = vars(node)
     for name in sorted(_PRIVATE_USES.keys() & own.keys()):
@@ -42,7 +42,7 @@ def private_names(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
             yield 'private name', {**data, **_line_of(node, name)}
 
 
-def _line_of(node: Node, name: str) -> dict[str, Any]:
+def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
     """Where the student's class gives it a value first; nothing where the class has no constructor of its own."""
     code = getattr(type(node).__init__, '__code__', None)
     if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':

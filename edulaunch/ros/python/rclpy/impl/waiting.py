@@ -15,7 +15,6 @@ from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.context import Context
-    from rclpy.timer import Timer
 
 
 class TimeoutException(Exception):
@@ -55,7 +54,7 @@ def never() -> bool:
     return False
 
 
-def _may_begin(timer: Timer) -> bool:
+def _may_begin(timer: Entity) -> bool:
     return not timer.queued and timer.callback_group.can_execute(timer)
 
 

@@ -16,6 +16,11 @@ from rclpy.qos import QoSProfile
 _CALLBACKS = {10: 'on_configure', 11: 'on_cleanup', 12: 'on_shutdown', 13: 'on_activate', 14: 'on_deactivate', 15: 'on_error'}
 
 
+def _life(core: NodeCore) -> Life:
+    life: Life = core.life
+    return life
+
+
 class LifecycleNodeMixin(ManagedEntity):
     """What makes a managed node of a `Node`, for classes that inherit from both; `Node.__init__` comes first.
 
@@ -47,7 +52,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher) -> bool:
         """Destroy such a publisher; whether it was one of this node."""
-        entities = self._rclpy.life.entities
+        entities = _life(self._rclpy).entities
         if publisher in entities:
             entities.remove(publisher)
         return bool(self.destroy_publisher(publisher))
@@ -56,58 +61,58 @@ class LifecycleNodeMixin(ManagedEntity):
         """Let an entity follow the node's life cycle. Raises TypeError for anything else."""
         if not isinstance(entity, ManagedEntity):
             raise TypeError('Expected a rclpy.lifecycle.ManagedEntity instance.')
-        self._rclpy.life.entities.append(entity)
+        _life(self._rclpy).entities.append(entity)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Configure the managed entities."""
-        return self._rclpy.life.tell_entities('on_configure', state)
+        return _life(self._rclpy).tell_entities('on_configure', state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Clean the managed entities up."""
-        return self._rclpy.life.tell_entities('on_cleanup', state)
+        return _life(self._rclpy).tell_entities('on_cleanup', state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Shut the managed entities down."""
-        return self._rclpy.life.tell_entities('on_shutdown', state)
+        return _life(self._rclpy).tell_entities('on_shutdown', state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Activate the managed entities."""
-        return self._rclpy.life.tell_entities('on_activate', state)
+        return _life(self._rclpy).tell_entities('on_activate', state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Deactivate the managed entities."""
-        return self._rclpy.life.tell_entities('on_deactivate', state)
+        return _life(self._rclpy).tell_entities('on_deactivate', state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Tell the managed entities that a transition went wrong."""
-        return self._rclpy.life.tell_entities('on_error', state)
+        return _life(self._rclpy).tell_entities('on_error', state)
 
     def register_callback(self, state_id: int, callback: OnTransition) -> bool:
         """Call this in place of the method of a state of passage (10 configuring ... 15 errorprocessing)."""
         if state_id not in _CALLBACKS:
             return False
-        self._rclpy.life.callbacks[_CALLBACKS[state_id]] = callback
+        _life(self._rclpy).callbacks[_CALLBACKS[state_id]] = callback
         return True
 
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Configure the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger(1)
+        return _life(self._rclpy).trigger(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
         """Clean the node up. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger(2)
+        return _life(self._rclpy).trigger(2)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
         """Shut the node down. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger_shutdown()
+        return _life(self._rclpy).trigger_shutdown()
 
     def trigger_activate(self) -> TransitionCallbackReturn:
         """Activate the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger(3)
+        return _life(self._rclpy).trigger(3)
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
         """Deactivate the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger(4)
+        return _life(self._rclpy).trigger(4)
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):

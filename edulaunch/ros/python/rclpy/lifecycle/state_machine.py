@@ -13,8 +13,8 @@ from rclpy.node_parts.core import core_of
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.impl.protocols import NodeProtocol
     from rclpy.lifecycle.managed_entity import ManagedEntity
-    from rclpy.lifecycle.node import LifecycleNode
 
 
 class TransitionCallbackReturnType(Enum):
@@ -126,7 +126,7 @@ class Life:
     :ivar callbacks: what was registered in place of the node's methods, by the method's name.
     """
 
-    def __init__(self, node: LifecycleNode) -> None:
+    def __init__(self, node: NodeProtocol) -> None:
         self.node = node
         self.state = STATES['unconfigured']
         self.entities: list[ManagedEntity] = []
@@ -201,7 +201,7 @@ class Life:
 class LifecycleServices:
     """The five services and the topic of a managed node."""
 
-    def __init__(self, node: LifecycleNode, life: Life, group: CallbackGroup | None = None) -> None:
+    def __init__(self, node: NodeProtocol, life: Life, group: CallbackGroup | None = None) -> None:
         from lifecycle_msgs import srv
         from lifecycle_msgs.msg import TransitionEvent
 

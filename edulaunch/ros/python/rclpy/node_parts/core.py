@@ -32,20 +32,8 @@ from rclpy.impl.refusals import after_shutdown, invalid_handle, without_context
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.client import Client
-    from rclpy.clock import ROSClock
     from rclpy.context import Context
-    from rclpy.executors import Executor
-    from rclpy.guard_condition import GuardCondition
-    from rclpy.impl.rcutils_logger import RcutilsLogger
-    from rclpy.lifecycle.state_machine import Life
-    from rclpy.node_parts.parameter_store import ParameterStore
-    from rclpy.publisher import Publisher
-    from rclpy.service import Service
-    from rclpy.subscription import Subscription
-    from rclpy.time_source import TimeSource
-    from rclpy.timer import Timer
-    from rclpy.waitable import Waitable
+    from rclpy.impl.protocols import ExecutorProtocol
 
 
 class NodeCore:
@@ -53,15 +41,17 @@ class NodeCore:
 
     :param name, namespace: as the program gives them; remap rules are applied here.
     :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+
+    The files of what it holds import this one, so their classes have no name here.
     """
 
-    clock: ROSClock
-    logger: RcutilsLogger
+    clock: Any
+    logger: Any
     default_callback_group: CallbackGroup
-    parameters: ParameterStore
+    parameters: Any
     overrides: dict[str, Override]
-    time_source: TimeSource
-    life: Life
+    time_source: Any
+    life: Any
 
     def __init__(self, context: Context, name: str, namespace: str, arguments: list[RosArguments]) -> None:
         self.process = current_process()
@@ -77,18 +67,18 @@ class NodeCore:
         self.entry.participant = context
         self.full_name = self.entry.fully_qualified_name
         self.ready_list = ReadyList()
-        self.executor: Executor | None = None
+        self.executor: ExecutorProtocol | None = None
         self.destroyed = False
         self.was_spun = False
         self.declared: set[str] = set()  # every parameter that ever was
         self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
-        self.publishers: list[Publisher] = []
-        self.subscriptions: list[Subscription] = []
-        self.clients: list[Client] = []
-        self.services: list[Service] = []
-        self.timers: list[Timer] = []
-        self.guards: list[GuardCondition] = []
-        self.waitables: list[Waitable] = []
+        self.publishers: list[Any] = []
+        self.subscriptions: list[Any] = []
+        self.clients: list[Any] = []
+        self.services: list[Any] = []
+        self.timers: list[Any] = []
+        self.guards: list[Any] = []
+        self.waitables: list[Any] = []
         self.rates: list[Any] = []
         self._number = 0
 

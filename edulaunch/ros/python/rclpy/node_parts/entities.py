@@ -10,8 +10,8 @@ from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.new_end_checks import check_new_service_end, check_new_topic_end
 from rclpy.impl.own_names import FOR_TIMERS, check_own_names
-from rclpy.impl.refusals import check_new_service_end, check_new_topic_end
 from rclpy.node_parts.core import NodeCore, core_of
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_services_default, validate_qos

@@ -19,7 +19,8 @@ from rclpy.qos import qos_profile_parameter_events
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 
-    from rclpy.node import Node
+    from rclpy.impl.protocols import NodeProtocol
+
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
 """Told of one transaction: the parameters that are new, those that changed, and those that were deleted."""
@@ -186,7 +187,7 @@ def _dynamic_descriptor() -> ParameterDescriptor:
 class ParameterEvents:
     """Publishes one rcl_interfaces/ParameterEvent for each successful declaration or change of a node."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.msg import Parameter as ParameterMsg
         from rcl_interfaces.msg import ParameterEvent
 

@@ -96,7 +96,7 @@ class NodeParameters:
         :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
         """
         store = self._rclpy.parameters
-        parameter = store.values.get(name)
+        parameter: Parameter | None = store.values.get(name)
         if parameter is None:
             if store.allow_undeclared:
                 return Parameter(name, ParameterType.NOT_SET, None)
@@ -113,7 +113,7 @@ class NodeParameters:
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """A parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
-        parameter = self._rclpy.parameters.values.get(name)
+        parameter: Parameter | None = self._rclpy.parameters.values.get(name)
         if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
             return parameter
         return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
