@@ -16,6 +16,7 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.sync import sleep
+from edulaunch.runtime.fittings import hint_of
 
 Ros = Callable[..., list[Any]]
 """What the fixture `ros` is: a function to be run between init and the end of a program."""
@@ -58,7 +59,7 @@ class World:
         self.sim = Simulation()
         self.tracer = Notes()
         self.graph = Graph(self.sim, self.tracer)
-        self.host = Host(self.sim, self.graph, Index([], []), env={})
+        self.host = Host(self.sim, self.graph, Index([], []), env={}, hint_of=hint_of)
         self.log: list[tuple[float, str, Any]] = []
         self.output: dict[str, str] = {}
 

@@ -279,8 +279,8 @@ def test_importing_rclpy_loads_nothing_heavy() -> None:
     ],
 )
 def test_import_rclpy_brings_what_it_brings_in_ros2(name: str) -> None:
-    root = Path(rclpy.__file__).parents[2]
-    program = f'import sys; sys.path[:0] = {[str(root), str(root.parents[3])]}; import rclpy; rclpy.{name}'
+    root = Path(rclpy.__file__).parents[1]
+    program = f'import sys; sys.path[:0] = {[str(root), str(root.parents[2])]}; import rclpy; rclpy.{name}'
     subprocess.run([sys.executable, '-c', program], check=True)
 
 
