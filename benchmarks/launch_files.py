@@ -122,7 +122,7 @@ def visit_s(path: Path) -> float:
 
     process = host.run_launch(main)
     sim.run()
-    process.task.kill()
+    process.lifecycle.task.kill()
     sim.run()
     if len(moments) != 2:
         raise SystemExit(f'{path.name} was not visited to its end')

@@ -225,7 +225,7 @@ class Machine:
         said: list[str] = []
         job.process.on_output = lambda stream, text: said.append(text)
         with self.hosting.cell(), outer_loop_set_aside():
-            job.process.stdin.feed(keys)
+            job.process.streams.stdin.feed(keys)
             session.run(PRESS_S)
         job.process.on_output = self._write
         return ''.join(said)
@@ -266,7 +266,7 @@ class Machine:
                 if kind == wire.READ:
                     self._asked.append(job)
 
-            process.stdin = RemoteInput(told, True, SIZE)
+            process.streams.stdin = RemoteInput(told, True, SIZE)
             session.run(0.0)
             self._give_keyboards(session)
             return

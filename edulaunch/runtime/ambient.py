@@ -76,11 +76,11 @@ def ambient_process_on(host: Host, task: AmbientTask) -> Process:
     """A process around `task` on a machine that there is already."""
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
-    process.task = task
+    process.lifecycle.task = task
     task.real_threads = task.real_threads or RealThreads(task)
     process.sourced_path = sourced_path()
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
-    process.stdin = sys.stdin
-    process.is_writing = True  # to the real streams, always
-    process.signal_handlers.clear()
+    process.streams.stdin = sys.stdin
+    process.streams.is_writing = True  # to the real streams, always
+    process.signals.handlers.clear()
     return process

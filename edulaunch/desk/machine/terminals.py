@@ -206,8 +206,9 @@ class Terminal:
         self._reader = reader_of(env, cwd)
         process = host.start(spec, self.show, self._finished, index=index)
         assert isinstance(process, Process)
-        process.stdin = self.input
-        process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
+        streams = process.streams
+        streams.stdin = self.input
+        streams.stdout.is_terminal, streams.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
         self.process = process
         self._terminals.open_ones.append(self)
 

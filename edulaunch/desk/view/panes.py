@@ -59,7 +59,7 @@ class Pane:
             self._left.append(job)
         else:
             self._job, self._keyboard = job, _Keyboard(self._tell_mode)
-            job.stdin = self._keyboard
+            job.streams.stdin = self._keyboard
             self._tell_mode(False)
 
     def keys(self, text: str) -> None:

@@ -124,7 +124,7 @@ class Viewer:
         if self._driver is None:
             self._driver = PipedInput()
             process = self._start(['python3', DRIVER], 'desk')
-            process.stdin = self._driver
+            process.streams.stdin = self._driver
         self._driver.feed(f'{who or "/"} {_number(words, "linear")} {_number(words, "angular")}\n')
 
     def _network(self, words: dict[str, Any]) -> None:

@@ -9,11 +9,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.inputs import Input, PipedInput
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec, Signals
 from edulaunch.engine.sim.sync import wait_until
 
 if TYPE_CHECKING:
-    from edulaunch.engine.processes.process import Process
     from edulaunch.engine.sim.task import Task
 
 
@@ -66,16 +66,17 @@ class Child:
             self._sinks['stdout'] if stderr == subprocess.STDOUT else _sink(process, 'stderr', stderr, self.stderr)
         )
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
-        program.is_heard = False  # what nobody captures, this program writes in its place
+        program.is_recorded = False  # what nobody captures, this program writes in its place
         self._program = program
         self.stdin: InputEnd | None = None
         if input is not None:
-            program.stdin = Input(input.decode() if isinstance(input, bytes) else input)
+            _give_input(program, Input(input.decode() if isinstance(input, bytes) else input))
         elif stdin is None:
             inherit_terminal(process, program)
         elif stdin == subprocess.PIPE:
-            program.stdin = PipedInput()
-            self.stdin = InputEnd(program.stdin)
+            pipe = PipedInput()
+            _give_input(program, pipe)
+            self.stdin = InputEnd(pipe)
         self.pid: int = program.pid
 
     def __enter__(self) -> Child:
@@ -208,8 +209,14 @@ class Pipe:
 
 def inherit_terminal(process: Process, child: Any) -> None:
     """Let a program read the keyboard of the one that started it, if that has one."""
-    if getattr(process.stdin, 'is_inherited', False) and hasattr(child, 'stdin'):
-        child.stdin = process.stdin
+    if getattr(process.streams.stdin, 'is_inherited', False):
+        _give_input(child, process.streams.stdin)
+
+
+def _give_input(child: Any, stdin: Any) -> None:
+    """Let a simulated program read from `stdin`; a real one has a stream of its own."""
+    if isinstance(child, Process):
+        child.streams.stdin = stdin
 
 
 def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:

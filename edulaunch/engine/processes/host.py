@@ -189,7 +189,7 @@ class Host:
         process.on_output = on_output
         process.on_exit = on_exit
         if starter is not None:
-            starter.speaks_for += 2
+            starter.limit.programs += 2
         return self.adopt(process)
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
@@ -212,7 +212,7 @@ class Host:
 
     def begin(self, process: Process) -> None:
         """Give a program its first turn: after what is due now."""
-        process.task.start()
+        process.lifecycle.task.start()
 
     def knows(self, spec: ProcessSpec) -> bool:
         """Whether the command runs in the simulation."""
@@ -239,8 +239,8 @@ class Host:
             real.kill()
         for process in list(self.processes):
             process.on_output = process.on_exit = None
-            process.task.kill()
-            for thread in process.threads:
+            process.lifecycle.task.kill()
+            for thread in process.lifecycle.threads:
                 thread.kill()
         until = self.sim.now_ns
         self.sim.run(until)

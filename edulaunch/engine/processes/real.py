@@ -206,7 +206,7 @@ class RealInput(Input):
         mode = termios.tcgetattr(number)
         if 'terminal' not in process.state:
             process.state['terminal'] = list(mode)
-            process.at_exit.append(lambda: termios.tcsetattr(number, termios.TCSADRAIN, process.state['terminal']))
+            process.lifecycle.at_exit.append(lambda: termios.tcsetattr(number, termios.TCSADRAIN, process.state['terminal']))
         letters = termios.ICANON | termios.ECHO
         mode[3] = mode[3] & ~letters if self.by_key else mode[3] | letters
         termios.tcsetattr(number, termios.TCSADRAIN, mode)

@@ -106,7 +106,7 @@ class SharedStream:
     def _here(self) -> Any:
         task = running_task()
         process = None if task is None or isinstance(task, AmbientTask) else task.owner
-        return self._real if process is None or process.is_writing else getattr(process, self._name)
+        return self._real if process is None or process.streams.is_writing else getattr(process.streams, self._name)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._here(), name)
@@ -154,3 +154,23 @@ class Addresses:
             self._shown[shown] = shown
             self._count += 1
         return shown
+
+
+class Streams:
+    """The three streams of one program.
+
+    :param stdin: what the program reads.
+    :param write: takes what the program writes: the name of the stream and a text.
+    :ivar is_writing: its output is being handed on now; what is written meanwhile to the real `sys` is not the program's.
+    """
+
+    def __init__(self, stdin: Any, write: Callable[[str, str], object]) -> None:
+        self.stdin = stdin
+        self.stdout = OutputStream(write, 'stdout')
+        self.stderr = OutputStream(write, 'stderr')
+        self.is_writing = False
+        self._addresses = Addresses()
+
+    def steady(self, text: str) -> str:
+        """A text of the program without what would differ from run to run: addresses of objects."""
+        return self._addresses.steady(text) if MARK in text else text

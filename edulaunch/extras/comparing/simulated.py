@@ -44,7 +44,7 @@ class LateHost(Host):
         """See `Host.begin`."""
         delay_ns = round(self.delays_s.get(process.name, 0.0) * 1e9)
         if delay_ns:
-            self.sim.schedule(self.sim.now_ns + delay_ns, process.task.start)
+            self.sim.schedule(self.sim.now_ns + delay_ns, process.lifecycle.task.start)
         else:
             super().begin(process)
 

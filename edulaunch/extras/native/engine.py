@@ -94,25 +94,8 @@ class RealHost:
             time.sleep(0.05)
 
 
-class ThisProcess:
-    """This process in place of a simulated one. What advice is made of is nobody's here."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        self.host = RealHost()
-        self.sim = RealTime()
-        self.state: dict[str, Any] = {}
-        self.loader = _Loader()
-        self.env = os.environ
-        self.returncode = None
-        self.pid = os.getpid()
-        self.cwd = os.getcwd()
-        self.sourced_path = os.environ.get('AMENT_PREFIX_PATH', '')
-
-    @property
-    def argv(self) -> list[str]:
-        """Its command line."""
-        return sys.argv
+class RealStreams:
+    """The streams of this process."""
 
     @property
     def stdin(self) -> Any:
@@ -131,6 +114,40 @@ class ThisProcess:
         """Where it complains."""
         return sys.stderr
 
+
+class RealLifecycle:
+    """The end of this process."""
+
+    def exit_now(self, code: int) -> NoReturn:
+        """End at once: with a code, or by the signal that a negative one names."""
+        if code < 0:
+            signal.signal(-code, signal.SIG_DFL)
+            os.kill(os.getpid(), -code)
+        os._exit(code)
+
+
+class ThisProcess:
+    """This process in place of a simulated one. What advice is made of is nobody's here."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.host = RealHost()
+        self.sim = RealTime()
+        self.state: dict[str, Any] = {}
+        self.loader = _Loader()
+        self.streams = RealStreams()
+        self.lifecycle = RealLifecycle()
+        self.env = os.environ
+        self.returncode = None
+        self.pid = os.getpid()
+        self.cwd = os.getcwd()
+        self.sourced_path = os.environ.get('AMENT_PREFIX_PATH', '')
+
+    @property
+    def argv(self) -> list[str]:
+        """Its command line."""
+        return sys.argv
+
     @cached_property
     def index(self) -> Index:
         """The packages that it finds."""
@@ -142,13 +159,6 @@ class ThisProcess:
         """Write on 'stdout' or 'stderr'."""
         getattr(sys, stream).write(text)
         getattr(sys, stream).flush()
-
-    def exit_now(self, code: int) -> NoReturn:
-        """End at once: with a code, or by the signal that a negative one names."""
-        if code < 0:
-            signal.signal(-code, signal.SIG_DFL)
-            os.kill(os.getpid(), -code)
-        os._exit(code)
 
     def fact(self, kind: str, key: object, data: object) -> None:
         """Nobody keeps it."""

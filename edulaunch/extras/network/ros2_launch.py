@@ -39,4 +39,4 @@ def begin(arguments: argparse.Namespace, process: Process) -> None:
         raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
     names = [name for names in arguments.network_topics for name in names.split(',') if name]
     link, clock = arguments.network_link or 'cyclonedds', arguments.network_clock
-    process.at_exit.append(process.host.join_network(process.env, link, clock, names, say))
+    process.lifecycle.at_exit.append(process.host.join_network(process.env, link, clock, names, say))

@@ -47,17 +47,17 @@ class HostedProgram:
         self.exception: dict[str, Any] | None = None
         self.on_output = on_output
         self.on_exit = on_exit
-        self._is_heard = True
+        self._is_recorded = True
 
     @property
-    def is_heard(self) -> bool:
-        """As `Process.is_heard`."""
-        return self._is_heard
+    def is_recorded(self) -> bool:
+        """As `Process.is_recorded`."""
+        return self._is_recorded
 
-    @is_heard.setter
-    def is_heard(self, is_heard: bool) -> None:
-        self._is_heard = is_heard
-        self.host.half.send(Kind.HEARD, dump([self.pid, is_heard]))
+    @is_recorded.setter
+    def is_recorded(self, is_recorded: bool) -> None:
+        self._is_recorded = is_recorded
+        self.host.half.send(Kind.HEARD, dump([self.pid, is_recorded]))
 
     def send_signal(self, signum: int) -> None:
         """As `Process.send_signal`."""
@@ -170,7 +170,7 @@ class ConfinedHost(Host):
         hosted = HostedProgram(self, spec, self.next_pid(), on_output, on_exit)
         starter = self.program_here()
         if starter is not None:
-            starter.speaks_for += 2
+            starter.limit.programs += 2
             hosted.group = starter.group
         self.processes.append(hosted)  # type: ignore[arg-type]
         self.tracer.process_started(hosted)

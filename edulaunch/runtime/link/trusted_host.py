@@ -120,10 +120,10 @@ class TrustedHost(Host):
 
     def hear(self, payload: memoryview) -> None:
         """Set whether the output of a hosted program is recorded."""
-        pid, is_heard = load(bytes(payload))
+        pid, is_recorded = load(bytes(payload))
         process = self.hosted(pid)
         if process is not None:
-            process.is_heard = is_heard is True
+            process.is_recorded = is_recorded is True
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
         """As `Host.parameter_entries`: the confined half reads the file."""

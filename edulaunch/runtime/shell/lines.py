@@ -36,7 +36,7 @@ def run_line(process: Process, text: str) -> int:
     try:
         shell.run(parsed(text) or ())
     except KeyboardInterrupt:
-        process.end_by(signal.SIGINT)
+        process.lifecycle.exit_now(-signal.SIGINT)
     except _Exit:
         pass
     return shell.status
@@ -247,7 +247,7 @@ class _Inherited(_Stream):
 
     def write(self, text: str) -> None:
         """Pass it on."""
-        if self._process.on_output is not None and (not self._process.is_heard or not self._process.is_gone):
+        if self._process.on_output is not None and (not self._process.is_recorded or not self._process.lifecycle.is_dead):
             self._process.on_output(self._stream, text)
 
 

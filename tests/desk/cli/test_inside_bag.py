@@ -154,7 +154,7 @@ def test_space_pauses_and_goes_on(bag) -> None:
     listener = bag.start('ros2 topic echo /turtle1/cmd_vel geometry_msgs/msg/Twist --field linear.x')
     player = bag.start('ros2 bag play drive')
     began = bag.now()
-    player.process.stdin = TypedInput([(began + 0.2, ' '), (began + 2.2, ' ')])
+    player.process.streams.stdin = TypedInput([(began + 0.2, ' '), (began + 2.2, ' ')])
     bag.session.run(4.0)
     assert [round(time - began, 1) for time, _ in listener.writes] == [0.0, 2.5, 3.0]
     assert [text for text in logged(player.err) if 'play.' in text] == ['Pausing play.', 'Resuming play.']

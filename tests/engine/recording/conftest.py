@@ -13,6 +13,7 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.recording import Recorder, Recording
 from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.runtime.fittings import hint_of
 
 
 class Stage:
@@ -25,7 +26,7 @@ class Stage:
         self.sim = Simulation(seed=7)
         self.recorder = Recorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
-        self.host = Host(self.sim, self.graph, None, env={})  # type: ignore[arg-type]
+        self.host = Host(self.sim, self.graph, None, env={}, hint_of=hint_of)  # type: ignore[arg-type]
 
     def process(self, name: str, seconds: float) -> Process:
         spec = ProcessSpec(

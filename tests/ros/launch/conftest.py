@@ -60,6 +60,7 @@ class FakeHost:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
+        self.compiled: dict[str, Any] = {}
         self.hints = DeferredHints()
         self.log: list[tuple[float, str, str]] = []
         self.specs: list[Any] = []

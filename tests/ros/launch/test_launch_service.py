@@ -106,7 +106,7 @@ def test_what_a_timer_visits_sees_the_configurations_of_that_moment(launch_it: A
 
 def test_ctrl_c_ends_the_launch_and_a_second_one_is_ignored(launch_it: Any, host: Any, fresh_simulation: Any) -> None:
     def press(context: Any) -> None:
-        fresh_simulation.signal_handlers[signal.SIGINT](signal.SIGINT)
+        fresh_simulation.signals.handlers[signal.SIGINT](signal.SIGINT)
 
     presses = [
         TimerAction(period=period, actions=[OpaqueFunction(function=press)], cancel_on_shutdown=False) for period in (1.0, 2.0)
@@ -237,7 +237,7 @@ def test_two_launches_in_one_simulation_do_not_share_anything(fresh_simulation: 
     for name in outputs:
         process = Process(fresh_simulation.host, ProcessSpec(argv=(name,), name=name), 1, [name], main)
         process.on_output = lambda stream, text, name=name: outputs.__setitem__(name, outputs[name] + text)
-        process.task.start()
+        process.lifecycle.task.start()
     fresh_simulation.sim.run()
     assert {name: text.splitlines()[1:] for name, text in outputs.items()} == {
         name: [f'[INFO] [launch.user]: {name} 1', f'[INFO] [launch.user]: {name} 2'] for name in outputs

@@ -84,7 +84,7 @@ def test_a_command_that_the_simulation_knows_runs_in_it(fresh_simulation: Any) -
         from edulaunch.engine.sim.task import current_task
 
         current_task().sleep_until(process.sim.now_ns + 10**9)
-        process.stdout.write(' '.join(process.argv))
+        process.streams.stdout.write(' '.join(process.argv))
         return 0
 
     fresh_simulation.host.command_set = CommandSet({'ros2': run})

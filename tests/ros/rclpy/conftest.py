@@ -86,7 +86,7 @@ class World:
             self.output[name] += text
 
         process.on_output = keep
-        process.task.start()
+        process.lifecycle.task.start()
         return process
 
     def run(self, seconds: float = 100.0) -> list[tuple[float, str, Any]]:

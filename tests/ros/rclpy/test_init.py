@@ -213,7 +213,7 @@ def test_a_handler_that_was_there_before_is_called_too(world: World) -> None:
     def program() -> None:
         from edulaunch.engine.processes.current import current_process
 
-        current_process().signal_handlers[signal.SIGINT] = lambda _: world.say('own handler')
+        current_process().signals.handlers[signal.SIGINT] = lambda _: world.say('own handler')
         rclpy.init()
         try:
             rclpy.spin(Node('n'))

@@ -19,6 +19,7 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.runtime.fittings import hint_of
 
 if installed_registry() is None:
     install()
@@ -58,7 +59,7 @@ class Stage:
         self.graph = Graph(self.sim, self.tape)
         self.index = Index([], [])
         self._publishers: dict[str, Any] = {}
-        self.host = Host(self.sim, self.graph, self.index, env={})
+        self.host = Host(self.sim, self.graph, self.index, env={}, hint_of=hint_of)
         self._hand = self.graph.add_node(None, 'hand', '/')
 
     def start(self, package: str, executable: str, *arguments: str, stdin: str = '') -> Process:
@@ -67,7 +68,7 @@ class Stage:
         spec = ProcessSpec(argv=(path, *arguments), name=executable, package=package, executable=executable)
         process = self.host.start(spec)
         assert isinstance(process, Process)
-        process.stdin = StringIO(stdin)
+        process.streams.stdin = StringIO(stdin)
         return process
 
     def until(self, ms: float) -> None:
@@ -111,7 +112,7 @@ def program(stage: Any) -> Callable[[Callable[[], object]], Any]:
 
     def start(body: Callable[[], object]) -> Any:
         process = Process(stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'], lambda _: body())
-        process.task.start()
+        process.lifecycle.task.start()
         return process
 
     return start

@@ -93,7 +93,7 @@ def send_goal_verb(arguments: argparse.Namespace) -> str | None:
         return with_help('The passed action type is invalid', error.help)
     goal = cls.Goal()
     try:
-        fill_message(goal, parse_values(current_process().stdin.read() if arguments.stdin else arguments.goal))
+        fill_message(goal, parse_values(current_process().streams.stdin.read() if arguments.stdin else arguments.goal))
     except FillError as error:
         return str(error)
     name = f'_ros2cli_send_goal_{cls.TYPE.replace("/", "_")}'

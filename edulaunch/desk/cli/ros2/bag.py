@@ -140,7 +140,7 @@ class Keys:
 
     def __init__(self) -> None:
         process = current_process()
-        self._input: Any = process.stdin
+        self._input: Any = process.streams.stdin
         self._is_over = False
         if self._input.isatty():
             tty: Any = process.loader.import_module('tty')

@@ -192,7 +192,7 @@ class Parser(argparse.ArgumentParser):
 
     def _print_message(self, message: str, file: Any = None) -> None:
         process = current_process()
-        (process.stderr if file is sys.stderr else process.stdout).write(message)
+        (process.streams.stderr if file is sys.stderr else process.streams.stdout).write(message)
 
     def parse(self, words: Sequence[str]) -> argparse.Namespace:
         """As `parse_args`, but optional words may stand behind options too: argparse allows that in newer
@@ -252,7 +252,7 @@ def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], t
         about = text or 'ros2 is an extensible command-line tool for ROS 2.'
         options = '  -h, --help            show this help message and exit\n' + ('' if text else BUFFERING_HELP)
         title = f'{usage}\n{about}\n\noptions:\n{options}\nCommands:\n'
-        current_process().stdout.write(f'{title}{_listed(known)}\n  Call `{prog} <{kind}> -h` for more detailed usage.\n')
+        current_process().streams.stdout.write(f'{title}{_listed(known)}\n  Call `{prog} <{kind}> -h` for more detailed usage.\n')
         raise SystemExit(0)
     word = words[0]
     if word in known:
@@ -264,7 +264,7 @@ def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], t
         f'(choose from {choices})',
         (NOT_HERE.get(word) if prog == 'ros2' else None) or (near and f'did you mean `{prog} {near}`?'),
     )
-    current_process().stderr.write(f'{usage}{message}\n')
+    current_process().streams.stderr.write(f'{usage}{message}\n')
     raise SystemExit(2)
 
 
@@ -293,6 +293,6 @@ def main(process: Process) -> int:
 def _exit_code(process: Process, outcome: Any) -> int:
     """A verb returns None or a number, or the text of its error."""
     if isinstance(outcome, str):
-        process.stderr.write(outcome + '\n')
+        process.streams.stderr.write(outcome + '\n')
         return 1
     return int(outcome or 0)

@@ -89,7 +89,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     code = api.launch_a_launch_file(
         launch_file_path=path,
         launch_file_arguments=given,
-        noninteractive=arguments.noninteractive or not process.stdin.isatty(),
+        noninteractive=arguments.noninteractive or not process.streams.stdin.isatty(),
         debug=arguments.debug,
     )
     note_unread_arguments(process, named)
@@ -155,8 +155,8 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
     child.is_passed_on = True
     inherit_terminal(process, child)
     for stream in ('stdout', 'stderr') if isinstance(child, Process) else ():
-        getattr(child, stream).is_terminal = getattr(process, stream).is_terminal
-    process.at_exit.append(lambda: child.send_signal(signal.SIGTERM))
+        getattr(child.streams, stream).is_terminal = getattr(process.streams, stream).is_terminal
+    process.lifecycle.at_exit.append(lambda: child.send_signal(signal.SIGTERM))
     while child.returncode is None:
         try:
             task.park()

@@ -13,12 +13,12 @@ Number = TypeVar('Number', int, float)
 
 def say(text: str = '', end: str = '\n') -> None:
     """Write a line to the command's standard output."""
-    current_process().stdout.write(text + end)
+    current_process().streams.stdout.write(text + end)
 
 
 def complain(text: str) -> None:
     """Write a line to the command's standard error."""
-    current_process().stderr.write(text + '\n')
+    current_process().streams.stderr.write(text + '\n')
 
 
 def with_help(text: str, help: str | None) -> str:

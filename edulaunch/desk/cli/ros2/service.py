@@ -95,7 +95,7 @@ def call_verb(arguments: argparse.Namespace) -> str | None:
         return with_help('The passed service type is invalid', error.help)
     package, _, name = cls.TYPE.split('/')
     try:
-        values = parse_values(current_process().stdin.read() if arguments.stdin else arguments.values)
+        values = parse_values(current_process().streams.stdin.read() if arguments.stdin else arguments.values)
         request = cls.Request()
         fill_message(request, values)
     except FillError as error:

@@ -189,7 +189,7 @@ def pub_verb(arguments: argparse.Namespace) -> str | None:
     with cli_node.cli_node(arguments, arguments.node_name) as node:
         message = cls()
         try:
-            values = parse_values(current_process().stdin.read() if arguments.stdin else arguments.values)
+            values = parse_values(current_process().streams.stdin.read() if arguments.stdin else arguments.values)
             stamps = fill_message(message, values, stamps=True)
         except FillError as error:
             return str(error)

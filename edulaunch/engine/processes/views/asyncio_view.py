@@ -29,7 +29,7 @@ class ProcessEventLoop(SimulatedEventLoop):
         super().__init__(task)
         self._process = process
         self._numbers: Iterator[int] = process.state.setdefault('asyncio tasks', count(1))
-        process.at_exit.append(self._tell_what_is_pending)
+        process.lifecycle.at_exit.append(self._tell_what_is_pending)
 
     def create_task(self, coro: Any, *, name: object = None, **options: Any) -> Any:
         """As asyncio's; without a name it is `Task-N`."""
@@ -72,11 +72,11 @@ class ProcessEventLoop(SimulatedEventLoop):
 
     def add_signal_handler(self, sig: int, callback: Callable[..., object], *args: Any) -> None:  # type: ignore[override]
         """Call `callback` on the loop when the program gets the signal."""
-        self._process.signal_handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
+        self._process.signals.handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
 
     def remove_signal_handler(self, sig: int) -> bool:
         """Whether there was one."""
-        return self._process.signal_handlers.pop(sig, None) is not None
+        return self._process.signals.handlers.pop(sig, None) is not None
 
 
 def _refusal(name: str, need: str) -> Callable[..., Any]:
@@ -124,10 +124,10 @@ def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
             return running
         task = current_task()
         if loops.get(task) is None:
-            if task is not process.task:
+            if task is not process.lifecycle.task:
                 raise RuntimeError(f'There is no current event loop in thread {task.name!r}.')
             loop = loops[task] = new_event_loop()
-            process.at_exit.append(lambda: None if loop.is_running() else loop.close())
+            process.lifecycle.at_exit.append(lambda: None if loop.is_running() else loop.close())
         return loops[task]
 
     def run(main: Coroutine[Any, Any, Any], *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> Any:

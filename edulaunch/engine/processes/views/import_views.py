@@ -36,13 +36,13 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
     ) -> None:
         if file is None:
             view: Any = process.loader.modules.get('sys')
-            file = process.stdout if view is None else view.stdout
+            file = process.streams.stdout if view is None else view.stdout
         file.write((' ' if sep is None else sep).join(map(str, values)) + ('\n' if end is None else end))
         if flush:
             file.flush()
 
     def private_input(prompt: object = '') -> str:
-        view: Any = process.loader.modules.get('sys') or process
+        view: Any = process.loader.modules.get('sys') or process.streams
         view.stdout.write(str(prompt))
         line: str = view.stdin.readline()
         if not line:

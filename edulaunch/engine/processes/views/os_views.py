@@ -73,8 +73,8 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
         getpid=lambda: process.pid,
         getppid=lambda: 1000,
         kill=lambda pid, signum, /: _kill(process, pid, signum),
-        _exit=lambda status: process.exit_now(status & 0xFF),
-        abort=lambda: process.end_by(Signals.SIGABRT),
+        _exit=lambda status: process.lifecycle.exit_now(status & 0xFF),
+        abort=lambda: process.lifecycle.exit_now(-Signals.SIGABRT),
         getcwd=PlainFunction(getcwd),
         chdir=chdir,
         cpu_count=lambda: CPUS,
@@ -96,20 +96,20 @@ def _files(process: Process) -> dict[str, Any]:
     """The numbers 0, 1 and 2 are the process's own streams."""
 
     def read(fd: int, length: int, /) -> bytes:
-        return process.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
+        return process.streams.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
 
     def write(fd: int, data: Any, /) -> int:
         if fd not in (1, 2):
             return os.write(fd, data)
-        return (process.stdout if fd == 1 else process.stderr).buffer.write(data)
+        return (process.streams.stdout if fd == 1 else process.streams.stderr).buffer.write(data)
 
     def get_terminal_size(fd: int = 1, /) -> Any:
-        return os.terminal_size(process.stdin.terminal_size())
+        return os.terminal_size(process.streams.stdin.terminal_size())
 
     def isatty(fd: int, /) -> bool:
         if fd not in (0, 1, 2):
             return os.isatty(fd)
-        return bool(process.stdin.isatty() if fd == 0 else process.stdout.isatty())
+        return bool(process.streams.stdin.isatty() if fd == 0 else process.streams.stdout.isatty())
 
     return {'read': read, 'write': write, 'get_terminal_size': get_terminal_size, 'isatty': isatty}
 
@@ -153,9 +153,9 @@ class SysView(ModuleType):
         super().__init__('sys')
         self.__edulaunch_view__ = True
         self.argv = process.argv
-        self.stdin = self.__stdin__ = process.stdin
-        self.stdout = self.__stdout__ = process.stdout
-        self.stderr = self.__stderr__ = process.stderr
+        self.stdin = self.__stdin__ = process.streams.stdin
+        self.stdout = self.__stdout__ = process.streams.stdout
+        self.stderr = self.__stderr__ = process.streams.stderr
         self._shared_path = list(sys.path)
         self.path = [*process.loader.roots, *self._shared_path]
         self.modules = ChainMap(process.loader.modules, sys.modules)
@@ -184,7 +184,7 @@ Function = TypeVar('Function', bound=Callable[..., object])
 
 def make_atexit(view: ModuleType, process: Process) -> ModuleType:
     """`register` and `unregister` for this process."""
-    calls = process.exit_calls
+    calls = process.lifecycle.exit_calls
 
     def register(function: Function, /, *arguments: Any, **options: Any) -> Function:
         calls.append((function, arguments, options))
@@ -198,6 +198,6 @@ def make_atexit(view: ModuleType, process: Process) -> ModuleType:
         unregister=unregister,
         _clear=calls.clear,
         _ncallbacks=lambda: len(calls),
-        _run_exitfuncs=process.run_exit_calls,
+        _run_exitfuncs=process.lifecycle.run_exit_calls,
     )
     return view

@@ -28,12 +28,12 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
     import select as real
 
     def is_input(file: Any) -> bool:
-        return file is process.stdin or file == 0 or getattr(file, '_input', None) is process.stdin
+        return file is process.streams.stdin or file == 0 or getattr(file, '_input', None) is process.streams.stdin
 
     def select(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> tuple[list[Any], list[Any], list[Any]]:
         keyboards, others = [file for file in rlist if is_input(file)], [file for file in rlist if not is_input(file)]
         ready = real.select(others, wlist, xlist, 0) if others or wlist or xlist else ([], [], [])
-        if keyboards and process.stdin.wait(0.0 if any(ready) else timeout):
+        if keyboards and process.streams.stdin.wait(0.0 if any(ready) else timeout):
             return keyboards + list(ready[0]), *ready[1:]
         if any(ready) or keyboards:
             return ready
@@ -66,7 +66,7 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
 
     def tcsetattr(fd: Any, when: int, attributes: list[Any], /) -> None:
         state['now'] = [*attributes[:6], list(attributes[6])]
-        process.stdin.change_mode(process, attributes[3])
+        process.streams.stdin.change_mode(process, attributes[3])
 
     view.__dict__.update(tcgetattr=tcgetattr, tcsetattr=tcsetattr, tcflush=lambda fd, queue, /: None, tcdrain=lambda fd, /: None)
     copy_names(view, real)
@@ -79,11 +79,11 @@ def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
     import os
 
     def fcntl(fd: Any, cmd: int, arg: Any = 0, /) -> Any:
-        if fd is not process.stdin and fd not in (0, 1, 2):
+        if fd is not process.streams.stdin and fd not in (0, 1, 2):
             return real.fcntl(fd, cmd, arg)
-        if cmd == real.F_SETFL and (fd is process.stdin or fd == 0):
-            process.stdin.blocking = not arg & os.O_NONBLOCK
-        return 0 if process.stdin.blocking or cmd != real.F_GETFL else os.O_NONBLOCK
+        if cmd == real.F_SETFL and (fd is process.streams.stdin or fd == 0):
+            process.streams.stdin.blocking = not arg & os.O_NONBLOCK
+        return 0 if process.streams.stdin.blocking or cmd != real.F_GETFL else os.O_NONBLOCK
 
     view.__dict__['fcntl'] = fcntl
     copy_names(view, real)
@@ -114,6 +114,7 @@ def make_tty(view: ModuleType, process: Process) -> ModuleType:
 
 def make_signal(view: ModuleType, process: Process) -> ModuleType:
     """`signal.signal` installs a handler for this process; it is called as handler(signum, frame)."""
+    handlers = process.signals.handlers
     installed: dict[int, Any] = {}
 
     def install(signum: int, handler: Any) -> Any:
@@ -121,13 +122,13 @@ def make_signal(view: ModuleType, process: Process) -> ModuleType:
         before = getsignal(signum)
         installed[signum] = handler
         if handler is signal.SIG_DFL and signum == signal.SIGINT:
-            process.signal_handlers[signum] = process.die_at_once  # not Python's own handler, which raises KeyboardInterrupt
+            handlers[signum] = process.signals.die_at_once  # not Python's own handler, which raises KeyboardInterrupt
         elif handler is signal.SIG_DFL or handler is signal.default_int_handler:
-            process.signal_handlers.pop(signum, None)
+            handlers.pop(signum, None)
         elif handler is signal.SIG_IGN:
-            process.signal_handlers[signum] = lambda number: None
+            handlers[signum] = lambda number: None
         else:
-            process.signal_handlers[signum] = lambda number: handler(number, _interrupted_frame())
+            handlers[signum] = lambda number: handler(number, _interrupted_frame())
         return before
 
     def getsignal(signum: int) -> Any:
@@ -175,7 +176,7 @@ def _check(process: Process, signum: int, handler: Any) -> None:
     """Raise what Python raises for a handler that cannot be installed."""
     if not (callable(handler) or handler in (signal.SIG_DFL, signal.SIG_IGN)):
         raise TypeError('signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object')
-    if current_task() is not process.task:
+    if current_task() is not process.lifecycle.task:
         raise ValueError('signal only works in main thread of the main interpreter')
     if signum in (Signals.SIGKILL, Signals.SIGSTOP):
         raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))

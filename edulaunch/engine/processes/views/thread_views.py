@@ -25,7 +25,7 @@ class Threads:
         self.by_task: dict[Task, Thread] = {}
         self.count = 0
         self.main = MainThread(name='MainThread', daemon=False, _threads=self)
-        self.main._begin(process.task)
+        self.main._begin(process.lifecycle.task)
 
     def next_number(self) -> int:
         """Thread-1, Thread-2 ..."""
@@ -66,7 +66,7 @@ def make_threading(view: ModuleType, process: Process) -> ModuleType:
         enumerate=threads.alive,
         active_count=lambda: len(threads.alive()),
         activeCount=lambda: len(threads.alive()),
-        _register_atexit=lambda function, *arguments, **options: process.before_join.append(
+        _register_atexit=lambda function, *arguments, **options: process.lifecycle.before_join.append(
             lambda: function(*arguments, **options)
         ),
     )

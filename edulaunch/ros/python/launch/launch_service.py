@@ -321,7 +321,7 @@ def _check_thread() -> None:
     """The main thread is the real one for a plain script, and the first task of a simulated process."""
     from edulaunch.engine.sim.task import AmbientTask, current_task
 
-    task = running_process().task
+    task = running_process().lifecycle.task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:
         raise RuntimeError('LaunchService can only be run in the main thread.')

@@ -47,7 +47,7 @@ def companions(scope: Any) -> dict[str, Any]:
         from edulaunch.engine.processes.views.asyncio_view import ProcessEventLoop
 
         process = current_process()
-        loop = ProcessEventLoop(process, process.task)
+        loop = ProcessEventLoop(process, process.lifecycle.task)
         yield loop
         loop.close()
 

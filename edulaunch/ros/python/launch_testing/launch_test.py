@@ -58,7 +58,7 @@ class LaunchTest:
             if not isinstance(error, Exception) and not is_pytest_outcome(error):
                 raise
             self.error = error
-            current_process().stderr.write(self.error_text())
+            current_process().streams.stderr.write(self.error_text())
             return 1
         return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
 
@@ -73,7 +73,7 @@ class LaunchTest:
         from ros2launch.api.api import arguments_text
 
         description, _ = self.load()[0].description(lambda: None)
-        current_process().stdout.write(arguments_text(description) + '\n')
+        current_process().streams.stdout.write(arguments_text(description) + '\n')
         return 0
 
 

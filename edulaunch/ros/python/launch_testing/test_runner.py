@@ -33,8 +33,8 @@ def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool)
     process, results = current_process(), {}
     for test_run in test_runs:
         if len(test_runs) > 1:
-            process.stdout.write(f'Starting test run {test_run}\n')
-        results[test_run] = TestResult(process.stderr.write)
+            process.streams.stdout.write(f'Starting test run {test_run}\n')
+        results[test_run] = TestResult(process.streams.stderr.write)
         try:
             RunWorker(test_run, results[test_run], arguments, debug).run()
         except unittest.SkipTest as skip:
@@ -98,12 +98,12 @@ class RunWorker:
                 self._execute(self._run.pre_shutdown_tests)
                 self._done.set()
             else:
-                self._process.stdout.write('Timed out waiting for processes to start up\n')
+                self._process.streams.stdout.write('Timed out waiting for processes to start up\n')
         finally:
             self._launch_service.shutdown()
 
     def _execute(self, tests: Sequence[unittest.TestCase]) -> None:
-        result = TestResult(self._process.stderr.write)
+        result = TestResult(self._process.streams.stderr.write)
         try:
             unittest.TestSuite(tests).run(result)
         finally:
@@ -114,11 +114,11 @@ class RunWorker:
         help = f'\n  help: ReadyToTest was not reached within {self._run.timeout_s} s of simulated time'
         self._result.notes.append(message + ('' if self._ready.is_set() else help))
         tests.kill()
-        self._process.stdout.write(f'{message}\n')
+        self._process.streams.stdout.write(f'{message}\n')
         for info in self._proc_info:
             code = getattr(info, 'returncode', 0)
             if code:
-                self._process.stdout.write(f"Process '{info.process_name}' exited with {code}\n" + self._output_of(info))
+                self._process.streams.stdout.write(f"Process '{info.process_name}' exited with {code}\n" + self._output_of(info))
 
     def _output_of(self, info: Any) -> str:
         rule = f"##### '{info.process_name}' output #####\n"

@@ -214,7 +214,7 @@ def _run(main: Callable[[], int | None]) -> int:
         process = current_process()
         text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
         process.write('stderr', text)
-        process.exit_now(-Signals.SIGABRT)
+        process.lifecycle.exit_now(-Signals.SIGABRT)
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:

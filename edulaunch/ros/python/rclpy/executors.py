@@ -93,7 +93,7 @@ class MultiThreadedExecutor(Executor):
         elif len(self._threads) < self._num_threads:
             process = current_process()
             if not self._threads:
-                process.before_join.append(self._finish)
+                process.lifecycle.before_join.append(self._finish)
             self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
 
     def _finish(self) -> None:

@@ -36,17 +36,17 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 
 def _install(state: ProcessState, number: int, default: Callable[[int], object] | None) -> None:
-    handlers = state.process.signal_handlers
+    handlers = state.process.signals.handlers
     if number in state.previous_handlers:
         return
     before = handlers.get(number)
-    if before == state.process.die_at_once:
+    if before == state.process.signals.die_at_once:
         default = None  # rclpy calls the handler that was there before, but never a default action
 
     def handler(signum: int) -> None:
         for context in list(state.contexts):
             context.end_by_signal()
-        following = default if before is None or before == state.process.die_at_once else before
+        following = default if before is None or before == state.process.signals.die_at_once else before
         if following is not None:
             following(signum)
 
@@ -57,7 +57,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
 def uninstall_signal_handlers() -> None:
     """Undo :func:`install_signal_handlers`."""
     state = process_state()
-    handlers = state.process.signal_handlers
+    handlers = state.process.signals.handlers
     for number, (handler, before) in state.previous_handlers.items():
         if handlers.get(number) is handler:
             del handlers[number]

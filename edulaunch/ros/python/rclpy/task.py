@@ -29,7 +29,7 @@ class _UnfetchedException:
 
     def __del__(self) -> None:
         if self.exception is not None and sys is not None:
-            print('The following exception was never retrieved: ' + str(self.exception), file=current_process().stderr)
+            print('The following exception was never retrieved: ' + str(self.exception), file=current_process().streams.stderr)
 
 
 class Future:

@@ -163,7 +163,7 @@ class LaunchConfig:
     def get_screen_handler(self) -> Any:
         """The handler that writes to the standard output of the process that asked first."""
         if self.screen_handler is None:
-            self.screen_handler = handlers.StreamHandler(running_process().stdout)
+            self.screen_handler = handlers.StreamHandler(running_process().streams.stdout)
             self.screen_handler.setFormatter(self._screen_formatter)
         return self.screen_handler
 

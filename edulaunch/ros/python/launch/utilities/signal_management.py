@@ -68,7 +68,7 @@ class AsyncSafeSignalManager:
     def __install(self, number: int) -> None:
         if number in self.__before:
             return
-        installed = self.__process.signal_handlers
+        installed = self.__process.signals.handlers
         self.__before[number] = installed.get(number)
         installed[number] = self.__take
         if is_plain_script() and threading.current_thread() is threading.main_thread():
@@ -80,7 +80,7 @@ class AsyncSafeSignalManager:
     def __remove(self, number: int) -> None:
         if number not in self.__before:
             return
-        installed = self.__process.signal_handlers
+        installed = self.__process.signals.handlers
         before = self.__before.pop(number)
         installed.pop(number, None)
         if before is not None:

@@ -218,7 +218,7 @@ def _never_spun(core: NodeCore) -> Facts:
     services = [service.endpoint.service_name for service in core.services]
     own = [name for name in services if not name.startswith(f'{core.full_name}/')]
     if core.timers or topics or own:
-        task = core.process.task
+        task = core.process.lifecycle.task
         line = {} if task is running_task() or task.finished else waiting_line(task)
         data = {'node': core.full_name, 'timers': len(core.timers), 'topics': topics, 'services': own}
         yield 'node not spun', {**data, **line}

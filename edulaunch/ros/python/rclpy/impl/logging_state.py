@@ -134,7 +134,7 @@ class LoggingState:
     def output(self, severity: int, name: str, message: str, function: str = '', file: str = '', line: int = 0) -> None:
         """Write a message to the console, the record and /rosout."""
         process = self.process
-        message = process.steady(message)
+        message = process.streams.steady(message)
         now: int = process.sim.now_ns
         if self.console:
             process.write(self._format.stream, self._format.line(Record(severity, name, message, now, function, file, line)))

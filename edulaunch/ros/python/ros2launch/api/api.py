@@ -153,4 +153,4 @@ def launch_a_launch_file(
 def _print(text: str) -> None:
     from edulaunch.engine.processes import current_process
 
-    current_process().stdout.write(text + '\n')
+    current_process().streams.stdout.write(text + '\n')

@@ -1,0 +1,169 @@
+"""The life of a program: its main task, its threads, what is called at its end, and its return code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from edulaunch.engine.processes.spec import Signals
+from edulaunch.engine.processes.watchdog import RunawayProgram
+from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.engine.sim.task import Task, TaskKilled
+
+
+class Program(Protocol):
+    """What a lifecycle asks of its program."""
+
+    sim: Simulation
+
+    @property
+    def name(self) -> str: ...
+
+    def write(self, stream: str, text: str) -> None: ...
+
+    def report_error(self, error: BaseException) -> None: ...
+
+    def report_runaway(self, error: RunawayProgram) -> None: ...
+
+    def report_exit_call(self, error: Exception) -> None: ...
+
+    def leave_graph(self) -> None: ...
+
+    def report_end(self) -> None: ...
+
+
+class Lifecycle:
+    """Runs a program from its first turn to its end.
+
+    :param main: the program's main function; what it returns is the exit status, as for `sys.exit`.
+    :ivar task: the main thread.
+    :ivar threads: those that the program waits for before it ends.
+    :ivar before_join: called before the program waits for its threads, the last one first.
+    :ivar exit_calls: what the program registered with `atexit`: function, arguments, options.
+    :ivar at_exit: called when the program has ended in whatever way.
+    :ivar returncode: None while it runs; negative for a signal, as in `subprocess`.
+    :ivar killed_by: the signal that ended it.
+    :ivar is_dead: it has ended, though its stack may still unwind: nothing that it does counts.
+    """
+
+    def __init__(self, program: Program, main: Callable[[], object]) -> None:
+        self.threads: list[Task] = []
+        self.before_join: list[Callable[[], object]] = []
+        self.exit_calls: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any]]] = []
+        self.at_exit: list[Callable[[], object]] = []
+        self.returncode: int | None = None
+        self.killed_by: int | None = None
+        self.is_dead = False
+        self._program = program
+        self._main = main
+        self.task = Task(program.sim, self._run, name=program.name, owner=program)
+        self.task.add_done_callback(self._end_unbegun)
+
+    def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
+        """A further task of the program. The program does not end before its threads do, unless they are daemons.
+
+        :param at_once: let it run up to where it first waits, before this returns.
+        """
+        task = Task(self._program.sim, lambda: self._run_thread(body), name=name, owner=self._program)
+        if not daemon:
+            self.threads.append(task)
+        else:
+            self.at_exit.append(task.kill)
+        if at_once:
+            task.start_at_once()
+        else:
+            task.start()
+        return task
+
+    def _run_thread(self, body: Callable[[], object]) -> object:
+        try:
+            return body()
+        except RunawayProgram as error:
+            self._program.report_runaway(error)
+            self.returncode = 1
+            self.task.kill()
+            return None
+
+    def vanish(self) -> None:
+        """Kill the program. Unwinding its stack runs its `finally` blocks, which a real end does not: they have no effect."""
+        self.is_dead = True
+        self._program.leave_graph()
+        self.task.kill()
+
+    def exit_now(self, code: int) -> None:
+        """End at once without cleaning up, as `os._exit`; called inside the program."""
+        self.returncode = code
+        self.vanish()
+        self.task.park()
+
+    def _run(self) -> None:
+        code: int | None = None
+        try:
+            code = self._main_exit_code()
+            self._join_threads()
+            self.run_exit_calls()
+        finally:
+            if self.returncode is None:
+                killed = code is None or self.killed_by is not None
+                self.returncode = -(self.killed_by or Signals.SIGKILL) if killed else code
+            self._end()
+
+    def _end_unbegun(self, task: Task) -> None:
+        """A signal that comes before the first turn ends the program, too."""
+        if self.returncode is None:
+            interrupted = isinstance(task.exception, KeyboardInterrupt)
+            self.returncode = -(Signals.SIGINT if interrupted else self.killed_by or Signals.SIGKILL)
+            self._end()
+
+    def _main_exit_code(self) -> int:
+        try:
+            return self._exit_code(self._main())
+        except SystemExit as end:
+            return self._exit_code(end.code)
+        except KeyboardInterrupt as error:
+            self._program.report_error(error)
+            return -Signals.SIGINT
+        except RunawayProgram as error:
+            self._program.report_runaway(error)
+            return 1
+        except TaskKilled:
+            raise
+        except BaseException as error:
+            self._program.report_error(error)
+            return 1
+
+    def _exit_code(self, value: object) -> int:
+        """The exit status that `sys.exit(value)` gives: None is 0, a number itself, anything else is printed and 1."""
+        if value is None:
+            return 0
+        if isinstance(value, int):
+            return value & 0xFF
+        self._program.write('stderr', f'{value}\n')
+        return 1
+
+    def run_exit_calls(self) -> None:
+        """Call what the program registered with `atexit`, the last one first."""
+        while self.exit_calls:
+            function, arguments, options = self.exit_calls.pop()
+            try:
+                function(*arguments, **options)
+            except Exception as error:
+                self._program.report_exit_call(error)
+
+    def _join_threads(self) -> None:
+        for action in reversed(self.before_join):
+            action()
+        for thread in self.threads:
+            while not thread.finished:
+                thread.add_done_callback(lambda _: self.task.wake())
+                self.task.park()
+
+    def _end(self) -> None:
+        for action in self.at_exit:
+            action()
+        self.is_dead = True
+        for thread in self.threads:
+            if not thread.finished:
+                thread.kill()
+        self._program.leave_graph()
+        self._program.report_end()

@@ -1,0 +1,38 @@
+"""The limit on what a program writes. A loop that writes and never waits would fill the memory long before the watchdog sees it,
+and others would have to read all of it.
+"""
+
+from __future__ import annotations
+
+from edulaunch.engine.sim.simulation import Simulation
+
+MOST_WRITES = 10_000
+MOST_TEXT = 4_000_000
+"""How many times, and how many characters, a program may write while no simulated time passes; and for each that it started."""
+
+
+class WriteLimit:
+    """Counts what one program writes at one instant of simulated time.
+
+    :ivar programs: how many programs' output it may have to write; its own counts as one.
+    :ivar writes: how many times it has written at this instant.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        self.programs = 1
+        self.writes = 0
+        self._sim = sim
+        self._instant_ns = 0
+        self._characters = 0
+
+    def is_exceeded_by(self, text: str) -> bool:
+        """Count a text, and return whether it is too much."""
+        if self._instant_ns != self._sim.now_ns:
+            self._instant_ns, self.writes, self._characters = self._sim.now_ns, 0, 0
+        self.writes += 1
+        self._characters += len(text)
+        return self.writes > MOST_WRITES * self.programs or self._characters > MOST_TEXT * self.programs
+
+    def reset(self) -> None:
+        """Count from nothing again, also at this instant."""
+        self._instant_ns = 0

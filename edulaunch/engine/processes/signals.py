@@ -1,0 +1,70 @@
+"""The signals that a program gets: its handlers, and what a signal does that has none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine.processes.frame_owner import waiting_line
+from edulaunch.engine.processes.lifecycle import Lifecycle
+from edulaunch.engine.processes.spec import Signals
+from edulaunch.engine.sim.task import running_task
+
+DEADLY = (Signals.SIGKILL, Signals.SIGTERM, Signals.SIGQUIT, Signals.SIGHUP, Signals.SIGALRM, Signals.SIGUSR1, Signals.SIGUSR2)
+"""Signals that end a program which has no handler for them."""
+FORCED = (Signals.SIGTERM, Signals.SIGKILL)
+"""Signals that come when a program does not end by itself."""
+
+
+class SignalDelivery:
+    """Delivers signals to one program.
+
+    :param note_force: called with a signal of `FORCED` and where each thread of the program waits, before it is delivered.
+    :ivar handlers: what the program installed, by the number of the signal.
+    """
+
+    def __init__(self, lifecycle: Lifecycle, note_force: Callable[[int, list[dict[str, Any]]], object]) -> None:
+        self.handlers: dict[int, Callable[[int], object]] = {}
+        self._lifecycle = lifecycle
+        self._note_force = note_force
+
+    def deliver(self, signum: int) -> None:
+        """Deliver a signal.
+
+        A handler decides. Without one, SIGINT raises KeyboardInterrupt in the program where it waits, those of DEADLY end the
+        program, and any other is ignored. Nothing happens after the end. A program that sends a signal to itself gets it before
+        this returns.
+        """
+        signum, task = int(signum), self._lifecycle.task
+        if self._lifecycle.returncode is not None:
+            return
+        if signum in FORCED:
+            self._note_force(signum, self._waits())
+        handler = self.handlers.get(signum)
+        if handler is not None and signum != Signals.SIGKILL:
+            task.interrupt(lambda: handler(signum))
+        elif signum == Signals.SIGINT:
+            task.interrupt(_raise_keyboard_interrupt)
+        elif signum in DEADLY:
+            self.die_of(signum)
+        if running_task() is task:
+            task.attend()
+
+    def _waits(self) -> list[dict[str, Any]]:
+        """Where each thread of the program stands, main first."""
+        tasks = (self._lifecycle.task, *self._lifecycle.threads)
+        return [{'thread': task.name, **waiting_line(task)} for task in tasks if not task.finished]
+
+    def die_of(self, signum: int) -> None:
+        """End by a signal without a handler: Python has no time for `finally` blocks then."""
+        self._lifecycle.killed_by = signum
+        self._lifecycle.vanish()
+
+    def die_at_once(self, signum: int) -> None:
+        """The handler that stands for the default action of a signal; called inside the program."""
+        self.die_of(signum)
+        self._lifecycle.task.attend()
+
+
+def _raise_keyboard_interrupt() -> None:
+    raise KeyboardInterrupt
