@@ -29,6 +29,7 @@ from edulaunch.runtime.fittings import command_set, hint_of
 from edulaunch.runtime.launch_process import LaunchRun, describe
 from edulaunch.runtime.launching import find_launch_file
 from edulaunch.runtime.plugins import package_folders
+from edulaunch.runtime.still_busy import StillBusy
 
 PathLike = str | os.PathLike[str]
 LONGEST_SHUTDOWN_S = 30.0
@@ -138,7 +139,7 @@ class Session:
         :raises UnusableInput: when `duration_s` is no number of seconds.
         """
         until = None if duration_s is None else self.sim.now_ns + _nanoseconds(duration_s)
-        with streams_of_programs(), Interruption(self.sim) as interruption:
+        with StillBusy() as still_busy, streams_of_programs(), Interruption(self.sim, still_busy.press) as interruption:
             if self.follow is not None:
                 self.follow(until, lambda: interruption.came or (until is None and self.is_over))
             elif speed == 0 and until is not None:

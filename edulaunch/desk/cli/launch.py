@@ -18,6 +18,7 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.runtime.launching import find_launch_file, launch_argument
 from edulaunch.runtime.session import Session
+from edulaunch.runtime.still_busy import StillBusy
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
@@ -177,7 +178,7 @@ class Terminal:
         self._session = session
         self._seconds = seconds
         self._pressed = 0
-        self._deadline_ns: int | None = None
+        self._still_busy = StillBusy()
 
     def run(self, speed: float) -> None:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
@@ -189,7 +190,7 @@ class Terminal:
         try:
             if self._seconds is not None:
                 sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
-            with streams_of_programs():
+            with StillBusy() as self._still_busy, streams_of_programs():
                 Pacer(sim, speed).run(None, self._is_over)
         finally:
             signal.signal(signal.SIGINT, before)
@@ -199,9 +200,11 @@ class Terminal:
             self._pressed = 0
             raise KeyboardInterrupt
         self._pressed = 1
+        self._still_busy.press()
 
     def _is_over(self) -> bool:
         if self._pressed:
             self._pressed = 0
+            self._still_busy.stop()
             self._session.interrupt()
         return self._session.is_over

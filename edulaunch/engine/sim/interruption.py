@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
+from collections.abc import Callable
 from types import FrameType, TracebackType
 from typing import Any
 
@@ -17,11 +18,13 @@ class Interruption:
     while the run goes on, or in the middle of the engine. Where somebody else handles SIGINT, or outside the main thread,
     nothing is done.
 
+    :param on_first: called at the first one.
     :ivar came: whether a SIGINT has come.
     """
 
-    def __init__(self, sim: Simulation) -> None:
+    def __init__(self, sim: Simulation, on_first: Callable[[], object] = lambda: None) -> None:
         self.came = False
+        self._on_first = on_first
         self._sim = sim
         self._before: Any = None
 
@@ -40,3 +43,4 @@ class Interruption:
             raise KeyboardInterrupt
         self.came = True
         self._sim.stop()
+        self._on_first()

@@ -1,0 +1,53 @@
+"""Says, some time after Ctrl-C, which line of a program keeps a run from ending."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from types import FrameType, TracebackType
+from typing import Any
+
+from edulaunch.engine.processes.frame_owner import student_line
+
+PATIENCE_S = 0.7
+"""Real seconds between the press and the sentence."""
+
+
+class StillBusy:
+    """With it: :meth:`press` starts the clock, and a run that ends in time stops it.
+
+    A signal comes also inside a call of C code that looks for signals, such as a slow regular expression, where no thread runs.
+    It does nothing where there is no such signal. The sentence goes to what is the error stream at the beginning.
+    """
+
+    def __init__(self) -> None:
+        self._stream = sys.stderr
+        self._before: Any = None
+        self._is_armed = False
+
+    def __enter__(self) -> StillBusy:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.stop()
+
+    def stop(self) -> None:
+        """The press has been heard: nothing has to be said."""
+        if self._is_armed:
+            self._is_armed = False
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, self._before)
+
+    def press(self) -> None:
+        """Ctrl-C was pressed; called in the main thread."""
+        if hasattr(signal, 'setitimer') and not self._is_armed:
+            self._is_armed = True
+            self._before = signal.signal(signal.SIGALRM, self._say)
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE_S)
+
+    def _say(self, signum: int, frame: FrameType | None) -> None:
+        line = student_line(frame)
+        where = f'in {os.path.basename(line["file"])}:{line["line"]}' if line else 'busy'
+        self._stream.write(f'\nnote: still {where}; press Ctrl-C or the interrupt button again to stop\n')
+        self._stream.flush()
