@@ -105,3 +105,29 @@ def test_dump_into_a_folder_can_be_loaded_again(machine) -> None:
     assert said == f'Saving to:  {machine.folder}/./sim.yaml\n'
     assert 'Set parameter background_b successful' in machine.run('ros2 param load /sim sim.yaml', 1.0).out
     assert machine.fails('ros2 param dump /sim --output-dir nowhere').startswith("'nowhere' is not a valid directory.")
+
+
+NEVER_SPINS = """import time
+import rclpy
+from rclpy.node import Node
+rclpy.init()
+node = Node('idle')
+while True:
+    time.sleep(0.5)
+"""
+SILENT = '/idle has not answered for {} s: it does not spin, one of its callbacks takes long, or it has no such service\n'
+
+
+def test_a_node_that_never_spins_costs_a_second_and_the_others_are_listed(machine) -> None:
+    (machine.folder / 'idle.py').write_text(NEVER_SPINS)
+    machine.run('python3 idle.py')
+    listed = machine.run('ros2 param list', 3.0)
+    assert listed.code == 0 and listed.out.startswith('/sim:\n  background_b\n') and listed.err == SILENT.format(1)
+    begun = machine.now()
+    for line in ('get /idle use_sim_time', 'dump /idle'):
+        typed = machine.run(f'ros2 param {line}', 12.0)
+        assert typed.code == 1 and typed.err == f'note: {SILENT.format(1)[:-1]}; waiting for 9 s more\n{SILENT.format(10)}', (
+            typed.err
+        )
+        assert [round(at - begun) for at, _ in typed.writes] == [1, 10]
+        begun = machine.now()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.desk.cli.ros2.output import complain
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.task import current_task
 
@@ -91,19 +92,46 @@ def pause_until(node: Node, at_ns: int) -> bool:
     return bool(node.context.ok())
 
 
-def call(node: Node, service: str, service_type: Any, **fields: Any) -> Any:
+class NoAnswer(RuntimeError):
+    """A service is not there, or has not answered in time."""
+
+
+def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float | None] = (None,), **fields: Any) -> Any:
     """Call a service and wait for its response.
 
-    :raises RuntimeError: when there is none because ROS 2 was shut down.
+    :param waits_s: seconds to wait for it, one after the other (None: for ever); before each but the first a note says that it
+        has not answered.
+    :raises NoAnswer: when the last wait is over.
+    :raises RuntimeError: when there is no response because ROS 2 was shut down.
     """
     import rclpy
 
     client = node.create_client(service_type, service)
-    client.wait_for_service()
-    future = client.call_async(service_type.Request(**fields))
-    rclpy.spin_until_future_complete(node, future)
+    future = client.call_async(service_type.Request(**fields)) if client.service_is_ready() else None
+    waited_s = 0.0
+    for wait_s in waits_s:
+        if waited_s:
+            complain(f'note: {no_answer(service, waited_s)}; waiting for {wait_s:g} s more')
+        if future is None and client.wait_for_service(wait_s):
+            future = client.call_async(service_type.Request(**fields))
+        if future is not None:
+            rclpy.spin_until_future_complete(node, future, timeout_sec=wait_s)
+            if future.done() or not node.context.ok():
+                break
+        waited_s += wait_s or 0.0
+    else:
+        node.destroy_client(client)
+        raise NoAnswer(no_answer(service, waited_s))
     node.destroy_client(client)
     response = future.result()
     if response is None:
         raise RuntimeError(f'Exception while calling service of node: {future.exception()!r}')
     return response
+
+
+def no_answer(service: str, seconds: float) -> str:
+    """Why a node may not answer."""
+    name = service.rpartition('/')[0]
+    return (
+        f'{name} has not answered for {seconds:g} s: it does not spin, one of its callbacks takes long, or it has no such service'
+    )

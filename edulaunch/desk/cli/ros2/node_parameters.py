@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -54,20 +54,23 @@ class OtherNode:
     """The node `name`, as seen from the node of a command. `PACKAGE` has the types of its services."""
 
     PACKAGE: str
+    WAITS_S: Sequence[float | None] = (None,)
 
     def __init__(self, node: Node, name: str) -> None:
         self._node = node
         self.name = name
+        self.waits_s = self.WAITS_S
 
     def _call(self, service: str, cls: str, **fields: Any) -> Any:
         types = import_module(f'{self.PACKAGE}.srv')
-        return cli_node.call(self._node, f'{self.name}/{service}', getattr(types, cls), **fields)
+        return cli_node.call(self._node, f'{self.name}/{service}', getattr(types, cls), waits_s=self.waits_s, **fields)
 
 
 class ParametersOf(OtherNode):
     """The parameters of the node `name`."""
 
     PACKAGE = 'rcl_interfaces'
+    WAITS_S = (1.0, 9.0)
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
         """Sorted names of all, or of those under some prefixes."""

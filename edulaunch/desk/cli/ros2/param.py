@@ -137,7 +137,12 @@ def list_verb(arguments: argparse.Namespace) -> None:
         served = {name for name, _ in node.get_service_names_and_types()}
         for name in names.node_names(node, arguments.include_hidden_nodes):
             if f'{name}/list_parameters' in served:
-                _say(node_parameters.ParametersOf(node, name), arguments, heading=True)
+                parameters = node_parameters.ParametersOf(node, name)
+                parameters.waits_s = (1.0,)
+                try:
+                    _say(parameters, arguments, heading=True)
+                except cli_node.NoAnswer as error:
+                    complain(str(error))
 
 
 def _say(parameters: node_parameters.ParametersOf, arguments: argparse.Namespace, heading: bool) -> None:
