@@ -9,7 +9,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from select import select
 from time import monotonic
 
@@ -37,7 +37,7 @@ def same_addresses() -> Iterator[None]:
         personality(before)
 
 
-_STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'sandbox', 'starter.py')
+STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'sandbox', 'starter.py')
 LENGTH_BYTES = 4
 PATIENCE_S = 20.0  # for the starter to load the engine
 
@@ -58,9 +58,10 @@ class StarterLink:
         shown, hidden = shown_to_all(path)
         places = {'readable': readable, 'listable': listable, 'shown': shown, 'hidden': hidden}
         settings = json.dumps({'path': path, **places}).encode()
-        with theirs, same_addresses():
+        with ExitStack() as failed, theirs, same_addresses():
+            failed.callback(self._socket.close)
             self._process = subprocess.Popen(
-                [sys.executable, '-s', '-S', _STARTER, str(theirs.fileno())],
+                [sys.executable, '-s', '-S', STARTER, str(theirs.fileno())],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
@@ -69,6 +70,7 @@ class StarterLink:
                 env={**environment(home), 'PYTHONSAFEPATH': '1'},
                 start_new_session=True,
             )
+            failed.pop_all()
         try:  # not as an argument: of many installed packages these are more than one may hold
             self._socket.sendall(len(settings).to_bytes(LENGTH_BYTES, 'big') + settings)
         except OSError:
@@ -127,15 +129,18 @@ class ChildRun:
         self.is_over = False  # whether the guard has ended it and all it started
         self._told = b''
         self._pids: list[int] = []
-        self.channel, channel_end = os.pipe()
-        self.output, output_end = os.pipe()
-        try:
+        with ExitStack() as ends, ExitStack() as failed:
+            self.channel, channel_end = os.pipe()
+            ends.callback(os.close, channel_end)
+            failed.callback(os.close, self.channel)
+            self.output, output_end = os.pipe()
+            ends.callback(os.close, output_end)
+            failed.callback(os.close, self.output)
             self.link = starter.begin(job, channel_end, output_end)
-        finally:
-            os.close(channel_end)
-            os.close(output_end)
+            failed.pop_all()
         self.deadline = monotonic() + job.limits.wall_s + GRACE_S + PATIENCE_S
         self.has_begun = False
+        self.begun_at = monotonic()
 
     @property
     def complete(self) -> bool:
@@ -154,7 +159,12 @@ class ChildRun:
 
     @property
     def was_killed(self) -> bool:
-        """Whether it, its guard or the starter was killed by somebody else, or Python crashed (it may, when memory runs out)."""
+        """Whether it, its guard or the starter was killed by somebody else, or Python crashed (it may, when memory runs out).
+
+        What ended before the submission was read was no doing of the submission.
+        """
+        if self.sandbox is None and self.cut != 'wall':
+            return True
         if self.complete or self.cut is not None:
             return False
         return self.returncode is None or -self.returncode in (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
@@ -199,6 +209,7 @@ class ChildRun:
             if not self.has_begun:
                 self._pids = [message['guard'], message['pid']]
                 self.has_begun = True
+                self.begun_at = monotonic()
                 self.deadline = monotonic() + self.limits.wall_s + GRACE_S
         self.is_over = not data
         return bool(data)
@@ -230,8 +241,11 @@ class ChildRun:
             self.cut = 'garbage'
         elif self.complete:
             end = HEADER_BYTES + self.announced
-            self.sandbox = json.loads(self.frame[HEADER_BYTES:end])
-            del self.frame[:end]
+            try:
+                self.sandbox = dict(json.loads(self.frame[HEADER_BYTES:end]))
+                del self.frame[:end]
+            except (ValueError, TypeError):
+                self.cut = 'garbage'
 
     def _more_to_read(self) -> bool:
         return not self.let_go and bool(select([self.channel], [], [], 0)[0])

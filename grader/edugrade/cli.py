@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
 
+from .faults import REPAIR, ComputerFault, fault_of, words_of
 from .files import write_whole
 from .grading import Work, grade, plan_work, progress_bar
 from .job import CAN_FORK, Limits
@@ -55,6 +56,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f'edugrade: the report cannot be written: {error.strerror}', file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # else Python tries once more at its end
         return 2
+    except ComputerFault as error:
+        print(f'edugrade: not graded: {error}.\n  help: {REPAIR}', file=sys.stderr)
+        return 3
     except Exception as error:
         return _broke(error)
     except KeyboardInterrupt:
@@ -63,6 +67,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _broke(error: Exception) -> int:
+    fault = fault_of(error)
+    if fault is not None:
+        print(f'edugrade: not graded: {fault}.\n  help: {REPAIR}', file=sys.stderr)
+        return 3
     print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
     return 3
 
@@ -147,9 +155,8 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
             if not several:
                 raise
             from .results import BROKEN_GRADER, Refusal
-            from .verdicts import REPORT_IT
 
-            refusals.append(Refusal(path, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT, BROKEN_GRADER))
+            refusals.append(Refusal(path, *words_of(error), BROKEN_GRADER))
     return works, refusals
 
 

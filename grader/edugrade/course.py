@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
+from .faults import raise_fault
 from .submission import exercise_of
 
 LEVELS = 3
@@ -85,6 +86,7 @@ def read_course(path: str) -> list[Exercise]:
     except KeyError as error:
         raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None
     except (OSError, ValueError, TypeError) as error:
+        raise_fault(error)
         raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
 
 

@@ -10,6 +10,8 @@ from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
 
+from .faults import raise_fault
+
 BINARY = getattr(os, 'O_BINARY', 0)
 """For `os.open`: Windows would change the ends of lines."""
 
@@ -29,11 +31,12 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
     """As `read_regular`, of a file that somebody has named.
 
     :param what: it is, with a space behind it: ``'the key '``.
-    :raises UnusableInput: when it cannot be read.
+    :raises UnusableInput: when it cannot be read; `ComputerFault` when that is a fault of the computer.
     """
     try:
         return read_regular(path, most)
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
+        raise_fault(error)
         why = getattr(error, 'strerror', None) or error
         raise UnusableInput(f'{what}{path} cannot be read: {why}', help=help) from None
 

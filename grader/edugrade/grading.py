@@ -124,7 +124,8 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
         results = judged(lambda: judge(work.rubric.checks, outcomes, submission.source))
         results[1:1] = [*_whose(work), *_repeated(work, outcomes, runner, workspaces)]
     except Exceeded as error:
-        results = too_much(work.rubric.checks, str(error), submission.source)
+        fault = runner.fault()
+        results = [no_mark(fault)] if fault else too_much(work.rubric.checks, str(error), submission.source)
     except Exception as error:  # a fault of ours with one submission, which costs no other its report
         results = [broken(error)]
     if any(result.status == FAILED for result in results) and not submission.is_as_it_was():

@@ -48,6 +48,10 @@ class InPlace:
         self._given[id(ticket)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
         return ticket
 
+    def fault(self) -> str | None:
+        """Nothing is known of this computer."""
+        return None
+
     def wait(self, ticket: Ticket) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order."""
         submission, workspaces = self._given.pop(id(ticket))

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.rule import Finding
 
 from .evidence import Evidence, Failure, Outcome
+from .faults import REPORT_IT, words_of
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
 from .source import Place, Source
-from .verdicts import REPORT_IT
 from .worker import TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
@@ -79,8 +79,8 @@ def _unseen(result: CheckResult, why: str, source: Source) -> CheckResult:
 
 def broken(error: Exception) -> CheckResult:
     """The only result of a submission on which the grader itself broke."""
-    reason = f'the grader broke on it: {type(error).__name__}: {error}'
-    return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=REPORT_IT)
+    reason, try_ = words_of(error)
+    return no_mark(reason, try_)
 
 
 def no_mark(reason: str, try_: str = 'look who changes files there, and grade it again') -> CheckResult:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import selectors
 from collections.abc import Callable, Sequence
@@ -10,6 +11,7 @@ from typing import Any
 
 from .child_run import ChildRun, StarterLink
 from .evidence import Outcome, Scenario
+from .faults import SENTENCES, ComputerFault, fault_here, fault_of, killed_for_memory, looks_like_one, no_mark_for
 from .job import Job, Limits, Ticket
 from .sandbox.remove_tree import remove_tree
 from .submission import Submission
@@ -17,6 +19,7 @@ from .verdicts import verdict
 from .worker import attended
 
 LONGEST_NAP_S = 0.05
+SOON_S = 2.0
 MOST_STARTS = 20  # of a run before which the starter was killed: nothing of a submission had been read
 MOST_TIMES_AGAIN = 2  # a run that was killed is begun again: it may have been somebody else
 
@@ -39,6 +42,7 @@ class Runner:
         self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
         self._running: dict[ChildRun, Ticket] = {}
         self._started = 0
+        self._killed_for_memory = killed_for_memory()
         self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
         self._starter: StarterLink | None = None
@@ -114,8 +118,12 @@ class Runner:
             ticket, scenario, submission, workspaces = self._waiting.pop(0)
             self._started += 1
             home = os.path.join(self._home, str(self._started))
-            os.mkdir(home)
-            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._living_starter())
+            try:
+                os.mkdir(home)
+                run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._living_starter())
+            except OSError as error:
+                self._settle(ticket, no_mark_for(Outcome(scenario, 'broke', text=str(error)), fault_of(error) or str(error)))
+                continue
             self._running[run] = ticket
             for end, read in ((run.channel, run.read_channel), (run.output, run.read_output), (run.link, run.read_link)):
                 self._selector.register(end, selectors.EVENT_READ, read)
@@ -141,20 +149,54 @@ class Runner:
             self._forget(end)
         run.end()
         remove_tree(run.home)
-        if run.was_killed and ticket.again[run.scenario.name] < (MOST_TIMES_AGAIN if run.has_begun else MOST_STARTS):
+        outcome = None if run.was_killed else verdict(run)
+        most = _times_again(run, outcome)
+        if most > ticket.again[run.scenario.name]:
             ticket.again[run.scenario.name] += 1
             run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own one: there may be another one already
             self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return
         self._start_some()
-        ticket.outcomes[run.scenario.name] = verdict(run)
+        found = outcome or verdict(run)
+        self._settle(ticket, self._unless_spoilt(found) if most else found)
+
+    def _unless_spoilt(self, outcome: Outcome) -> Outcome:
+        """The outcome of a run that has failed again and again; no mark when the computer is at fault."""
+        fault = fault_here(self._home)
+        if fault is None and killed_for_memory() > self._killed_for_memory:
+            fault = SENTENCES[errno.ENOMEM]
+        return outcome if fault is None else no_mark_for(outcome, fault)
+
+    def _settle(self, ticket: Ticket, outcome: Outcome) -> None:
+        ticket.outcomes[outcome.scenario.name] = outcome
         if self._on_outcome is not None:
             self._on_outcome()
 
+    def fault(self) -> str | None:
+        """What this computer cannot do now, of what runs need."""
+        return fault_here(self._home)
+
+
+def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
+    """How often a run may be begun again: it was killed, it tells of what may be a fault of the computer, or it soon ended."""
+    if outcome is None:
+        return MOST_TIMES_AGAIN if run.has_begun else MOST_STARTS
+    if looks_like_one(outcome):
+        return MOST_TIMES_AGAIN
+    return int(outcome.recording is None and run.cut in (None, 'garbage') and monotonic() - run.begun_at < SOON_S)
+
 
 def _private_folder() -> str:
-    """A new folder that only this user can enter."""
-    folder = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edugrade-{os.urandom(8).hex()}')
-    os.mkdir(folder, 0o700)
+    """A new folder that only this user can enter.
+
+    :raises ComputerFault: when there can be none.
+    """
+    place = os.environ.get('TMPDIR') or '/tmp'
+    folder = os.path.join(place, f'edugrade-{os.urandom(8).hex()}')
+    try:
+        os.mkdir(folder, 0o700)
+    except OSError as error:
+        why = SENTENCES.get(error.errno or 0, error.strerror)
+        raise ComputerFault(f'there is no folder for temporary files in {place}: {why}') from None
     return folder

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
+from .faults import raise_fault
 from .files import read_regular
 from .source import Source
 
@@ -126,6 +127,7 @@ def _read(path: str) -> bytes:
     except FileNotFoundError:
         raise UnusableInput(f'{path} does not exist', help=_nearest_to(path)) from None
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
+        raise_fault(error)
         raise UnusableInput(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
@@ -207,9 +209,13 @@ class PackageFolder(NamedTuple):
         for path in self._files():
             if found == MOST_FILES:
                 return
-            with suppress(OSError):
-                yield os.path.relpath(path, self.path), read_regular(path, LARGEST_TEXT)
-                found += 1
+            try:
+                data = read_regular(path, LARGEST_TEXT)
+            except OSError as error:
+                raise_fault(error)
+                continue
+            yield os.path.relpath(path, self.path), data
+            found += 1
 
     def _files(self) -> Iterator[str]:
         pending = [(self.path, 0)]
@@ -228,7 +234,8 @@ def package_at(folder: str) -> PackageFolder | None:
     """The package whose package.xml is in this folder, if there is one."""
     try:
         match = _NAME.search(read_regular(os.path.join(folder, MANIFEST), LARGEST_TEXT).decode('utf-8', 'replace'))
-    except OSError:
+    except OSError as error:
+        raise_fault(error)
         return None
     path = os.path.abspath(folder)
     return PackageFolder(path, match[1] if match else os.path.basename(path))

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from edulaunch.errors import UnusableInput
 
 from .course import Exercise, course_manifest, find_course, read_course, read_toml
+from .faults import raise_fault
 from .files import read_given
 
 LEAST_BYTES, MOST_BYTES = 16, 4096
@@ -138,4 +139,5 @@ def _read(path: str) -> dict[str, Variant]:
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, KeyError, TypeError) as error:
+        raise_fault(error)
         raise UnusableInput(f'{path} cannot be read: {error}', help='copy it anew from your course') from None

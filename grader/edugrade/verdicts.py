@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .evidence import Outcome, Scenario
+from .faults import REPORT_IT
 from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .source import Place, is_engine
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import LaunchRecord
 
-REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
 _NO_SANDBOX = 'grade on a Linux with Landlock 6 and seccomp (edugrade doctor tells), or with --sandbox auto'
 _CALL = 'look for a huge power, a huge range or a pattern that tries very many ways'
@@ -48,6 +48,8 @@ def refusal_of(calls: Sequence[str]) -> str:
 
 
 def _verdict(run: ChildRun) -> Outcome:
+    if run.sandbox is None:
+        return _not_begun(run)
     missing = unconfined(run.sandbox)
     if run.limits.sandbox == 'require' and missing:
         words = '; '.join(f'{layer} ({reason})' for layer, reason in missing.items())
@@ -57,6 +59,15 @@ def _verdict(run: ChildRun) -> Outcome:
     if run.complete:
         return _answered(run, chr(run.frame[0]), bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced]))
     return _ended(run)
+
+
+def _not_begun(run: ChildRun) -> Outcome:
+    """Nothing of the submission had been read: whatever it was, the student did not do it."""
+    said = (
+        _report(bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced])) if run.complete and run.frame[:1] == b'B' else None
+    )
+    text = f'the run could not begin: {_text(said, "text")}' if said else 'a process of the grader was killed from outside'
+    return Outcome(run.scenario, 'broke', text=text, try_='grade it again', detail=_text(said or {}, 'trace'))
 
 
 def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:
@@ -129,7 +140,7 @@ def _cut(run: ChildRun) -> Outcome:
 def _ended(run: ChildRun) -> Outcome:
     code = run.returncode
     confined = bool(run.sandbox) and not unconfined(run.sandbox)
-    if code is None and (confined or not run.has_begun):  # what is confined cannot kill its guard: no mark is better than a zero
+    if code is None and confined:  # what is confined cannot kill its guard: no mark is better than a zero
         return Outcome(run.scenario, 'broke', text='a process of the grader was killed from outside', try_='grade it again')
     if code is not None and -code == signal.SIGXCPU:
         return _stopped(
@@ -219,6 +230,8 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
         attach(recording, json.loads(provenance))
         if recording.seed != scenario.seed or recording.launch.arguments != dict(scenario.arguments):
             return None
+    except OSError as error:
+        return Outcome(scenario, 'broke', text=f'the recording could not be read: {error}', try_=REPORT_IT)
     except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
         return None
     return come_to(scenario, recording)

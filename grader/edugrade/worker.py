@@ -29,7 +29,7 @@ TRIES = 3
 LOOK_S = 0.05
 CHUNK_BYTES = 1 << 18
 MOST_DESCRIPTORS = 4096
-SHORT_OF_MEMORY, BROKE = 3, 4  # exit codes
+SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one stands for an answer that did not come
 
 Attend = Callable[[int, float], bool]
 
@@ -96,7 +96,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
             os.kill(pid, signal.SIGKILL)  # it has answered, or has had its time
         status = os.waitpid(pid, 0)[1]  # nothing of it is left, also when the grader is stopped
     if not content:
-        return os.waitstatus_to_exitcode(status), b''
+        return os.waitstatus_to_exitcode(status) or UNHEARD, b''
     header, loaded, body = content.split(b'\n', 2)
     _load(loaded.decode().split())
     return int(header), body

@@ -10,6 +10,7 @@ from types import ModuleType
 from edulaunch.errors import UnusableInput
 
 from ..course import course_manifest, read_course
+from ..faults import raise_fault
 from ..files import read_regular
 from ..rubric import Rubric, RubricMistake
 
@@ -125,6 +126,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
             f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}'
         ) from None
     except OSError as error:
+        raise_fault(error)
         raise UnusableInput(f'the rubric {path} cannot be read: {error.strerror}') from None
     if personal is not None:
         data = personal(data.decode('utf-8')).encode()

@@ -99,6 +99,19 @@ def _be_a_run(
     job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any, notes: socket.socket
 ) -> NoReturn:
     """Move house, and be the trusted half of a run, which has the confined one as its child."""
+    try:
+        half = _half(job, ends, child, confinement, trusted_half, notes)
+    except BaseException as error:  # nothing of the submission has been read
+        trusted_half.send(ends[0], *trusted_half.broke(error))
+        os._exit(0)
+    half.run()
+    os._exit(0)
+
+
+def _half(
+    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any, notes: socket.socket
+) -> Any:
+    """The trusted half, confined, after the other one was forked."""
     channel, output = ends
     os.setsid()
     null = os.open(os.devnull, os.O_RDONLY)
@@ -116,8 +129,10 @@ def _be_a_run(
         return {**confinement.put_on(readable, home, notes), **view}
 
     def confined(link: socket.socket, words: int) -> NoReturn:
-        child.run(job, link, words, confine)
-        os._exit(0)
+        try:
+            child.run(job, link, words, confine)
+        finally:
+            os._exit(1)  # the submission was not read, or what failed could not be said
 
     half = trusted_half.TrustedHalf(job, channel, confined)
     notes.close()
@@ -125,8 +140,7 @@ def _be_a_run(
         confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other half is what is told
     confinement.let_go()
     child.limit_resources(job['limits'])
-    half.run()
-    os._exit(0)
+    return half
 
 
 def _load_sandbox() -> tuple[Any, Any, Any]:

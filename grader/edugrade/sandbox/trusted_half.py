@@ -59,7 +59,8 @@ class TrustedHalf:
         """Tell the runner what confines the other half, run with it, and answer."""
         state = read_words(self._words)
         if state[:1] != b'C':
-            self._end_like_it()
+            self._answer(b'B', b'{"text": "the process for the submission ended before it had read anything of it"}')
+            os._exit(0)
         self._answer(state[:1], state[HEADER_BYTES:])
         os.set_blocking(self._words, False)
         signal.signal(signal.SIGCHLD, self._on_its_end)

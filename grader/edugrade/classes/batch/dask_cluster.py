@@ -18,10 +18,10 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 from edulaunch.version import __version__
 
+from ...faults import REPORT_IT
 from ...files import read_regular
 from ...grading import Work
 from ...results import BROKEN_GRADER
-from ...verdicts import REPORT_IT
 from .entries import Entry
 from .store import Store
 from .work import Options, keep, keep_document, keep_page, refusal

@@ -26,10 +26,14 @@ Result = dict[str, Any]
 
 
 class Store:
-    """A folder of results: for each submission ``<its path>.json``."""
+    """A folder of results: for each submission ``<its path>.json``.
+
+    :ivar unkept: paths of submissions whose new results could not be written. An older one that is there is not theirs.
+    """
 
     def __init__(self, folder: str) -> None:
         self.folder = folder
+        self.unkept: set[str] = set()  # whose new results could not be written
 
     @property
     def unpacked(self) -> str:
@@ -76,7 +80,7 @@ class Store:
 
     def result(self, entry: Entry) -> Result | None:
         """The result that is there; None without one, or with half of one from somebody else's hand."""
-        return _read(self.path(entry))
+        return None if entry.path in self.unkept else _read(self.path(entry))
 
     def save(self, entry: Entry, content: Result) -> None:
         """Write one result.

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
+from ...faults import ComputerFault, words_of
 from ...files import write_whole
 from ...grading import Work, grade, plan_work
 from ...job import Limits
@@ -19,7 +20,6 @@ from ...reports.document import document, receipt
 from ...results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
 from ...submission import Submission
 from ...variant import CourseSecret
-from ...verdicts import REPORT_IT
 from .entries import Entry
 from .store import Result, Store
 
@@ -69,7 +69,7 @@ def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iter
         except UnusableInput as error:
             keep(store, entry, refusal(UNUSABLE_INPUT, error.message, error.help))
         except Exception as error:  # a fault of ours with one of them
-            keep(store, entry, refusal(BROKEN_GRADER, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT))
+            keep(store, entry, refusal(BROKEN_GRADER, *words_of(error)))
 
 
 def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool:
@@ -89,8 +89,9 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
     """Write a result; whether that could be done. A file that cannot be written costs one result, and is said."""
     try:
         store.save(entry, result)
-    except UnusableInput as error:
-        print(f'edugrade: {error}', file=sys.stderr)
+    except (ComputerFault, UnusableInput) as error:
+        print(f'edugrade: the result of {entry.student} is not kept: {error}', file=sys.stderr)
+        store.unkept.add(entry.path)
         return False
     return True
 
@@ -115,7 +116,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
             keep_page(store.path(entry, '.html', options.html), page([report], []))
         found = document(report)
     except Exception as error:  # a fault of ours with one of them, which costs no other its mark
-        found = refusal(BROKEN_GRADER, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT)
+        found = refusal(BROKEN_GRADER, *words_of(error))
     keep_document(store, entry, found, options)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import itertools
 import json
@@ -263,3 +264,23 @@ def test_a_name_too_long_for_a_result_costs_nobody(two: tuple[Path, Path]) -> No
     (folder / 'anna' / ('x' * 240 + '.launch.py')).write_bytes((folder / 'anna' / 'two.launch.py').read_bytes())
     assert main(['batch', str(folder), '--rubric', str(rubric)]) == 0
     assert len(list(Path(f'{folder}.results').rglob('*.json'))) == 2
+
+
+@pytest.mark.processes
+def test_a_result_that_cannot_be_written_is_no_older_mark(
+    two: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """On a full disk the result of another day stays, and is not this one's."""
+    folder, rubric = two
+    words = ['batch', str(folder), '--rubric', str(rubric), '--csv', str(folder.parent / 'marks.csv')]
+    assert main(words) == 0
+
+    def full(descriptor: int) -> None:
+        raise OSError(errno.ENOSPC, 'No space left on device')
+
+    with monkeypatch.context() as patched:
+        patched.setattr('os.fsync', full)
+        assert main(words[:4]) == 3
+    said = capsys.readouterr()
+    assert '0 have a mark' in said.out and 'No space left on device' in said.err
+    assert main([*words, '--resume']) == 0

@@ -1,0 +1,126 @@
+"""Faults of the computer: a full disk, no memory, no processes or descriptors left. They cost nobody a mark.
+
+An error of a run that could be one of these is looked into: the run is made again, and when it comes to the same, the grader
+tries the computer itself. What works for the grader was the run's own doing.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import mmap
+import os
+import re
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .evidence import Outcome
+
+SENTENCES = {
+    errno.ENOSPC: 'the disk is full',
+    errno.EDQUOT: 'the quota of the disk is used up',
+    errno.EROFS: 'the folder for temporary files cannot be written to',
+    errno.EIO: 'a disk of this computer does not work',
+    errno.ENOMEM: 'this computer has no memory left',
+    errno.EMFILE: 'this process has no descriptors left',
+    errno.ENFILE: 'this computer has no descriptors left',
+    errno.EAGAIN: 'this computer has no processes left',
+    errno.ENOENT: 'the folder for temporary files is not there',
+    errno.EACCES: 'the folder for temporary files cannot be written to',
+}
+OF_THE_COMPUTER = frozenset(SENTENCES) - {errno.ENOENT, errno.EACCES}
+"""What no launch file does by itself, as a rule."""
+REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
+REPAIR = 'free what has run out (see df, free and ulimit -a), and grade it again: edugrade batch --resume makes up for it'
+_NUMBER = re.compile(r'\[Errno (\d{1,3})\]')
+_LONGEST_LOOK = 200_000
+TRIED_BYTES, TRIED_MEMORY, TRIED_DESCRIPTORS = 1 << 18, 64 << 20, 24
+
+
+class ComputerFault(Exception):
+    """This computer cannot grade now. The text is a sentence without its full stop."""
+
+
+def fault_of(error: BaseException) -> str | None:
+    """A sentence on an error that is the computer's; None for another one."""
+    if isinstance(error, MemoryError):
+        return SENTENCES[errno.ENOMEM]
+    if isinstance(error, OSError) and error.errno in OF_THE_COMPUTER:
+        return SENTENCES[error.errno] + (f': {error.filename}' if isinstance(error.filename, str) else '')
+    return None
+
+
+def raise_fault(error: BaseException) -> None:
+    """Say so when an error is the computer's.
+
+    :raises ComputerFault: then.
+    """
+    fault = fault_of(error)
+    if fault is not None:
+        raise ComputerFault(fault) from None
+
+
+def looks_like_one(outcome: Outcome) -> bool:
+    """Whether what a run came to may be due to the computer: by the numbers of the errors that it tells of."""
+    return any(int(number) in OF_THE_COMPUTER for number in _NUMBER.findall(_told(outcome)))
+
+
+def _told(outcome: Outcome) -> str:
+    texts = [outcome.text, outcome.detail]
+    if outcome.recording is not None:
+        with suppress(Exception):  # a hostile recording may upset its reader in any way
+            programs = outcome.recording.processes
+            texts += [json.dumps(program.exception, default=str) for program in programs if program.exception is not None]
+    return '\n'.join(text for text in texts if isinstance(text, str))[:_LONGEST_LOOK]
+
+
+def fault_here(folder: str) -> str | None:
+    """Try what a run needs. Gives a sentence on what this computer cannot do now; None when all works.
+
+    :param folder: where to write.
+    """
+    path = os.path.join(folder, f'.tried-{os.urandom(4).hex()}')
+    opened: list[int] = []
+    try:
+        try:
+            opened.append(os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600))
+            if os.write(opened[0], bytes(TRIED_BYTES)) < TRIED_BYTES:
+                return SENTENCES[errno.ENOSPC]
+            os.fsync(opened[0])
+            opened += [os.dup(opened[0]) for _ in range(TRIED_DESCRIPTORS)]
+            mmap.mmap(-1, TRIED_MEMORY).close()
+            pid = os.fork()
+            if pid == 0:
+                os._exit(0)
+            os.waitpid(pid, 0)
+        finally:
+            for descriptor in opened:
+                os.close(descriptor)
+            with suppress(OSError):
+                os.unlink(path)
+    except OSError as error:
+        return SENTENCES.get(error.errno or 0, f'this computer refuses what a run needs: {error.strerror}')
+    return None
+
+
+def killed_for_memory() -> int:
+    """How many processes the system has killed so far because memory had run out; 0 where it does not tell."""
+    with suppress(OSError, ValueError, StopIteration), open('/proc/vmstat') as file:
+        return next(int(line.split()[1]) for line in file if line.startswith('oom_kill '))
+    return 0
+
+
+def no_mark_for(outcome: Outcome, fault: str) -> Outcome:
+    """The outcome instead: of a run that the computer has spoilt."""
+    return outcome._replace(
+        kind='broke', recording=None, text=f'not graded: {fault}', try_=REPAIR, where=None, detail=outcome.text
+    )
+
+
+def words_of(error: Exception) -> tuple[str, str]:
+    """(what kept a submission from being graded, what to do), for an error that is not the student's."""
+    fault = str(error) if isinstance(error, ComputerFault) else fault_of(error)
+    if fault is not None:
+        return f'not graded: {fault}', REPAIR
+    return f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT

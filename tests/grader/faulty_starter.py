@@ -1,0 +1,54 @@
+"""The starter of runs, on a computer of which one call fails: the so many-eth since the last look, in whichever process that is.
+
+The file that the environment of the test names has four numbers: how many calls from now the fault comes (0: never), its number, and
+how many calls there were. It is shared with everything that the starter forks.
+"""
+
+from __future__ import annotations
+
+import builtins
+import io
+import mmap
+import os
+import runpy
+import socket
+import struct
+import sys
+from collections.abc import Callable
+from typing import Any
+
+FORM = '=qqq'
+CALLS = {
+    os: ('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
+    socket: ('socketpair', 'send_fds'),
+}
+
+
+def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., Any]:
+    """The same function, counted, which fails when its turn has come."""
+
+    def call(*arguments: Any, **options: Any) -> Any:
+        left, number, count = struct.unpack(FORM, memory[:24])
+        memory[:24] = struct.pack(FORM, max(0, left - 1), number, count + 1)
+        if left == 1:
+            raise OSError(number, os.strerror(number))
+        return function(*arguments, **options)
+
+    return call
+
+
+def main(starter: str, shared: str) -> None:
+    """Be the starter, with faults."""
+    with open(shared, 'r+b') as file:
+        memory = mmap.mmap(file.fileno(), 24)
+    for module, names in CALLS.items():
+        for name in names:
+            setattr(module, name, failing(getattr(module, name), memory))
+    builtins.open = io.open = failing(io.open, memory)
+    runpy.run_path(starter, run_name='__main__')
+
+
+if __name__ == '__main__':
+    starter, shared = sys.argv[2:]
+    del sys.argv[2:]
+    main(starter, shared)

@@ -1,0 +1,164 @@
+"""A fault of the computer is never booked on a student: whichever call fails, there is the right outcome or no mark."""
+
+from __future__ import annotations
+
+import builtins
+import errno
+import os
+import socket
+import struct
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from edugrade import Scenario
+from edugrade.cli import main
+from edugrade.evidence import Outcome
+from edugrade.faults import ComputerFault, fault_here, fault_of, looks_like_one, words_of
+from edugrade.job import Limits
+from edugrade.runner import Runner
+from edugrade.submission import Submission
+
+from edulaunch.engine.recording import Recording
+from tests.grader import faulty_starter
+
+ROOT = Path(__file__).resolve().parents[2]
+NUMBERS = (errno.ENOSPC, errno.ENOMEM, errno.EMFILE, errno.EIO, errno.EROFS, errno.EAGAIN)
+STEP = 1 if os.environ.get('EDULAUNCH_THOROUGH') else 5
+"""Of the calls of a run each one fails in its turn, or each fifth one."""
+
+
+def test_errors_of_the_computer_have_sentences_and_others_have_none() -> None:
+    assert fault_of(OSError(errno.ENOSPC, 'x', '/tmp/a')) == 'the disk is full: /tmp/a'
+    assert fault_of(MemoryError()) == 'this computer has no memory left'
+    assert fault_of(OSError(errno.ENOENT, 'x')) is None
+    assert words_of(ComputerFault('the disk is full'))[0] == 'not graded: the disk is full'
+    assert words_of(KeyError(1))[0] == 'the grader broke on it: KeyError: 1'
+
+
+def test_only_numbers_of_such_errors_are_looked_into() -> None:
+    scenario = Scenario('s')
+    assert looks_like_one(Outcome(scenario, 'unusable', text='OSError: [Errno 28] No space left on device'))
+    assert not looks_like_one(Outcome(scenario, 'unusable', text='FileNotFoundError: [Errno 2] No such file'))
+    assert not looks_like_one(Outcome(scenario, 'stopped', text='it did not finish'))
+
+
+@pytest.mark.processes
+def test_the_computer_is_tried(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert fault_here(str(tmp_path)) is None
+    assert fault_here(str(tmp_path / 'none')) == 'the folder for temporary files is not there'
+
+    def no_process() -> int:
+        raise OSError(errno.EAGAIN, 'x')
+
+    monkeypatch.setattr('os.fork', no_process)
+    assert fault_here(str(tmp_path)) == 'this computer has no processes left'
+    assert os.listdir(tmp_path) == []
+
+
+class Shared:
+    """What the test and the starter's processes share."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self.arm(0, 0)
+
+    def arm(self, calls: int, number: int) -> None:
+        with open(self._path, 'r+b' if self._path.exists() else 'wb') as file:
+            file.write(struct.pack(faulty_starter.FORM, calls, number, 0))
+
+    @property
+    def count(self) -> int:
+        return int(struct.unpack(faulty_starter.FORM, self._path.read_bytes())[2])
+
+
+@pytest.fixture
+def shared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shared]:
+    """A starter of which calls fail."""
+    import edugrade.child_run
+
+    path = tmp_path / 'shared'
+    found = Shared(path)
+    script = tmp_path / 'starter.py'
+    script.write_text(
+        f'import sys\nsys.argv += [{edugrade.child_run.STARTER!r}, {str(path)!r}]\n'
+        f'exec(compile(open({faulty_starter.__file__!r}).read(), "faulty", "exec"))\n'
+    )
+    monkeypatch.setattr('edugrade.child_run.STARTER', str(script))
+    yield found
+
+
+def happened(recording: Recording) -> list[object]:
+    """What marks are made from."""
+    programs = [(program.name, program.returncode, program.exception) for program in recording.processes]
+    return [programs, recording.nodes, recording.topics, recording.series('/odom', 'pose.pose.position.x')]
+
+
+def graded(runner: Runner, submission: Submission) -> Outcome:
+    (outcome,) = runner.wait(runner.add(submission, [Scenario('s', {}, 2.0, 7)]))
+    return outcome
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize('sandbox', ['auto', 'off'])
+def test_each_call_of_a_run_fails_once(shared: Shared, sandbox: str) -> None:
+    submission = Submission(str(ROOT / 'solutions' / 'circle.launch.py'))
+    with Runner(Limits(sandbox=sandbox), processors=1) as runner:
+        graded(runner, submission)
+        shared.arm(0, 0)
+        right = graded(runner, submission)
+        calls = shared.count
+        assert right.recording is not None and calls > 50
+        for turn in range(1, calls + 1, STEP):
+            number = NUMBERS[turn // STEP % len(NUMBERS)]
+            shared.arm(turn, number)
+            found = graded(runner, submission)
+            what = f'call {turn} of {calls} fails with {errno.errorcode[number]}: {found.kind} {found.text}'
+            assert found.kind in ('recorded', 'broke'), what
+            assert found.recording is None or happened(found.recording) == happened(right.recording), what
+
+
+class Faulty:
+    """Functions of `os` in this process, of which one call fails."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.count = self.left = self.number = 0
+        for module, name in [(os, name) for name in ('open', 'write', 'fork', 'fsync', 'mkdir', 'pipe', 'replace')] + [
+            (socket, 'socketpair'),
+            (builtins, 'open'),
+        ]:
+            monkeypatch.setattr(module, name, self._failing(getattr(module, name)))
+
+    def _failing(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        def call(*arguments: Any, **options: Any) -> Any:
+            self.count += 1
+            self.left -= 1
+            if self.left == 0:
+                raise OSError(self.number, os.strerror(self.number), 'a file')
+            return function(*arguments, **options)
+
+        return call
+
+
+@pytest.mark.processes
+def test_each_call_of_the_grader_fails_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = [str(ROOT / 'solutions' / 'static_frame.launch.py'), '--advice', '3', '--json', str(tmp_path / 'report.json')]
+    assert main(words) == 0
+    faulty = Faulty(monkeypatch)
+    assert main(words) == 0
+    calls = faulty.count
+    assert calls > 10
+    for turn in range(1, calls + 1, STEP):
+        (tmp_path / 'report.json').unlink(missing_ok=True)
+        capsys.readouterr()
+        faulty.left, faulty.number = turn, NUMBERS[turn // STEP % len(NUMBERS)]
+        code = main(words)
+        faulty.left = 0
+        said = capsys.readouterr()
+        what = f'call {turn} of {calls} fails with {errno.errorcode[faulty.number]}: {code} {said.out} {said.err}'
+        assert code in (0, 3) or (code == 2 and 'cannot be written' in said.err), what
+        assert 'Traceback' not in said.err, what
+        assert code == 0 or 'no mark' in said.out or 'not graded' in said.err or 'cannot be written' in said.err, what
