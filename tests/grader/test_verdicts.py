@@ -118,7 +118,7 @@ def test_what_must_be_confined_and_is_not_gets_no_mark() -> None:
 
 
 def test_a_guard_that_was_killed_from_outside_costs_no_mark() -> None:
-    for how in ({'sandbox': {'files': 'held'}}, {'has_begun': False}):
+    for how in ({'sandbox': {'files': 'held'}}, {'sandbox': None, 'has_begun': False}):
         outcome = judged(returncode=None, **how)
         assert (outcome.kind, outcome.text) == ('broke', 'a process of the grader was killed from outside')
 
