@@ -11,6 +11,7 @@ import yaml
 from tests.house import ROOT, modules, tree
 
 DOCS = ROOT / 'docs'
+ENGINE = ROOT / 'edulaunch' / 'engine'
 PAGES = sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob('*.md'))
 
 
@@ -38,6 +39,17 @@ def test_the_files_of_the_three_walks_are_there() -> None:
                 path = _path(name, before)
                 assert path.exists(), f'{name}: {path}'
                 before = name
+
+
+def test_the_engine_can_be_read_in_an_hour() -> None:
+    text = (DOCS / 'engine.md').read_text('utf-8')
+    ways = text[text.index('## The way') : text.index('## What to read next')].split('\n### ')[1:]
+    steps = [re.findall(r'^\| `([\w/]+\.py)` \| .*\? \|$', way, re.M) for way in ways]
+    assert [step[0].partition('/')[0] for step in steps] == ['sim', 'interfaces', 'packages', 'recording', 'tf', 'worlds']
+    lines = {name: (ENGINE / name).read_text('utf-8').count('\n') for step in steps for name in step}
+    assert {name: count for name, count in lines.items() if count > 200} == {}, 'over 200 lines: split it, or name another'
+    others = re.findall(r'`((?:sim|processes|recording|interfaces)/[\w/]*(?:\.py)?)`', text)
+    assert [name for name in others if not (ENGINE / name).exists()] == []
 
 
 def _path(name: str, before: str) -> Path:

@@ -165,10 +165,7 @@ class Note(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """Something odd that happened in a program, in plain data and without a word; how often, first and last.
-
-    :ivar kind: 'lookup failed', 'timer skipped' ...: what `data` holds is said where the fact is noted (`Process.fact`).
-    """
+    """Something odd in a program, as plain data: of which kind, how often, first and last; see `Process.fact` for `data`."""
 
     time_s: float
     process: str | None

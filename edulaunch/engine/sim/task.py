@@ -1,7 +1,6 @@
-"""Programs that block: tasks that give their turn back and get it again.
+"""Programs as tasks: their beginning, their end, and which of them is running; `parking.py` has how they wait.
 
-A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time; which
-one is the agenda's choice. Everything else that blocks (sleeping, locks, waiting for a message) is `park` and `wake`.
+The code of a plain script is a task, too (`AmbientTask`): it is made when the script first uses ROS.
 """
 
 from __future__ import annotations
@@ -13,19 +12,13 @@ from typing import Any, Protocol
 
 from greenlet import GreenletExit, getcurrent, greenlet
 
-from edulaunch.engine.sim.simulation import Item, Simulation
+from edulaunch.engine.sim.parking import Parking
+from edulaunch.engine.sim.parking import TaskKilled as TaskKilled
+from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.errors import SimulationError
 
-POLLS_BEFORE_TIME_PASSES = 1000
-POLLS_AFTER_THAT = 20
-POLL_PAUSE_NS = 1_000_000
 
-
-class TaskKilled(BaseException):
-    """Raised inside a task that is being killed; a program cannot go on after it."""
-
-
-class Task:
+class Task(Parking):
     """One blocking program in simulated time.
 
     :param body: the program; its return value is kept as `result`, an exception that leaves it as `exception`.
@@ -34,24 +27,14 @@ class Task:
     """
 
     def __init__(self, sim: Simulation, body: Callable[[], object], *, name: str = 'task', owner: Any = None) -> None:
-        self.sim = sim
+        super().__init__(sim)
         self.name = name
         self.owner = owner
         self.finished = False
         self.result: object = None
         self.exception: BaseException | None = None
-        self.loop: Any = None
         self._body = body
-        self._greenlet: Any = None
-        self._parked = False
-        self._woken = False
-        self._killed = False
-        self._interrupts: list[Callable[[], object]] = []
-        self._timer: Item | None = None
-        self._polls = 0
         self._done: list[Callable[[Task], object]] = []
-        self._soon = sim._soon
-        self._turn: Item = [sim.start_ns, 0, 0, None]
 
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
@@ -121,108 +104,6 @@ class Task:
             callback(self)
         else:
             self._done.append(callback)
-
-    def park(self, deadline_ns: int | None = None) -> bool:
-        """Give the turn back until :meth:`wake`, or until the simulated time is `deadline_ns`.
-
-        A wake that came since the last park ends this one at once. Callers therefore look again at what they wait for.
-
-        :returns: True when woken, False when the deadline came first.
-        :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
-        """
-        self._polls = 0
-        self._parked = True  # before the look at `_woken`: a wake, perhaps in another thread, does and looks the other way round
-        if not self._woken and not self._killed:
-            timer = self._timer
-            if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:
-                self._set_timer(deadline_ns)
-            sim, soon = self.sim, self._soon
-            agenda = sim.agenda
-            if self.loop is not None:
-                self.loop.step_aside(sim.hub.switch)
-            elif soon and not soon[0][2] and sim.hands_on and not (agenda and agenda[0][0] == sim.now_ns):
-                # A task's turn is next (turns have the sequence number 0): the hub would switch to it and do nothing else.
-                # Saves a third of all switches where tasks wake each other (2 % of the large project).
-                soon.popleft()[3]()
-            else:
-                sim.hub.switch()
-        self._parked = False
-        woken = self._woken
-        if woken:
-            self._woken = False
-        if self._killed:
-            raise TaskKilled
-        if self._interrupts:
-            self._deliver_interrupts()
-        if not woken and (deadline_ns is None or self._timer is not None):  # a turn that the wake before this park left, late
-            return self.park(deadline_ns)
-        return woken
-
-    def waits_for_ever(self) -> bool:
-        """Whether it is parked, and only a :meth:`wake` can end that."""
-        return self._parked and self._timer is None and not self._woken
-
-    def _set_timer(self, deadline_ns: int | None) -> None:
-        if self._timer is not None:
-            self._timer[3] = None
-            self._timer = None
-        if deadline_ns is not None:
-            sim = self.sim
-            self._timer = sim.schedule(deadline_ns if deadline_ns > sim.now_ns else sim.now_ns, self._on_timer)
-
-    def _on_timer(self) -> None:
-        self._timer = None
-        if self._parked and not self._woken:
-            self._greenlet.switch()
-
-    def wake(self) -> None:
-        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once.
-
-        A real thread may do so at any moment: no wake gets lost, whatever the task does meanwhile.
-        """
-        if not self._woken:
-            self._woken = True
-            if self._parked:
-                self._soon.append(self._turn)
-
-    def interrupt(self, action: Callable[[], object]) -> None:
-        """Run `action` inside the task where it is parked (or will park next); what it raises is raised there."""
-        self._interrupts.append(action)
-        self.wake()
-
-    def _deliver_interrupts(self) -> None:
-        while self._interrupts:
-            self._interrupts.pop(0)()
-
-    def attend(self) -> None:
-        """From inside the task: take what :meth:`interrupt` and :meth:`kill` want now, not at the next parking place."""
-        if self._killed:
-            raise TaskKilled
-        self._deliver_interrupts()
-
-    def kill(self) -> None:
-        """End the task: `TaskKilled` is raised wherever it parks, again and again."""
-        self._killed = True
-        self.wake()
-
-    def poll(self) -> None:
-        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time.
-
-        It takes many looks until time passes for the first time, and fewer from then on until it really blocks.
-        """
-        self._polls += 1
-        if self._polls > POLLS_BEFORE_TIME_PASSES:
-            self.sleep_until(self.sim.now_ns + POLL_PAUSE_NS)
-            self._polls = POLLS_BEFORE_TIME_PASSES - POLLS_AFTER_THAT
-
-    def sleep_until(self, at_ns: int) -> None:
-        """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""
-        sim = self.sim
-        missed = self.park(at_ns)
-        while sim.now_ns < at_ns:
-            missed = self.park(at_ns) or missed
-        if missed:
-            self._woken = True
 
 
 class ThreadsBeside(Protocol):

@@ -1,7 +1,6 @@
 """The time-ordered buffer of transforms: what tf2's BufferCore knows and answers, in numbers only.
 
-Times are integer nanoseconds; 0 means "the latest common time". Frames are named by strings. The face
-`tf2_py` turns messages into these numbers and failures into tf2's exceptions.
+Times are integer nanoseconds; 0 means "the latest common time". `tf2_py` turns messages into these numbers.
 """
 
 from __future__ import annotations

@@ -41,66 +41,6 @@ def test_sleepers_interleave_by_time_then_by_who_asked_first() -> None:
     assert log == [(0.5, 'b'), (1.0, 'a'), (1.0, 'b'), (1.5, 'b'), (2.0, 'a'), (2.0, 'b')]
 
 
-def test_a_wake_before_the_park_is_not_lost() -> None:
-    sim, log = Simulation(), []
-
-    def body() -> None:
-        current_task().wake()
-        note(sim, log, current_task().park(sim.now_ns + 10**9))
-
-    start(sim, body)
-    sim.run()
-    assert log == [(0.0, 'True')]
-
-
-def test_a_wake_before_the_first_turn_is_not_lost() -> None:
-    sim, log = Simulation(), []
-    task = start(sim, lambda: note(sim, log, current_task().park(sim.now_ns + 10**9)))
-    task.wake()
-    sim.run()
-    assert log == [(0.0, 'True')]
-
-
-def test_park_tells_wake_from_deadline() -> None:
-    sim, log = Simulation(), []
-
-    def body() -> None:
-        note(sim, log, current_task().park(sim.now_ns + 2 * 10**9))
-        note(sim, log, current_task().park(sim.now_ns + 2 * 10**9))
-
-    task = start(sim, body)
-    sim.schedule(sim.now_ns + 10**9, task.wake)
-    sim.run()
-    assert log == [(1.0, 'True'), (3.0, 'False')]
-
-
-def test_two_wakes_are_one() -> None:
-    sim, log = Simulation(), []
-
-    def body() -> None:
-        for _ in range(2):
-            note(sim, log, current_task().park(sim.now_ns + 10**9))
-
-    task = start(sim, body)
-    sim.schedule(sim.now_ns + 1000, lambda: (task.wake(), task.wake()))
-    sim.run()
-    assert [what for _, what in log] == ['True', 'False']
-
-
-def test_sleeping_ignores_wakes_and_hands_them_on() -> None:
-    sim, log = Simulation(), []
-
-    def body() -> None:
-        current_task().sleep_until(sim.now_ns + 10**9)
-        log.append((sim.elapsed_s, 'slept'))
-        note(sim, log, current_task().park(sim.now_ns + 10**9))
-
-    task = start(sim, body)
-    sim.schedule(sim.now_ns + 1000, task.wake)
-    sim.run()
-    assert log == [(1.0, 'slept'), (1.0, 'True')]
-
-
 def test_an_interrupt_is_raised_where_the_task_waits() -> None:
     sim, log = Simulation(), []
 
@@ -153,20 +93,6 @@ def test_done_callbacks_come_once_and_late_ones_at_once() -> None:
     sim.run()
     task.add_done_callback(lambda done: seen.append('late'))
     assert seen == [42, 'late']
-
-
-def test_a_loop_that_only_polls_is_moved_on_by_time() -> None:
-    sim, log = Simulation(), []
-
-    def body() -> None:
-        end = sim.now_ns + 5_000_000
-        while sim.now_ns < end:
-            current_task().poll()
-        log.append(sim.now_ns - sim.start_ns)
-
-    start(sim, body)
-    sim.run()
-    assert log == [5_000_000]
 
 
 def test_current_task_is_the_running_one_and_outside_the_ambient_one() -> None:
