@@ -119,6 +119,7 @@ def _require_turn(run: Evidence, frame: Frame) -> None:
 
 RUBRIC = Rubric(
     title='A laser and a camera on a mast',
+    decoys=0.75,  # a frame that never moves is in tf, whoever published it; what the argument decides is worth the rest
     scenarios=scenarios,
     checks=[
         argument_is_declared,

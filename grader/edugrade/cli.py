@@ -27,7 +27,11 @@ if TYPE_CHECKING:
 
 
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
-VERBS = {'course': 'edugrade.course_check:main', 'schema': 'edugrade.cli:schema_command'}
+VERBS = {
+    'course': 'edugrade.course_check:main',
+    'decoys': 'edugrade.decoys.command:main',
+    'schema': 'edugrade.cli:schema_command',
+}
 """Words that may stand in the place of a path, and their functions; plug-ins bring more."""
 MAYBE_A_VERB = re.compile('[a-z][a-z_-]*')
 FORKING = ('batch', 'doctor')

@@ -19,6 +19,7 @@ examples:
   edugrade my_try.launch.py --rubric circle            a file of another name
   edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
   edugrade course                                      whether exercises, solutions and rubrics belong together
+  edugrade decoys                                      what the rubrics of a course pay for names without behaviour
   edugrade schema                                      the JSON schema of reports
 """
 EXIT_CODES = """

@@ -71,6 +71,7 @@ class Rubric:
     :param launch: the text of a launch file that starts it, when it is none itself.
     :param beside: other files that an edit may change.
     :param names: instead of a file, what a cell defines: then there are no runs.
+    :param decoys: the share of the points that a submission may get which has the solution's names and not its behaviour.
     :raises ValueError: two checks of one name, or a check before one that it needs.
     """
 
@@ -84,8 +85,9 @@ class Rubric:
         launch: str = '',
         beside: Sequence[str] = (),
         names: Sequence[str] = (),
+        decoys: float = 0.5,
     ) -> None:
-        self.title = title
+        self.title, self.decoys = title, decoys
         self.of, self.launch, self.beside, self.names = of, launch, tuple(beside), tuple(names)
         self.file, self.text = '', b''  # whoever reads it from a file says so
         self.checks = tuple(checks)

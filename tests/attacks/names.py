@@ -191,7 +191,7 @@ NAMES: dict[str, Attack] = {
     ),
     'mast: frames without a description': Attack(
         'mast',
-        7,
+        1,
         launch(
             "Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--z', '0.3', "
             "'--frame-id', 'mast', '--child-frame-id', 'camera'])",

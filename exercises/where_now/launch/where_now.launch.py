@@ -16,8 +16,9 @@ def generate_launch_description():
     drive = ['ros2', 'topic', 'pub', '-r', '1', '/turtle1/cmd_vel', 'geometry_msgs/msg/Twist']
     return LaunchDescription([
         DeclareLaunchArgument('ago', default_value='0.5', description='How long ago, in seconds.'),
+        DeclareLaunchArgument('turn', default_value='0.5', description='How fast turtle1 turns, in radians per second.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
-        ExecuteProcess(cmd=[*drive, '{linear: {x: 0.5}, angular: {z: 0.5}}']),
+        ExecuteProcess(cmd=[*drive, ['{linear: {x: 0.5}, angular: {z: ', LaunchConfiguration('turn'), '}}']]),
         Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name='broadcaster',
              parameters=[{'turtlename': 'turtle1'}]),
         Node(package='where_now', executable='where', parameters=[{'ago': LaunchConfiguration('ago')}]),

@@ -8,6 +8,7 @@ from bisect import bisect_right
 
 from ..evidence import Evidence, Mismatch, Missing
 from ..library.identity import rows_of
+from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
 from .yaml_checks import kind
@@ -98,6 +99,7 @@ def described(run: Evidence, wanted: Wanted) -> None:
     """The description of a robot that came on /robot_description has a joint between two links."""
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
+        refuse_strangers(one.recording, found.name, 'robot_state_publisher')
         texts = [message.data for _, message in one.recording.messages(found.name) if hasattr(message, 'data')]
         links = _links(str(texts[-1])) if texts else {}
         child, parent = one.text('child'), one.text('parent')

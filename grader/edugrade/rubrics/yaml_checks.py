@@ -14,7 +14,7 @@ from ..library.deaths import refuse_dead
 from ..library.following import require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
 from ..library.identity import rows_of
-from ..library.launched import require_process
+from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import node_parameter as read_parameter
@@ -227,12 +227,14 @@ def place(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(f'{key} of {wanted["turtle"]} at the end in m', track[-1][axis], one.number(key), 0.05)
 
 
-@kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw {MEASURE}')
+@kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')
 def frame(run: Evidence, wanted: Wanted) -> None:
     """A frame hangs in another one, in a place, turned by an angle."""
     child, advice = wanted['child'], wanted.try_ or 'look at what ros2 run tf2_tools view_frames shows'
     require_frame(run, child, wanted['parent'], advice)
     for one in wanted.of_each(run):
+        for topic in ('/tf', '/tf_static') if wanted['by'] else ():
+            refuse_strangers(one.recording, topic, wanted['by'])
         for sent in transforms(run, one.scenario)[child]:
             place = sent.frame.translation
             for axis, key in enumerate(('x', 'y', 'z')):

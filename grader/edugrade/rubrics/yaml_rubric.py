@@ -35,7 +35,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     def problem(node: yaml.Node, words: str) -> RubricMistake:
         return RubricMistake(f'{path}:{node.start_mark.line + 1}: {words}')
 
-    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks', 'points', *TURN))
+    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks', 'points', 'decoys', *TURN))
     wanted = ('title', 'checks') if 'names' in parts else ('title', 'runs', 'checks')
     missing = [name for name in wanted if name not in parts]
     if missing:
@@ -50,6 +50,8 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     _refuse_unknown_arguments(parts['checks'], runs, problem)
     title = _value(parts['title'], problem)
     turn = {name: _value(parts[name], problem) for name in TURN if name in parts}
+    if 'decoys' in parts:
+        turn['decoys'] = float(_number(parts['decoys'], problem)(Random(0)))
     rubric = Rubric(title=str(title), scenarios=lambda random: _choose(runs, random), checks=list(checks.values()), **turn)
     if 'points' in parts:
         try:

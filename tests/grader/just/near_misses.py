@@ -38,7 +38,7 @@ WRONG: dict[str, tuple[str, str, str]] = {
         'default_is_one_metre',
         changed(CIRCLE, ("'1.0'", "['1', '1.0']")),
     ),
-    'circle: no default': ('circle', 'argument_is_declared', changed(CIRCLE, ("            default_value='1.0',\n", ''))),
+    'circle: no default': ('circle', 'default_is_one_metre', changed(CIRCLE, ("            default_value='1.0',\n", ''))),
     'circle: a fixed radius': ('circle', 'radius_is_passed', changed(CIRCLE, (RADIUS, "parameters=[{'radius': 0.5}],"))),
     'circle: a fixed radius after the right one': (
         'circle',

@@ -1,0 +1,121 @@
+"""``edugrade decoys [FOLDER] [NAME ...]``: what the rubrics of a course pay for names without behaviour.
+
+FOLDER (default: the current one) is the folder of a course, as for ``edugrade course``. From each solution decoys are made, which
+keep its names and drop its behaviour, and graded as submissions are. Exit code 1: a rubric pays more than half of its points,
+or than the share that it allows (``decoys: 0.75``).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Iterator, Sequence
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..course import MANIFEST, Exercise, read_course
+from ..evidence import Outcome
+from ..grading import Work, grade, plan_work, runner_here
+from ..job import Limits
+from ..results import PASSED
+from ..rubrics.catalogue import course_rubrics, rubrics_folder, rubrics_in
+from ..submission import Submission
+from .maker import KINDS, decoys
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+SEED = 7
+"""Of the recordings and of the gradings: a decoy knows the first run's values, as somebody who has seen a report does."""
+
+
+class Paid(NamedTuple):
+    """What a rubric pays for a decoy. `earned` is None when the grader broke; `passed` are the checks with points;
+    `most` is the share that the rubric allows."""
+
+    exercise: str
+    kind: str
+    earned: float | None
+    possible: int
+    passed: tuple[str, ...]
+    most: float = 0.5
+
+    @property
+    def share(self) -> float:
+        """Of the points; everything when there is no mark."""
+        return 1.0 if self.earned is None else self.earned / max(1, self.possible)
+
+
+def main(argv: Sequence[str]) -> int:
+    """Print what each decoy gets. Returns the exit code."""
+    options = _options(argv)
+    found = list(pay(options.folder, options.names, options.limit))
+    too_much = [paid for paid in found if paid.share > paid.most]
+    width = max((len(paid.exercise) for paid in found), default=0)
+    for paid in found:
+        mark = 'TOO MUCH' if paid in too_much else 'ok'
+        points = 'no mark' if paid.earned is None else f'{paid.earned:g} of {paid.possible}'
+        print(f'{paid.exercise:{width}}  {paid.kind:12}  {points:>8}  {mark}')
+        if paid in too_much:
+            print(f'{"":{width}}  paid for: {", ".join(paid.passed)}')
+    print(f'{len(found)} decoys, {len(too_much)} of them get more than their rubric allows')
+    return 1 if too_much or not found else 0
+
+
+def pay(folder: str, names: Sequence[str] = (), limit_s: float = 60.0, kinds: Sequence[str] = KINDS) -> Iterator[Paid]:
+    """Yield what each decoy of a course's exercises gets.
+
+    :param names: of the exercises; default: all of them. `kinds` likewise, of decoys.
+    :raises UnusableInput: when the folder has no course, or the course no such exercise.
+    """
+    places = [os.path.join(folder, MANIFEST), os.path.join(folder, 'exercises', MANIFEST)]
+    course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
+    strange = [name for name in names if name not in {item.name for item in course}]
+    if strange:
+        raise UnusableInput(f'the course has no exercise {strange[0]}', help=f'choose of: {", ".join(i.name for i in course)}')
+    rubrics = rubrics_in(course_rubrics(folder) or rubrics_folder())
+    chosen = [item for item in course if not names or item.name in names]
+    bare = [item.name for item in chosen if item.name not in rubrics]
+    if bare:
+        raise UnusableInput(f'the rubric of {bare[0]} is missing', help='edugrade course says what belongs together')
+    works = [plan_work(Submission(_solution(folder, item)), rubrics[item.name], SEED) for item in chosen]
+    limits = Limits(limit_s)
+    with TemporaryDirectory(prefix='edugrade-decoys-') as place:
+        allowed, made = {work.name: work.rubric.decoys for work in works}, list(_made(works, place, limits, kinds))
+        for (name, kind, _), report in zip(made, grade([work for *_, work in made], limits), strict=True):
+            passed = tuple(result.name for result in report.results if result.status == PASSED and result.points)
+            yield Paid(name, kind, report.earned, report.possible, passed, allowed[name])
+
+
+def _solution(folder: str, item: Exercise) -> str:
+    return os.path.join(folder, 'solutions', item.path)
+
+
+def _made(works: Sequence[Work], place: str, limits: Limits, kinds: Sequence[str]) -> Iterator[tuple[str, str, Work]]:
+    """Record each solution's first run, write its decoys, and plan their gradings."""
+    with runner_here(limits) as runner:
+        tickets = [runner.add(work.submission, work.scenarios[:1]) for work in works]
+        for work, ticket in zip(works, tickets, strict=True):
+            (outcome,) = runner.wait(ticket)
+            for kind, path in decoys(work.submission, _recording(work, outcome), os.path.join(place, work.name)):
+                if kind in kinds:
+                    yield work.name, kind, plan_work(Submission(path), work.rubric.file or work.name, SEED)
+
+
+def _recording(work: Work, outcome: Outcome) -> Recording:
+    if outcome.recording is None:
+        raise UnusableInput(f'the solution of {work.name} cannot be run: {outcome.text}', help='edugrade course says more')
+    return outcome.recording
+
+
+def _options(argv: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog='edugrade decoys', description='Grade submissions that have names and no behaviour.')
+    parser.add_argument('words', nargs='*', metavar='FOLDER or NAME', help='the folder of a course, and names of its exercises')
+    parser.add_argument('--limit', type=float, default=60.0, metavar='SECONDS', help='of real time, for each run')
+    options = parser.parse_args(argv)
+    folders = [word for word in options.words if os.path.isdir(word)]
+    options.folder = folders[0] if folders else '.'
+    options.names = [word for word in options.words if word not in folders[:1]]
+    return options
