@@ -8,10 +8,9 @@ import time
 from collections.abc import Callable
 from functools import cached_property
 from importlib.machinery import ModuleSpec, PathFinder
-from importlib.util import module_from_spec, spec_from_file_location
-from types import ModuleType
 from typing import Any
 
+from edulaunch.ros import node_facts
 from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
@@ -38,30 +37,15 @@ def install(faces: str) -> None:
     :param faces: the folder of our Python packages.
     """
     sys.meta_path.insert(0, Faces(faces))
-    _own_module('rclpy.impl.passed_on', os.path.join(faces, 'rclpy', 'impl', 'passed_on.py'))
-    _modules()
+    node_facts.choose(_NodeFacts.of)
     _messages()
     _times()
     _executors()
 
 
-def _own_module(name: str, path: str) -> None:
-    spec = spec_from_file_location(name, path)
-    assert spec is not None and spec.loader is not None
-    module = sys.modules[name] = module_from_spec(spec)
-    spec.loader.exec_module(module)
-
-
-def _modules() -> None:
-    core = sys.modules['rclpy.node_parts.core'] = ModuleType('rclpy.node_parts.core')
-    core.core_of = _NodeFacts.of  # type: ignore[attr-defined]
-    sys.modules['rclpy.node_parts'] = ModuleType('rclpy.node_parts')
-
-
 def _messages() -> None:
     """Wire tuples instead of messages, which saves making one."""
     from rclpy.context import Context
-    from rclpy.node import Node
     from rclpy.publisher import Publisher
     from rclpy.subscription import Subscription
 
@@ -79,7 +63,6 @@ def _messages() -> None:
     add(Publisher, send_wire=send, context=property(lambda each: get_default_context()))
     add(Subscription, take_wires=take_wires)
     add(Context, alive=property(lambda context: context.ok()), park=_park, waits=[])
-    add(Node, _rclpy=property(_NodeFacts.of))
 
 
 def _park(context: Any, deadline_ns: int | None) -> None:

@@ -7,7 +7,8 @@ import sys
 from importlib import import_module
 
 import pytest
-from rclpy.impl.passed_on import _tables, homes_of
+
+from edulaunch.ros.passed_on import _tables, homes_of
 
 
 @pytest.mark.parametrize('module', _tables())

@@ -135,7 +135,7 @@ class BagRecorder:
         self._node = node
         self._wanted = wanted
         self._arguments = arguments
-        from rclpy.node_parts.core import core_of
+        from edulaunch.ros.node_facts import core_of
 
         self._core = core_of(node)
         self._log = node.get_logger()

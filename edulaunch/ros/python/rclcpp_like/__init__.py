@@ -27,6 +27,7 @@ from rclpy.timer import Timer
 
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.spec import Signals
+from edulaunch.ros.node_facts import core_of
 
 _NAMES: tuple[tuple[type[Exception], str], ...] = (
     (InvalidTopicNameException, 'rclcpp::exceptions::InvalidTopicNameError'),
@@ -121,13 +122,13 @@ class CppNode(Node):
 
     def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
         """As rclpy's; rclcpp's warnings about it name the topic in full."""
-        return super().create_publisher(msg_type, self._rclpy.resolve(topic, 'topic', only_expand=True), qos_profile, **options)
+        return super().create_publisher(msg_type, core_of(self).resolve(topic, 'topic', only_expand=True), qos_profile, **options)
 
     def create_subscription(
         self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, **options: Any
     ) -> Subscription:
         """As rclpy's; rclcpp's warnings about it name the topic in full."""
-        name = self._rclpy.resolve(topic, 'topic', only_expand=True)
+        name = core_of(self).resolve(topic, 'topic', only_expand=True)
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
     def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
@@ -143,7 +144,7 @@ class CppNode(Node):
         :raises InvalidParameterType: the value given at start-up is of another type.
         :raises InvalidParameterValue: it is out of range.
         """
-        override = None if ignore_override else self._rclpy.overrides.get(name)
+        override = None if ignore_override else core_of(self).overrides.get(name)
         descriptor = descriptor or ParameterDescriptor()
         if override is not None and value is not None and not descriptor.dynamic_typing:
             declared = Parameter.Type.from_parameter_value(value)

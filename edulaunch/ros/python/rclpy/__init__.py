@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.context import Context
-from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.process_state import process_state
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import CLIENT, Entity, ReadyList, ServiceEnd, check_alive, check_endpoint
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import invalid_handle
 from rclpy.task import Future
 from rclpy.type_support import wrong_class

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.passed_on import passed_on
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
-from rclpy.impl.passed_on import passed_on
 from rclpy.time import Time, time_of_clock
 
 if TYPE_CHECKING:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy.constants import S_TO_NS
-from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from builtin_interfaces.msg import Duration as DurationMessage

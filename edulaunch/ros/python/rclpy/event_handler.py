@@ -7,8 +7,8 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.engine.graph.qos import incompatible_policy
+from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 

@@ -10,9 +10,9 @@ from warnings import warn
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.task import Task as SimTask
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import Entity
 from rclpy.impl.executor import Executor, TimeoutObject
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.waiting import ConditionReachedException, ExternalShutdownException, Item, ShutdownException, TimeoutException
 from rclpy.task import Task, await_or_execute
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import GUARD, Entity, Handle, ReadyList
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import invalid_handle
 from rclpy.task import is_coroutine_function
 

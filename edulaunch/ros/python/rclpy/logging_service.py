@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 from rclpy.logging import LoggingSeverity, get_logger_level, set_logger_level
 from rclpy.qos import qos_profile_services_default
 

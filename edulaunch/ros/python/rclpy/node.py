@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
@@ -16,7 +17,6 @@ from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.own_names import AT_START, check_own_names
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.entities import NodeEntities

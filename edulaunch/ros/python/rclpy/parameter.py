@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph import parameters as rules
 from edulaunch.engine.read_only import ReadOnly
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
-from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameters
 

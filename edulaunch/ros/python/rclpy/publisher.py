@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.passed_on import passed_on
 from rclpy.duration import Duration
 from rclpy.impl.entity import TopicEnd, check_endpoint
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import after_shutdown, invalid_handle
 
 if TYPE_CHECKING:

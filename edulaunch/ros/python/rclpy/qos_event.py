@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 
 __getattr__ = passed_on(__name__)

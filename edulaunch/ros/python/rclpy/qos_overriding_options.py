@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy.duration import Duration
-from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile
 from rclpy.qos_compatibility import QoSPolicyKind

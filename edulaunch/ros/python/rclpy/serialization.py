@@ -7,9 +7,9 @@ from typing import Any
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.interfaces.message import rules_of
 from edulaunch.errors import InterfaceError
+from edulaunch.ros.passed_on import passed_on
 from edulaunch.ros.serialization.cdr import deserialize, serialize
 from rclpy._rclpy_pybind11 import RMWError
-from rclpy.impl.passed_on import passed_on
 from rclpy.type_support import check_is_valid_msg_type
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import SERVICE, Entity, ReadyList, ServiceEnd
-from rclpy.impl.passed_on import passed_on
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import signal
 from collections.abc import Callable
 from enum import IntEnum
 
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
 

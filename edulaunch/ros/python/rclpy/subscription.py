@@ -6,8 +6,8 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import SUBSCRIPTION, Entity, ReadyList, TopicEnd, check_alive
-from rclpy.impl.passed_on import passed_on
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:

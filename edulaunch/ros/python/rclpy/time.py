@@ -6,10 +6,10 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
-from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from builtin_interfaces.msg import Time as TimeMessage

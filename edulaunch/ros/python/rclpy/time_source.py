@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.clock import ROSClock
-from rclpy.impl.passed_on import passed_on
 from rclpy.node_parts.core import is_node
 from rclpy.parameter import Parameter, ParameterType
 from rclpy.time import Time

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ROSInterruptException
 from rclpy.impl.entity import NEVER_NS, TIMER, Handle, ReadyList, TimedEntity
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import invalid_handle
 from rclpy.task import is_coroutine_function
 

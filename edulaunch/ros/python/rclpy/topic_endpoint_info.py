@@ -6,7 +6,7 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, profile_from_engine, qos_profile_unknown
 from rclpy.type_hash import TypeHash
 

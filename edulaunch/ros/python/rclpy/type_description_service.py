@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterUninitializedException
-from rclpy.impl.passed_on import passed_on
 from rclpy.node_parts.core import core_of
 from rclpy.parameter import ParameterType
 from rclpy.qos import qos_profile_services_default

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any, TypeVar
 
 from edulaunch.engine.facts import kind_of, with_facts
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:

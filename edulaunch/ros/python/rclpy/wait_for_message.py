@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.sim.task import current_task
-from rclpy.impl.passed_on import passed_on
+from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.refusals import without_context
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, validate_qos

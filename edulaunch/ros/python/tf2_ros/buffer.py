@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
-from rclpy.impl.passed_on import passed_on
 from tf2_py import BufferCore
 from tf2_py.buffer_core import NS_PER_S, exception_of, message, nanoseconds, report
 
@@ -16,6 +15,7 @@ from edulaunch.engine.processes.frame_owner import student_line
 from edulaunch.engine.sim.sync import sleep
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.tf import TransformFailure
+from edulaunch.ros.passed_on import passed_on
 from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 from rclpy.duration import Duration
-from rclpy.impl.passed_on import passed_on
 
 from edulaunch.engine.processes.current import current_process
+from edulaunch.ros.passed_on import passed_on
 
 Key = Any
 _provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg': {}, 'from_msg': {}, 'convert': {}}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from rclpy.impl.passed_on import passed_on
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
+from edulaunch.ros.passed_on import passed_on
 from tf2_ros.transform_broadcaster import as_list
 
 if TYPE_CHECKING:

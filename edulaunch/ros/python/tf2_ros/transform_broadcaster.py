@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import TransformStamped
-from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSProfile
 from tf2_msgs.msg import TFMessage
+
+from edulaunch.ros.passed_on import passed_on
 
 if TYPE_CHECKING:
     from rclpy.node import Node

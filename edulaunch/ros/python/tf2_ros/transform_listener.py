@@ -6,13 +6,13 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.impl.passed_on import passed_on
-from rclpy.node_parts.core import core_of
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.frame_owner import student_line
+from edulaunch.ros.node_facts import core_of
+from edulaunch.ros.passed_on import passed_on
 from tf2_ros.buffer import wire_receiver
 
 if TYPE_CHECKING:

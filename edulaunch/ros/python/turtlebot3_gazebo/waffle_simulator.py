@@ -11,6 +11,7 @@ from rclcpp_like import CppNode, spinning
 from tf2_ros import TransformBroadcaster
 
 from edulaunch.engine.worlds.planar_robot import PlanarRobot
+from edulaunch.ros.node_facts import core_of
 
 ODOMETRY_HZ = 30.0
 
@@ -29,9 +30,10 @@ class WaffleSimulator(CppNode):
         x, y, yaw = (self.declare_parameter(name, 0.0).value for name in ('x_pose', 'y_pose', 'yaw'))
         self._expects_stamped = self.declare_parameter('enable_stamped_cmd_vel', True).value
         self._robot = PlanarRobot(x, y, yaw, self.get_clock().now().nanoseconds)
-        self._rclpy.takes_any_type = True
+        core = core_of(self)
+        core.takes_any_type = True
         kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
-        for kind, callback in kinds if self._rclpy.takes_any_type else kinds[:1]:  # for real a program hears one type on a topic
+        for kind, callback in kinds if core.takes_any_type else kinds[:1]:  # for real a program hears one type on a topic
             self.create_subscription(kind, 'cmd_vel', callback, 10)
         self._odometry = self.create_publisher(Odometry, 'odom', 10)
         self._broadcaster = TransformBroadcaster(self)

@@ -9,10 +9,10 @@ from action_msgs.msg import GoalStatus
 
 from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.passed_on import passed_on
 from rclpy.client import Asker, parked_until_done
 from rclpy.impl.entity import check_endpoint
 from rclpy.impl.new_end_checks import checked_action_name
-from rclpy.impl.passed_on import passed_on
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from edulaunch.engine.facts import with_facts_of
+from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from rclpy.node import Node

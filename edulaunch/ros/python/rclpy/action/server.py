@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
 from rclpy.impl.new_end_checks import checked_action_name
-from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import after_shutdown
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos

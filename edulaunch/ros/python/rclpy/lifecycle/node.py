@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from edulaunch.ros.passed_on import passed_on
 from rclpy.callback_groups import CallbackGroup
-from rclpy.impl.passed_on import passed_on
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, OnTransition, TransitionCallbackReturn

@@ -1,0 +1,33 @@
+"""The way to a node's own state, for programs of ours that run on our rclpy or on ROS 2's own.
+
+`core_of(node)` gives the names of a node, the values that its parameters are given from outside, and its place in the graph. Our
+rclpy answers unless somebody chooses another: `edulaunch.extras.native` does where ROS 2's own rclpy runs our programs. What is
+chosen must have the members of `rclpy.node_parts.core.NodeCore` that the callers of `core_of` use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+CoreOf = Callable[[Any], Any]
+
+
+def _in_our_rclpy(node: Any) -> Any:
+    from rclpy.node_parts.core import core_of  # late: ROS 2's own rclpy has no such module
+
+    return core_of(node)
+
+
+_chosen: CoreOf = _in_our_rclpy
+
+
+def choose(core_of_node: CoreOf) -> None:
+    """Let :func:`core_of` ask this function from now on, in the whole interpreter."""
+    global _chosen
+    _chosen = core_of_node
+
+
+def core_of(node: Any) -> Any:
+    """The state of a node: a `NodeCore`, or what stands for it on ROS 2's own rclpy."""
+    return _chosen(node)
