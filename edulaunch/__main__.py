@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from edulaunch.desk.cli.main import main
+from edulaunch.desk.commands import edulaunch
 
-raise SystemExit(main())
+raise SystemExit(edulaunch())
