@@ -30,7 +30,12 @@ class Members:
         self.changes = 0
         self.on_change: list[Callable[[], object]] = []
         self.last_index = 0
-        self._places: dict[Any, tuple[dict[str, list[Any]], str]] = {}
+        self._tables = {
+            'publisher': self.publishers,
+            'subscription': self.subscriptions,
+            'service': self.services,
+            'client': self.clients,
+        }
 
     def next_index(self) -> int:
         """Return the next number in order of creation, for nodes and endpoints alike."""
@@ -68,7 +73,6 @@ class Members:
         :param name: of its topic or service.
         """
         table.setdefault(name, []).append(endpoint)
-        self._places[endpoint] = (table, name)
         node.endpoints.append(endpoint)
         self.tracer.endpoint_added(endpoint.kind, endpoint)
         self._changed()
@@ -78,7 +82,7 @@ class Members:
         if endpoint.destroyed:
             return
         endpoint.destroyed = True
-        table, name = self._places.pop(endpoint)
+        table, name = self._tables[endpoint.kind], endpoint.name
         table[name].remove(endpoint)
         if not table[name]:
             del table[name]

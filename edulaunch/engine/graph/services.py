@@ -34,6 +34,11 @@ class ServiceEnd:
         self.index = graph.next_index()
         self.destroyed = False
 
+    @property
+    def name(self) -> str:
+        """The name under which the graph has it: the service's."""
+        return self.service_name
+
 
 class ServiceServer(ServiceEnd):
     """One server of a service; `queue` holds the requests that wait, oldest first."""

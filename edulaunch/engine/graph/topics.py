@@ -33,6 +33,11 @@ class Endpoint:
         self.on_incompatible: Callable[[str], object] | None = None
         self.on_matched: Callable[[int], object] | None = None
 
+    @property
+    def name(self) -> str:
+        """The name under which the graph has it: the topic's."""
+        return self.topic_name
+
     def _tell_matched(self, change: int) -> None:
         if self.on_matched is not None:
             self.on_matched(change)
