@@ -273,8 +273,9 @@ class Terminal:
 
 
 def _launch_file(words: list[str], cwd: str) -> str | None:
-    """The launch file that a command names by path."""
-    if words[:2] != ['ros2', 'launch']:
+    """The launch file, or the program's file, that a command names by path."""
+    count = 1 if words[0] == 'python3' else 2
+    if count == 2 and words[:2] != ['ros2', 'launch']:
         return None
-    paths = (os.path.join(cwd, word) for word in words[2:] if not word.startswith('-'))
+    paths = (os.path.join(cwd, word) for word in words[count:] if not word.startswith('-'))
     return next(filter(os.path.isfile, paths), None)

@@ -12,6 +12,7 @@ from importlib.machinery import PathFinder
 _HERE = os.path.dirname(os.path.abspath(__file__))
 _UNDERLAY = os.path.dirname(_HERE)
 _INSTALLED = tuple(folder + os.sep for folder in (os.path.dirname(os.__file__), sys.prefix, os.path.dirname(_UNDERLAY)))
+_JOIN = 'import sys; from edulaunch.desk.machine.client import run; sys.exit(run(["python3", *sys.argv[1:]]))'
 
 
 def _is_asked_by_installed():
@@ -21,6 +22,19 @@ def _is_asked_by_installed():
         frame = frame.f_back
     file = '' if frame is None else frame.f_code.co_filename
     return file.startswith(_INSTALLED) or '-packages' + os.sep in file
+
+
+def _join_machine():
+    """Run a program of the student that a person has started in a terminal on the machine of all terminals, in place of here.
+
+    A debugger, an interactive Python, a test and a program that is read through a pipe stay alone.
+    """
+    main = os.path.abspath(getattr(sys.modules.get('__main__'), '__file__', None) or '')
+    is_script = bool(sys.argv[0]) and os.path.isfile(main) and os.path.abspath(sys.argv[0]) == main
+    is_alone = main.startswith(_INSTALLED) or '-packages' + os.sep in main or sys.flags.interactive or sys.gettrace() is not None
+    if os.name == 'posix' and is_script and not is_alone and (os.isatty(1) or os.isatty(2)):
+        sys.stdout.flush()
+        os.execv(sys.executable, [sys.executable, '-c', _JOIN, *sys.argv])
 
 
 class _Sourcing:
@@ -34,6 +48,8 @@ class _Sourcing:
             return None
         if self._names is None and _is_asked_by_installed():
             return None
+        if self._names is not None:
+            _join_machine()
         sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, _Sourcing)]
         try:
             from edulaunch import source
