@@ -109,13 +109,15 @@ def environment(home: str) -> dict[str, str]:
 
 
 def import_path() -> list[str]:
-    """Where the child finds modules: as this process does, but not in the current folder."""
+    """Where the child finds modules: as this process does, but in folders of Python and with what the engine needs only."""
     engine = os.path.dirname(engine_folder())
     here = os.getcwd()
-    known = [path for path in sys.path if path and os.path.abspath(path) != here]
+    known = [path for path in sys.path if path and os.path.abspath(path) != here and (_is_of_python(path) or _needed_in(path))]
     return known if engine in known else [engine, *known]
 
 
+PACKAGES = ('site-packages', 'dist-packages')
+NEEDED = ('greenlet', 'yaml', '_yaml', 'numpy', 'numpy.libs', 'matplotlib', 'rosbags', 'transforms3d', 'urdf_parser_py')
 SYSTEM = (
     *('/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/opt'),
     *('/etc/ld.so.cache', '/etc/ld.so.preload', '/etc/localtime', '/etc/timezone', '/etc/passwd', '/etc/group'),
@@ -135,6 +137,9 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
     for root in roots:
         for place, is_whole in _beneath(os.path.realpath(root), hidden, seen):
             (read if is_whole else listed).setdefault(place)
+    for each in path:
+        if not _is_of_python(each) and _needed_in(each):
+            listed.setdefault(os.path.realpath(each))
     return list(read), list(listed)
 
 
@@ -146,7 +151,8 @@ def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
     own = os.path.dirname(os.path.abspath(__file__))
     hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]
     engine = os.path.realpath(engine_folder())
-    return [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))], hidden
+    packages = [place for each in path for place in ([each] if _is_of_python(each) else _needed_in(each))]
+    return [sys.prefix, sys.base_prefix, engine, *SYSTEM, *packages], hidden
 
 
 def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[str]:
@@ -154,9 +160,16 @@ def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[s
     return [submission.package.path if submission.package else submission.file, *workspaces]
 
 
-def _is_checkout(path: str) -> bool:
-    """Whether it is the source tree of the course, which holds the solutions: of it the engine is read, and no more."""
-    return os.path.isdir(os.path.join(path, 'edulaunch')) and os.path.isdir(os.path.join(path, 'solutions'))
+def _is_of_python(path: str) -> bool:
+    """Whether it is Python's own, or a folder of installed packages: what PYTHONPATH or pytest add may hold people's files."""
+    roots = [os.path.join(os.path.realpath(root), 'lib', '') for root in (sys.prefix, sys.base_prefix)]
+    real = os.path.realpath(path)
+    return os.path.basename(real) in PACKAGES or any(f'{real}{os.sep}'.startswith(root) for root in roots)
+
+
+def _needed_in(path: str) -> list[str]:
+    """Of another folder what the engine needs of it."""
+    return [place for place in (os.path.join(path, name) for name in NEEDED) if os.path.exists(place)]
 
 
 def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tuple[str, bool]]:

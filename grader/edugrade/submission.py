@@ -24,6 +24,7 @@ class Submission:
     """A launch file, alone or in a ROS 2 package, that somebody handed in.
 
     :param path: of the launch file, or of the folder of a package: then the file ``launch/<package>.launch.py`` in it.
+    :param root: the folder that was handed in, when it holds more packages than this one.
     :raises UnusableInput: when there is no such launch file; the message says what was found instead.
 
     :ivar given: the path as it was given.
@@ -33,20 +34,22 @@ class Submission:
     :ivar exercise: which exercise it is, by the name of the launch file.
     """
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, root: str = '') -> None:
         self.given = path
+        self._root = root
         self.launch_path = _launch_path(path)
         self.file = os.path.abspath(self.launch_path)
         self.name = os.path.basename(self.file)
-        self.data = _read(self.launch_path)
         self.package: PackageFolder | None = package_above(self.file)
         self.folder = self.package.path if self.package else os.path.dirname(self.file)
+        _refuse_links(path, self.file, self.folder)
+        self.data = _read(self.launch_path)
         self.exercise = exercise_of(self.name)
 
     @property
     def workspaces(self) -> list[str]:
-        """The folder to search for the student's packages: found by itself when the launch file lies in a package."""
-        return [self.package.workspace] if self.package else []
+        """The folder to search for the student's packages, which a run may read: what was handed in, and nothing above it."""
+        return [os.path.abspath(self._root) if self._root else self.package.path] if self.package else []
 
     @property
     def named(self) -> dict[str, Any]:
@@ -93,7 +96,7 @@ class Submission:
     def is_as_it_was(self) -> bool:
         """Whether everything in it can still be read, and is the same text."""
         try:
-            return Submission(self.file).sha256 == self.sha256
+            return Submission(self.file, self._root).sha256 == self.sha256
         except UnusableInput:
             return False
 
@@ -104,6 +107,17 @@ def exercise_of(name: str) -> str:
         if name.endswith(ending):
             return name[: -len(ending)]
     return os.path.splitext(name)[0]
+
+
+def _refuse_links(given: str, file: str, folder: str) -> None:
+    """A link could lead to somebody else's work, such as the solution.
+
+    :raises UnusableInput: naming it.
+    """
+    inside = os.path.relpath(file, folder)
+    for path, target in ((given.rstrip(os.sep), ''), (file, os.path.join(os.path.realpath(folder), inside))):
+        if os.path.exists(path) and (os.path.islink(path) if not target else os.path.realpath(path) != target):
+            raise UnusableInput(f'{path} is a link, and links are not followed', help='hand in the file itself')
 
 
 def _launch_path(path: str) -> str:

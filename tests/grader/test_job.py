@@ -40,9 +40,11 @@ def test_nothing_of_the_callers_environment_gets_in(job: Job, monkeypatch: pytes
 
 def test_modules_of_the_current_folder_are_not_found(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr('sys.path', ['', str(tmp_path), '/lib'])
+    (tmp_path / 'mine' / 'greenlet').mkdir(parents=True)
+    packages = str(tmp_path / 'lib' / 'site-packages')
+    monkeypatch.setattr('sys.path', ['', str(tmp_path), str(tmp_path / 'tests'), str(tmp_path / 'mine'), packages])
     engine = str(Path(edulaunch.__file__).parents[1])
-    assert import_path() == [engine, '/lib']
+    assert import_path() == [engine, str(tmp_path / 'mine'), packages]
 
 
 def allows(read: list[str], path: Path) -> bool:
@@ -64,6 +66,14 @@ def test_the_grader_is_hidden_among_the_installed_packages(tmp_path: Path, monke
     assert not allows(read, packages / 'edugrade' / 'checks' / 'circle.py')
     assert not allows(read, packages / 'edugrade' / 'sandbox' / 'child.py')
     assert {str(tmp_path), str(tmp_path / 'lib'), str(packages)} <= set(listed)
+
+
+def test_of_a_folder_in_pythonpath_only_needed_packages_are_read(tmp_path: Path) -> None:
+    for name in ('greenlet', 'keys'):
+        (tmp_path / name).mkdir()
+    read, listed = readable_by_all([str(tmp_path)])
+    assert allows(read, tmp_path / 'greenlet' / 'a.py') and not allows(read, tmp_path / 'keys' / 'private.pem')
+    assert str(tmp_path) in listed
 
 
 def test_of_a_checkout_only_the_engine_is_read(tmp_path: Path) -> None:

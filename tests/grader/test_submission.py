@@ -83,8 +83,23 @@ def test_a_file_outside_any_package_has_none(tmp_path: Path) -> None:
     assert package_above(str(tmp_path / 'a.launch.py')) is None
 
 
-def test_the_workspace_is_the_folder_above_src(package: Path, tmp_path: Path) -> None:
-    assert Submission(str(package)).workspaces == [str(tmp_path / 'ws')]
+def test_the_workspace_is_what_was_handed_in(package: Path, tmp_path: Path) -> None:
+    """Never a folder above it that is called src: other students, keys and solutions lie there."""
+    assert Submission(str(package)).workspaces == [str(package)]
+    assert Submission(str(package), str(tmp_path / 'ws')).workspaces == [str(tmp_path / 'ws')]
+
+
+def test_a_link_is_refused(package: Path, tmp_path: Path) -> None:
+    (tmp_path / 'link').symlink_to(package)
+    launch = package / 'launch' / 'robot.launch.py'
+    (tmp_path / 'robot.launch.py').symlink_to(launch)
+    for path in (tmp_path / 'link', tmp_path / 'robot.launch.py'):
+        with pytest.raises(UnusableInput, match='is a link, and links are not followed'):
+            Submission(str(path))
+    launch.rename(tmp_path / 'elsewhere.launch.py')
+    launch.symlink_to(tmp_path / 'elsewhere.launch.py')
+    with pytest.raises(UnusableInput, match='is a link, and links are not followed'):
+        Submission(str(package))
 
 
 def test_without_src_the_package_is_its_own_workspace(package: Path, tmp_path: Path) -> None:

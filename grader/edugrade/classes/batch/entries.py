@@ -32,6 +32,7 @@ class Entry(NamedTuple):
     :ivar student: whose it is; `id` by a learning platform's number or word.
     :ivar file: where it lies, unpacked if need be; '' for what is `refused`, for which reason and with what `help`.
     :ivar origin: repository and commit, when it was cloned.
+    :ivar root: the folder of all that the student handed in, or what it was unpacked to.
     """
 
     path: str
@@ -41,6 +42,7 @@ class Entry(NamedTuple):
     refused: str = ''
     help: str | None = None
     origin: str = ''
+    root: str = ''
 
 
 def refuse_nothing(given: str) -> None:
@@ -96,7 +98,7 @@ class Finder:
             return [Entry(shown, *student, refused=refused, origin=origin)]
         found = list(self._walk(folder, shown, lambda path: student, 0))[:MOST_OF_ONE]
         found = found or [Entry(shown, *student, refused=NOTHING)]
-        return [entry._replace(origin=origin) for entry in found]
+        return [entry._replace(origin=origin, root=self._root_of(entry, folder)) for entry in found]
 
     def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
         """What one student handed in. What is neither folder, nor archive, nor launch file is nobody's work."""
@@ -109,7 +111,15 @@ class Finder:
             found = [
                 Entry(item.name, *student_of(item.name + '/'), refused=NOTHING, help='a launch file has the name of its exercise')
             ]
-        yield from found
+        yield from (entry._replace(root=self._root_of(entry, item.path)) for entry in found)
+
+    def _root_of(self, entry: Entry, folder: str) -> str:
+        """What the student handed in of which this is a part: a folder, or what an archive was unpacked to."""
+        if entry.file.startswith(os.path.join(folder, '')):
+            return folder
+        if not entry.file.startswith(os.path.join(self._unpacked, '')):
+            return ''
+        return os.path.join(self._unpacked, os.path.relpath(entry.file, self._unpacked).split(os.sep)[0])
 
     def _walk(self, folder: str, shown: str, student_of: Callable[[str], Student], nested: int) -> Iterator[Entry]:
         """The submissions in a folder, whose path is `shown`."""

@@ -56,7 +56,9 @@ def plan(entry: Entry, options: Options) -> Work:
         raise UnusableInput(entry.refused, help=entry.help)
     student = entry.id or entry.student
     called = entry.student if options.is_personal else ''
-    return plan_work(Submission(entry.file), options.rubric, options.seed, options.secret, student, options.only, called=called)
+    return plan_work(
+        Submission(entry.file, entry.root), options.rubric, options.seed, options.secret, student, options.only, called=called
+    )
 
 
 def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import zipfile
+import shutil
 from pathlib import Path
 
 import pytest
@@ -108,3 +109,23 @@ def test_what_cannot_be_read_or_is_deep_costs_nobody_else(tmp_path: Path) -> Non
 def test_a_folder_that_is_none_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match='is not a folder'):
         find(tmp_path / 'nowhere')
+
+
+def test_what_a_student_handed_in_ends_at_the_own_folder(tmp_path: Path) -> None:
+    """A run may read all of it, and nothing of others: also of those who are packed together."""
+    for student in ('anna', 'ben'):
+        package = tmp_path / 'class' / student / 'src' / 'robot'
+        (package / 'launch').mkdir(parents=True)
+        (package / 'package.xml').write_text('<package><name>robot</name></package>')
+        (package / 'launch' / 'robot.launch.py').write_text('')
+    shutil.make_archive(str(tmp_path / 'all'), 'zip', tmp_path / 'class')
+    shutil.make_archive(str(tmp_path / 'class' / 'carl' / 'mine'), 'zip', tmp_path / 'class' / 'anna')
+    unpacked = tmp_path / 'unpacked'
+    found = Finder(str(tmp_path / 'class'), str(unpacked), lambda name: name == 'robot').entries()
+    assert {entry.student: entry.root for entry in found} == {
+        'anna': str(tmp_path / 'class' / 'anna'),
+        'ben': str(tmp_path / 'class' / 'ben'),
+        'carl': str(unpacked / '1'),
+    }
+    found = Finder(str(tmp_path / 'all.zip'), str(unpacked), lambda name: name == 'robot').entries()
+    assert {entry.student: entry.root for entry in found} == {name: str(unpacked / 'all' / name) for name in ('anna', 'ben')}
