@@ -9,11 +9,14 @@ import linecache
 import os
 import re
 import sys
+from difflib import SequenceMatcher
 from importlib.machinery import PathFinder
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.engine.facts import facts_of
+from edulaunch.engine.interfaces import current_registry
+from edulaunch.engine.interfaces.mistakes import field_facts
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.absent import absent_module_kind
 
@@ -134,9 +137,6 @@ def error_facts(process: Program, error: BaseException) -> Found:
     if found := with_facts_at(error):
         return found
     if isinstance(error, AttributeError):
-        from edulaunch.engine.interfaces import current_registry
-        from edulaunch.engine.interfaces.mistakes import field_facts
-
         return _hiding(process, getattr(error.obj, '__name__', None)) or field_facts(error, current_registry())
     return {}
 
@@ -182,8 +182,6 @@ def _imported_name(process: Program, error: ImportError) -> Found:
     name = f'{error.name}.{found[1]}'
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
-    from edulaunch.engine.interfaces import current_registry
-
     homes = [home for home in current_registry().homes(found[1]) if home.startswith(f'{error.name}.')]
     if homes:  # `from geometry_msgs import Twist`
         return {'about': 'messages.no-interface', 'interface': found[1], 'module': error.name, 'homes': homes}
@@ -224,8 +222,6 @@ def _part(process: Program, name: str) -> Found:
 
 
 def _unknown_module(process: Program, top: str) -> Found:
-    from edulaunch.engine.interfaces import current_registry
-
     known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
     ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
     near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
@@ -236,6 +232,4 @@ def _unknown_module(process: Program, top: str) -> Found:
 
 def _alike(name: str, near: str) -> bool:
     """Whether only a letter or two differ: modules of other projects are called much like ROS's."""
-    from difflib import SequenceMatcher
-
     return SequenceMatcher(None, name, near).ratio() >= 0.8

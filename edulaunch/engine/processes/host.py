@@ -17,6 +17,7 @@ from edulaunch.engine.processes.commands import CommandSet, Known
 from edulaunch.engine.processes.deferred_hints import DeferredHints, HintOf
 from edulaunch.engine.processes.finding import Overlay
 from edulaunch.engine.processes.host_face import JoinNetwork, OnExit, OnOutput
+from edulaunch.engine.processes.inputs import Input, SilentPipe, TypedInput
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.real_pace import RealPace
@@ -135,7 +136,6 @@ class Host:
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
         """What the program reads: what is given for its launch name or executable, else nothing."""
-        from edulaunch.engine.processes.inputs import Input, SilentPipe, TypedInput
         from edulaunch.engine.processes.real import RealInput
 
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)

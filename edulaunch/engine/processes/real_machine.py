@@ -3,6 +3,8 @@
 What Python's own audit events tell is heard where it happens, also inside of libraries (`psutil` reads `/proc`, `requests`
 connects); a few modules and functions that tell of the machine without such an event are noted when the student's code asks for
 them. Importing a library that looks about is no reason: what it finds there seldom matters.
+A plain seam will not do in place of the audit hook: views see what the student's own code calls, and installed libraries do not
+use them.
 Also the folders of this machine whose places a digest must not depend on.
 """
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Callable, Iterator
 from types import ModuleType
@@ -186,8 +187,6 @@ def make_path(view: ModuleType, process: Process) -> ModuleType:
 
 def make_io(view: ModuleType, process: Process) -> ModuleType:
     """`io.open` is the program's own `open`, on which `pathlib` stands too."""
-    import io
-
     view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
     copy_names(view, io)
     return view

@@ -51,8 +51,6 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
 
     def private_open(file: Any, *arguments: Any, **options: Any) -> Any:
         if process.cwd is not None and not isinstance(file, int):
-            import os
-
             file = os.path.join(os.fsencode(process.cwd) if isinstance(file, bytes) else process.cwd, file)
         return open(file, *arguments, **options)
 
