@@ -6,7 +6,7 @@ import re
 
 import launch_testing
 import pytest
-from launch_testing.decorator import keep_alive, retry_on_failure
+from launch_testing.markers import keep_alive, retry_on_failure
 from launch_testing.tools import build_text_match
 
 from edulaunch.engine.processes.current import current_process

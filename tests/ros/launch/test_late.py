@@ -278,10 +278,10 @@ LATE = [path for path in sorted(UNDERLAY.glob('launch*/**/__init__.py')) if 'lat
 def test_type_checkers_and_the_table_of_a_package_read_the_same(path: Path) -> None:
     """Else `mypy` and an editor would know another package than the one that runs."""
     tree = ast.parse(path.read_text(encoding='utf-8'))
-    block = next(node for node in tree.body if isinstance(node, ast.If) and getattr(node.test, 'id', '') == 'TYPE_CHECKING')
+    block = next(node for node in tree.body if isinstance(node, ast.If) and 'TYPE_CHECKING' in ast.unparse(node.test))
     plain = {(alias.name, one.module) for one in block.body if isinstance(one, ast.ImportFrom) for alias in one.names}
     call = next(node for node in ast.walk(block) if isinstance(node, ast.Call))
-    keywords = {item.arg: ast.literal_eval(item.value) for item in call.keywords}
+    keywords = {item.arg: ast.literal_eval(item.value) for item in call.keywords if item.arg != 'absent'}
     modules = {*keywords.get('modules', ()), *keywords.get('attributes', ())}
     assert plain == {*ast.literal_eval(call.args[1]).items(), *((name, None) for name in modules)}
     package = importlib.import_module('.'.join(path.relative_to(UNDERLAY).parts[:-1]))

@@ -20,6 +20,7 @@ def late_names(
     modules: Iterable[str] = (),
     attributes: Iterable[str] = (),
     eager: Iterable[str] = (),
+    absent: Mapping[str, str] | None = None,
 ) -> tuple[list[str], Callable[[str], Any], Callable[[], list[str]]]:
     """Make the `__all__`, `__getattr__` and `__dir__` of a package.
 
@@ -31,6 +32,7 @@ def late_names(
     :param attributes: modules that are only attributes.
     :param eager: what the package has imported already. A function that has the name of its module must be among them: the
         import of the module would put the module in its place.
+    :param absent: names of ROS 2 that are not here, each with what to use in its place; asked for, they are an ImportError.
     """
     exported = [*modules, *eager, *names]
     known = {*modules, *attributes, *names.values()}
@@ -40,6 +42,10 @@ def late_names(
             value = getattr(import_module(f'{package}.{names[name]}'), name)
         elif name in known:
             value = import_module(f'{package}.{name}')
+        elif absent and name in absent:
+            raise ImportError(
+                f'cannot import name {name!r} from {package!r}\n  help: it is not part of edulaunch: {absent[name]}'
+            )
         else:
             raise AttributeError(f'module {package!r} has no attribute {name!r}')
         setattr(sys.modules[package], name, value)

@@ -4,9 +4,17 @@ A fixture describes what to launch (`@launch_pytest.fixture`), and tests name it
 rules are those of launch_pytest in ROS 2 Jazzy; time is simulated.
 """
 
-from launch._lazy import lazy_exports
+from typing import TYPE_CHECKING
 
-from .fixture import fixture
+from launch._late import late_names
 
-__all__ = ['fixture']
-__getattr__, __dir__ = lazy_exports(__name__, {'': 'actions tools =plugin'})
+from .fixture import fixture as fixture
+
+if TYPE_CHECKING:
+    from . import actions as actions
+    from . import plugin as plugin
+    from . import tools as tools
+else:
+    __all__, __getattr__, __dir__ = late_names(
+        __name__, {}, modules=('actions', 'tools'), attributes=('plugin',), eager=('fixture',)
+    )

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from launch.launch_description import LaunchDescription
-from launch_testing.actions import ReadyToTest
+from launch_testing.actions.ready import ReadyToTest
 from launch_testing.loader import ready_actions
 
 from edulaunch.engine.processes.current import current_process

@@ -1,5 +1,5 @@
 """Actions for launch tests."""
 
-from launch_testing.actions import ReadyToTest
+from launch_testing.actions.ready import ReadyToTest
 
 __all__ = ['ReadyToTest']

@@ -5,16 +5,38 @@ runs, and after it was shut down. Names and rules are those of launch_testing in
 `assertWaitFor(..., timeout=10)` gives the same answer on every machine.
 """
 
-from launch._lazy import lazy_exports
+from typing import TYPE_CHECKING
+
+from launch._late import late_names
 
 from ._absent import ABSENT
+from .decorator import post_shutdown_test as post_shutdown_test
+from .decorator import ready_to_test_action_timeout as ready_to_test_action_timeout
+from .parametrize import parametrize as parametrize
 
-_EXPORTS = {
-    '': 'actions asserts event_handlers io_handler markers proc_info_handler tools util',
-    'decorator': '=markers =parametrize',
-    'io_handler': 'ActiveIoHandler=io_handler ActiveProcInfoHandler=proc_info_handler IoHandler ProcInfoHandler',
-}
-__all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout']
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, ABSENT['all'])
-
-from .decorator import parametrize, post_shutdown_test, ready_to_test_action_timeout  # noqa: E402
+if TYPE_CHECKING:
+    from . import actions as actions
+    from . import asserts as asserts
+    from . import event_handlers as event_handlers
+    from . import io_handler as io_handler
+    from . import markers as markers
+    from . import proc_info_handler as proc_info_handler
+    from . import tools as tools
+    from . import util as util
+    from .io_handler import ActiveIoHandler as ActiveIoHandler
+    from .io_handler import IoHandler as IoHandler
+    from .proc_info_handler import ActiveProcInfoHandler as ActiveProcInfoHandler
+    from .proc_info_handler import ProcInfoHandler as ProcInfoHandler
+else:
+    __all__, __getattr__, __dir__ = late_names(
+        __name__,
+        {
+            'ActiveIoHandler': 'io_handler',
+            'IoHandler': 'io_handler',
+            'ActiveProcInfoHandler': 'proc_info_handler',
+            'ProcInfoHandler': 'proc_info_handler',
+        },
+        modules=('actions', 'asserts', 'event_handlers', 'io_handler', 'markers', 'proc_info_handler', 'tools', 'util'),
+        eager=('parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout'),
+        absent=ABSENT['all'],
+    )

@@ -1,54 +1,15 @@
-"""What processes of a launch test wrote and how they ended: `proc_output` and `proc_info` of the tests."""
+"""What processes of a launch test wrote: `proc_output` of the tests."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any, Generic, TypeVar
+from collections.abc import Iterator
+from typing import Any
 
-from launch._lazy import has_ros_paths
-from launch.events.process.process_exited import ProcessExited
 from launch.events.process.process_io import ProcessIO
-from launch.events.process.running_process_event import RunningProcessEvent
 
-from edulaunch.engine.sim.sync import Condition
-
-from .asserts import assertInStream
-from .util import CmdArgs, NoMatchingProcessException, process_name, resolveProcesses
-
-Noted = TypeVar('Noted')
-
-
-class _ByProcess(Generic[Noted]):
-    """What was noted of each process, by its action or by part of its launch name."""
-
-    def __init__(self) -> None:
-        self._noted: dict[Any, Noted] = {}
-        self._changed = Condition()
-
-    def __contains__(self, key: object) -> bool:
-        return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._noted)
-
-    def __getitem__(self, key: Any) -> Noted:
-        """What was noted of an action, or of the first process with `key` in its name. Raises KeyError when there is none."""
-        if isinstance(key, str):
-            key = next((action for action in self._noted if key in process_name(action)), key)
-        return self._noted[key]
-
-    def processes(self) -> list[Any]:
-        """The actions."""
-        return list(self._noted)
-
-    def process_names(self) -> list[str]:
-        """The launch names, such as 'talker-1'."""
-        return [process_name(action) for action in self._noted]
-
-    def _wait(self, has_come: Callable[[], bool], timeout: float) -> bool:
-        with self._changed:
-            return bool(self._changed.wait_for(has_come, timeout))
-
-    def _tell(self) -> None:
-        with self._changed:
-            self._changed.notify_all()
+from ._by_process import _ByProcess
+from .asserts.assert_output import assertInStream
+from .util.proc_lookup import CmdArgs, NoMatchingProcessException
 
 
 class IoHandler(_ByProcess[list[ProcessIO]]):
@@ -129,58 +90,3 @@ class ActiveIoHandler(IoHandler):
             return f'nothing was written to {stream} within {timeout} s by: {", ".join(self.process_names()) or "any process"}'
         last = pieces[-1].text.decode(errors='replace').strip().split('\n')[-1]
         return f'{expected_output!r} did not come on {stream} within {timeout} s; the last line there was {last!r}'
-
-
-class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
-    """The last event of each process: ProcessExited, or ProcessStarted while it runs."""
-
-    def append(self, process_info: RunningProcessEvent) -> None:
-        """Note an event, and wake who waits for one."""
-        self._noted[process_info.action] = process_info
-        self._tell()
-
-    def __iter__(self) -> Iterator[RunningProcessEvent]:
-        return iter(list(self._noted.values()))
-
-
-class ActiveProcInfoHandler(ProcInfoHandler):
-    """For tests that run while processes run: they can wait for starts and ends, in simulated time."""
-
-    def assertWaitForShutdown(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
-        """Wait until a process has ended.
-
-        :param process: an action, or part of a launch name.
-        :param timeout: simulated seconds.
-        :raises AssertionError: when it has not ended then.
-        """
-        self._wait_for_event(ProcessExited, process, cmd_args, timeout)
-
-    def assertWaitForStartup(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
-        """Wait until a process has started (it may have ended since).
-
-        :raises AssertionError: when it has not started after `timeout` simulated seconds; the text is ROS 2's.
-        """
-        self._wait_for_event(
-            RunningProcessEvent,
-            process,
-            cmd_args,
-            timeout,
-            lambda: f'\n  help: it has not started; started are: {", ".join(self.process_names()) or "none"}',
-        )
-
-    def _wait_for_event(
-        self, event_type: type, process: Any, cmd_args: CmdArgs, timeout: float, help: Callable[[], str] = str
-    ) -> None:
-        def has_come() -> bool:
-            try:
-                (action,) = resolveProcesses(self, process=process, cmd_args=cmd_args)
-            except NoMatchingProcessException:
-                return False
-            return isinstance(self._noted[action], event_type)
-
-        if not self._wait(has_come, timeout):
-            name = process if isinstance(process, str) else process_name(process)
-            raise AssertionError(f"Timed out waiting for process '{name}' to finish{help()}")
-
-
-has_ros_paths(__name__)

@@ -12,7 +12,7 @@ from typing import Any
 from launch.launch_description import LaunchDescription
 from launch.launch_description_entity import LaunchDescriptionEntity
 
-from .actions import ReadyToTest
+from .actions.ready import ReadyToTest
 from .decorator import DEFAULT_TIMEOUT_S
 
 

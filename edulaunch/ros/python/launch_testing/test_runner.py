@@ -18,8 +18,9 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.sync import Event
 from edulaunch.engine.sim.task import Task
 
-from .io_handler import ActiveIoHandler, ActiveProcInfoHandler
+from .io_handler import ActiveIoHandler
 from .loader import TestRun, give
+from .proc_info_handler import ActiveProcInfoHandler
 from .test_result import TestResult
 
 

@@ -1,8 +1,14 @@
 """ROS 2 launch_testing_ros: what tests of ROS nodes need beside launch_testing."""
 
-from launch._lazy import lazy_exports
+from typing import TYPE_CHECKING
+
+from launch._late import late_names
 from launch_testing._absent import ABSENT
 
-__getattr__, __dir__ = lazy_exports(
-    __name__, {'message_pump': 'MessagePump', 'wait_for_topics': 'WaitForTopics'}, absent=ABSENT['ros']
-)
+if TYPE_CHECKING:
+    from .message_pump import MessagePump as MessagePump
+    from .wait_for_topics import WaitForTopics as WaitForTopics
+else:
+    __all__, __getattr__, __dir__ = late_names(
+        __name__, {'MessagePump': 'message_pump', 'WaitForTopics': 'wait_for_topics'}, absent=ABSENT['ros']
+    )

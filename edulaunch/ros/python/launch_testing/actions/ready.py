@@ -1,15 +1,12 @@
-"""The moment when the tests may begin."""
+"""The action `ReadyToTest`."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from launch._lazy import has_ros_paths, lazy_exports
 from launch.action import Action
 from launch.launch_context import LaunchContext
-
-from ._absent import ABSENT
 
 
 class ReadyToTest(Action):
@@ -27,7 +24,3 @@ class ReadyToTest(Action):
         """Tell them."""
         for callback in self.__callbacks:
             callback()
-
-
-__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT['actions'])
-has_ros_paths(__name__, 'ReadyToTest=ready')

@@ -1,4 +1,4 @@
-"""Comparing texts."""
+"""Texts as a test expects them."""
 
 from __future__ import annotations
 
@@ -6,10 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from launch._lazy import has_ros_paths, lazy_exports
 from osrf_pycommon.terminal_color import remove_ansi_escape_sequences
-
-from ._absent import ABSENT
 
 Match = Callable[..., 'tuple[int, int] | None']
 
@@ -55,7 +52,3 @@ def _matcher(expected: Any) -> Callable[[str, int], tuple[int, int] | None]:
         return None if found is None else found.span()
 
     return search
-
-
-__getattr__, _ = lazy_exports(__name__, {}, absent=ABSENT['tools'])
-has_ros_paths(__name__, 'build_text_match=text')

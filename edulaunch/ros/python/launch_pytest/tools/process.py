@@ -10,7 +10,6 @@ import asyncio
 from collections.abc import Callable
 from typing import Any
 
-from launch._lazy import has_ros_paths
 from launch.actions.execute_local import ExecuteLocal
 from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from launch.launch_context import LaunchContext
@@ -140,4 +139,3 @@ wait_for_start, wait_for_start_sync = _for_event(OnProcessStart, 'on_start', lam
 wait_for_exit, wait_for_exit_sync = _for_event(OnProcessExit, 'on_exit', lambda action: action.return_code is not None)
 for _name in [name for name in globals() if name.startswith(('wait_for_', 'assert_'))]:
     globals()[_name].__name__ = globals()[_name].__qualname__ = _name  # for help and tracebacks
-has_ros_paths(__name__, ' '.join(f'{name}=process' for name in globals() if name.startswith(('wait_for_', 'assert_'))))

@@ -1,25 +1,11 @@
-"""Finding a process by its action, or by its name and arguments; and a process that does nothing."""
+"""Finding the processes of a launch test."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
-from launch._lazy import has_ros_paths
 from launch.actions.execute_local import ExecuteLocal
-from launch.actions.execute_process import ExecuteProcess
-
-from edulaunch.engine.underlay_place import underlay_prefix
-
-KEEP_ALIVE_PROGRAM = os.path.join(underlay_prefix(), 'lib', 'launch_testing', 'keep_alive_proc')
-
-
-class KeepAliveProc(ExecuteProcess):
-    """A process that runs until it gets SIGINT, so that launch goes on when all others have ended."""
-
-    def __init__(self, **kwargs: Any) -> None:
-        super().__init__(cmd=[KEEP_ALIVE_PROGRAM], **kwargs)
 
 
 class _NoCmdArgs:
@@ -29,6 +15,7 @@ class _NoCmdArgs:
 
 NO_CMD_ARGS = _NoCmdArgs()
 """As `cmd_args`: only processes that were started without arguments."""
+
 
 CmdArgs = str | Sequence[str] | _NoCmdArgs | None
 
@@ -99,8 +86,3 @@ def _has_arguments(action: ExecuteLocal, wanted: CmdArgs) -> bool:
     if isinstance(wanted, str):
         return wanted in given
     return all(argument in given for argument in wanted)
-
-
-has_ros_paths(
-    __name__, 'KeepAliveProc NO_CMD_ARGS=proc_lookup NoMatchingProcessException=proc_lookup resolveProcesses=proc_lookup'
-)

@@ -1,11 +1,10 @@
-"""Waiting for a program to say that it is ready."""
+"""The event handler `StdoutReadyListener`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import Any
 
-from launch._lazy import has_ros_paths
 from launch.event_handlers.on_process_io import OnProcessIO
 from launch.events.process.process_io import ProcessIO
 from launch.launch_description_entity import LaunchDescriptionEntity
@@ -32,6 +31,3 @@ class StdoutReadyListener(OnProcessIO):
             return None
         actions, self.__actions = self.__actions, []
         return actions or None
-
-
-has_ros_paths(__name__, 'StdoutReadyListener')

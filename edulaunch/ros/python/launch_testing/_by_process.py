@@ -1,0 +1,45 @@
+"""What is kept of each process of a launch test."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar
+
+from edulaunch.engine.sim.sync import Condition
+
+from .util.proc_lookup import process_name
+
+Noted = TypeVar('Noted')
+
+
+class _ByProcess(Generic[Noted]):
+    """What was noted of each process, by its action or by part of its launch name."""
+
+    def __init__(self) -> None:
+        self._noted: dict[Any, Noted] = {}
+        self._changed = Condition()
+
+    def __contains__(self, key: object) -> bool:
+        return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._noted)
+
+    def __getitem__(self, key: Any) -> Noted:
+        """What was noted of an action, or of the first process with `key` in its name. Raises KeyError when there is none."""
+        if isinstance(key, str):
+            key = next((action for action in self._noted if key in process_name(action)), key)
+        return self._noted[key]
+
+    def processes(self) -> list[Any]:
+        """The actions."""
+        return list(self._noted)
+
+    def process_names(self) -> list[str]:
+        """The launch names, such as 'talker-1'."""
+        return [process_name(action) for action in self._noted]
+
+    def _wait(self, has_come: Callable[[], bool], timeout: float) -> bool:
+        with self._changed:
+            return bool(self._changed.wait_for(has_come, timeout))
+
+    def _tell(self) -> None:
+        with self._changed:
+            self._changed.notify_all()

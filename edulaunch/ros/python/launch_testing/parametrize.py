@@ -1,0 +1,44 @@
+"""Launching and testing once for each of several values."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+Description = Callable[..., Any]
+
+
+Parametrized = Callable[[], Iterator[tuple[Description, dict[str, Any]]]]
+
+
+def parametrize(argnames: str | Iterable[str], argvalues: Iterable[Any]) -> Callable[[Description], Parametrized]:
+    """Launch and test once for each of `argvalues`.
+
+    The values are arguments of `generate_test_description` and, by the same names, of the test methods.
+
+    :param argnames: one name, several with commas between them, or a list of names.
+    :param argvalues: a value for each launch; with several names a tuple of values.
+    :raises ValueError: when there are more or fewer values than names.
+    """
+    names = [name.strip() for name in argnames.split(',') if name.strip()] if isinstance(argnames, str) else list(argnames)
+    rows = [_row(names, value) for value in argvalues]
+
+    def decorate(function: Description) -> Parametrized:
+        @functools.wraps(function)
+        def each() -> Iterator[tuple[Description, dict[str, Any]]]:
+            for row in rows:
+                yield functools.partial(function, **row), row
+
+        each.__parametrized__ = True  # type: ignore[attr-defined]
+        return each
+
+    return decorate
+
+
+def _row(names: list[str], value: Any) -> dict[str, Any]:
+    plain = len(names) == 1 and not (isinstance(value, (list, tuple)) and len(value) == 1)
+    values = [value] if plain else list(value)
+    if len(values) != len(names):
+        raise ValueError(f'parametrize: {len(names)} names {names}, but {len(values)} values {values}')
+    return dict(zip(names, values, strict=True))
