@@ -237,6 +237,13 @@ def function(place: str) -> Any:
     return getattr(import_module(module), name)
 
 
+def _lacking(name: str) -> str:
+    """The plug-in itself, or the one that it needs and that is not here."""
+    found = next((_loaded(entry) for entry in entries() if entry.name == name), None)
+    lacking = [need for need in found.needs if not is_here(need)] if found is not None else []
+    return lacking[0].rpartition('.')[2] if lacking else name
+
+
 def absent(what: str) -> UnusableInput | None:
     """The error for what one of our own plug-ins would bring if it was here; None for anything else.
 
@@ -245,6 +252,5 @@ def absent(what: str) -> UnusableInput | None:
     source = SOURCES.get(what)
     if source is None:
         return None
-    return UnusableInput(
-        f'{what} needs the plug-in {source.plugin!r}, which is not installed.', help=f'install it: {source.install}'
-    )
+    missing = f'{what} needs the plug-in {_lacking(source.plugin)!r}, which is not installed.'
+    return UnusableInput(missing, help=f'install it: {source.install}')

@@ -97,13 +97,24 @@ def test_one_that_needs_a_plug_in_that_is_not_there_is_not_there_either(installe
     assert {'first', 'second'} & set(plugins.plugins()) == {'second'}
 
 
-def test_what_our_own_would_bring_is_named_with_how_to_install_it() -> None:
+def test_what_our_own_would_bring_is_named_with_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plugins, 'entries', list)
     error = plugins.absent('edulaunch network')
     assert str(error) == (
         "edulaunch network needs the plug-in 'network', which is not installed.\n"
         "  help: install it: pip install --force-reinstall 'edulaunch[network]'"
     )
     assert plugins.absent('edulaunch launch') is None
+
+
+def test_one_of_ours_names_what_it_needs(installed: Installed, monkeypatch: pytest.MonkeyPatch) -> None:
+    installed(
+        'ferry', 'ferry_plugin:PLUGIN', "from edulaunch.runtime.plugins import Plugin\nPLUGIN = Plugin(needs=('lake.water',))"
+    )
+    monkeypatch.setitem(plugins.SOURCES, 'edulaunch ferry', plugins.Source('ferry', 'pip install ferry'))
+    assert str(plugins.absent('edulaunch ferry')) == (
+        "edulaunch ferry needs the plug-in 'water', which is not installed.\n  help: install it: pip install ferry"
+    )
 
 
 def test_the_entry_points_are_those_that_the_standard_library_finds(installed: Installed) -> None:
