@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
+from edulaunch.advice.run_sources import launch_scripts
 from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.errors import EdulaunchError
 
@@ -40,6 +42,7 @@ def _judge(recording: Recording) -> list[Finding]:
     ]
     causes = {finding.process for finding in explained}
     others = [one for one in _asked('recordings', recording) if one.rule != DIED or one.name not in causes]
+    others += _asked('scripts', launch_scripts(recording))
     return in_order(about_command([*explained, *others], recording))
 
 
@@ -80,7 +83,7 @@ def _named(finding: Finding) -> set[str]:
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
     """What is wrong with a launch file, by its dry run."""
-    findings = in_order(_asked('plans', rehearsal))
+    findings = in_order([*_asked('plans', rehearsal), *_asked('scripts', list(students_python(rehearsal)))])
     better = [one for one in findings if one.rule != FAILS]
     return better if any(rule_named(one.rule).level == LEVELS[0] for one in better) else findings
 

@@ -127,8 +127,8 @@ def failure_of(error: BaseException) -> Failure:
     return Failure(type(error).__name__, str(error), file, line, facts=getattr(error, 'edulaunch_facts', {}))
 
 
-KINDS = ('errors', 'plans', 'recordings', 'sources', 'workspaces')
-"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, a Source, a Workspace."""
+KINDS = ('errors', 'plans', 'recordings', 'scripts', 'sources', 'workspaces')
+"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a Source, a Workspace."""
 
 
 _loaded: dict[str, Rule] = {}

@@ -32,6 +32,7 @@ KINDS = {
     'errors': 'an error',
     'plans': 'a launch file',
     'recordings': 'a run',
+    'scripts': 'a launch file and its runs',
     'sources': "a package's files",
 }
 LANGUAGES = {'.py': 'python', '.xml': 'xml', '.yaml': 'yaml', '.txt': 'cmake', '.md': 'text'}

@@ -25,7 +25,7 @@ FIELD_VALUE = about(
         'set its fields ({fields}), or assign a {wanted}(...)',
         'give it {size} values',
         'write a decimal point: the comma made {commas} values of it',
-        'give it a value inside its range; `ros2 interface show` shows its type',
+        'give it a value inside its range in place of {value}; `ros2 interface show` shows its type',
         'give it a {wanted}',
     ),
 )

@@ -54,7 +54,13 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
             if name and name.removeprefix('/') not in known:
-                yield _found(recording, fact, name, near=nearest(name.removeprefix('/'), known), frames=sorted(known)[:8])
+                yield _found(recording, fact, name, near=_near(name.removeprefix('/'), known), frames=sorted(known)[:8])
+
+
+def _near(name: str, known: list[str]) -> str | None:
+    """The frame that was probably meant; another number behind the same name is another robot."""
+    near = nearest(name, known)
+    return None if near is None or near.rstrip('0123456789') == name.rstrip('0123456789') else near
 
 
 @rule(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import NOWHERE, asking_place, end_place, ends_by_name, is_ros_own, speaker
+from edulaunch.advice.runs import NOWHERE, asking_place, end_place, ends_by_name, is_ros_own, own_nodes, speaker
 from edulaunch.engine.graph.names import RemapRule, expand_name
 from edulaunch.engine.graph.ros_arguments import remap_rule
 from edulaunch.engine.graph.rule_reader import RuleError
@@ -94,7 +94,9 @@ def different_types(recording: Recording) -> Iterator[Finding]:
         offered = {end.type for end in publishers if end.node == mismatch.publisher}
         wanted = {end.type for end in subscriptions}
         if not heard & sent or not offered & wanted:
-            file, line = end_place(recording, 'publisher', mismatch.topic, mismatch.publisher)
+            is_mine = mismatch.subscriber in own_nodes(recording)
+            mine = ('subscription', mismatch.subscriber) if is_mine else ('publisher', mismatch.publisher)
+            file, line = end_place(recording, mine[0], mismatch.topic, mine[1])
             pair = {'node': speaker(recording, mismatch.publisher), 'other': speaker(recording, mismatch.subscriber)}
             types = {'sent': sorted(offered), 'heard': sorted(heard)}
             yield found('topic', mismatch.topic, file=file, line=line, time_s=mismatch.note.time_s, **pair, **types)

@@ -15,7 +15,6 @@ from rclpy.utilities import (
     get_default_context,
     get_rmw_implementation_identifier,
     ok,
-    remove_ros_args,
     timeout_sec_to_nsec,
 )
 from rclpy.utilities import shutdown as _shutdown
@@ -37,7 +36,6 @@ __all__ = [
     'get_rmw_implementation_identifier',
     'init',
     'ok',
-    'remove_ros_args',
     'shutdown',
     'spin',
     'spin_once',

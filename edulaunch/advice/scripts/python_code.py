@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import Any
 
-from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import Finding, found, rule
-
-if TYPE_CHECKING:
-    from edulaunch.advice.plan import Rehearsal
+from edulaunch.advice.run_sources import Script
 
 LESSON = '04_conditions'
 ACTIONS = frozenset(
@@ -38,6 +35,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
     what='"{text}" asks the substitution itself, not its value: it is always {outcome}',
     why='this line runs before launch knows any argument',
     do=(
+        'ask for the value: {asked}.perform({context})',
         "give the action a condition: condition=IfCondition(EqualsSubstitution(LaunchConfiguration('{argument}'), {value}))",
         "give the action a condition: condition=IfCondition(LaunchConfiguration('{argument}'))",
         'give the action a condition: condition=IfCondition(...)',
@@ -45,13 +43,21 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
     lesson=LESSON,
     level='error',
 )
-def python_if(rehearsal: Rehearsal) -> Iterator[Finding]:
+def python_if(scripts: list[Script]) -> Iterator[Finding]:
     """Of a LaunchConfiguration or a variable that holds one; `.perform(context)` gives a text, which may be compared."""
-    for file, tree in students_python(rehearsal):
+    for file, tree in scripts:
         for function in _functions(tree):
             known = _configurations(function)
             for test in _tests(function):
-                yield from _asked(test, known, file)
+                yield from (_in_function(finding, function) for finding in _asked(test, known, file))
+
+
+def _in_function(finding: Finding, function: Function) -> Finding:
+    """In a function that launch calls with its context, the value is known: there it can be asked for."""
+    arguments = [] if isinstance(function, ast.Module) else function.args.args
+    if not arguments or arguments[0].arg != 'context':
+        return finding
+    return finding._replace(facts={**finding.facts, 'context': arguments[0].arg})
 
 
 def _asked(test: ast.expr, known: dict[str, str | None], file: str) -> Iterator[Finding]:
@@ -66,13 +72,22 @@ def _asked(test: ast.expr, known: dict[str, str | None], file: str) -> Iterator[
             name = _argument(test.left, known)
             value = ast.unparse(other)
             text = ast.unparse(test)
-            yield found('text', text, file=file, line=test.lineno, outcome=str(outcome), argument=name, value=value)
+            facts: dict[str, Any] = {'argument': name, 'value': value, 'asked': ast.unparse(test.left)}
+            yield found('text', text, file=file, line=test.lineno, outcome=str(outcome), **facts)
         return
     is_not = isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not)
     inner = test.operand if isinstance(test, ast.UnaryOp) and is_not else test
     if _is_configuration(inner, known):
         name = _argument(inner, known)
-        yield found('text', ast.unparse(test), file=file, line=test.lineno, outcome=str(not is_not), argument=name)
+        yield found(
+            'text',
+            ast.unparse(test),
+            file=file,
+            line=test.lineno,
+            outcome=str(not is_not),
+            argument=name,
+            asked=ast.unparse(inner),
+        )
 
 
 def _functions(tree: ast.Module) -> Iterator[Function]:
@@ -135,9 +150,9 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
     lesson='01_first_launch',
     level='error',
 )
-def not_added(rehearsal: Rehearsal) -> Iterator[Finding]:
+def not_added(scripts: list[Script]) -> Iterator[Finding]:
     """A variable of generate_launch_description() that holds an action and is never read."""
-    for file, tree in students_python(rehearsal):
+    for file, tree in scripts:
         for function in _functions(tree):
             if isinstance(function, ast.Module) or function.name != 'generate_launch_description':
                 continue

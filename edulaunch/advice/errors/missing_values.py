@@ -1,0 +1,212 @@
+"""Values that are not there when a line asks for them: environment variables, answers, arguments, and conversions of messages."""
+
+from __future__ import annotations
+
+import ast
+import linecache
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import speak
+from edulaunch.advice.launch_names import class_named
+from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.advice.run_sources import keyword_of, name_of_call, script_of
+
+MODELS = {'TURTLEBOT3_MODEL': 'burger', 'LINOROBOT2_BASE': '2wd', 'LDS_MODEL': 'LDS-01'}
+"""What tutorials set."""
+LONGEST = 200_000
+
+
+def _line(failure: Failure) -> str:
+    return linecache.getline(failure.file or '', failure.line or 0)
+
+
+@rule(
+    'programs.no-variable',
+    what="the environment variable '{variable}' is not set in this terminal",
+    why="os.environ['{variable}'] raises KeyError for a variable that is not there",
+    do=(
+        'type: export {variable}={example}, and start it again; or give it a default: os.environ.get({quoted}, ...)',
+        'type: export {variable}=..., and start it again; or give it a default: os.environ.get({quoted}, ...)',
+    ),
+    level='error',
+    hides=('launch.fails',),
+)
+def no_variable(failure: Failure) -> Iterator[Finding]:
+    """`os.environ['NAME']` in a launch file or a program."""
+    said = re.fullmatch(r"'(\w+)'", failure.message)
+    if failure.type == 'KeyError' and said is not None and 'environ' in _line(failure):
+        yield speak(failure, variable=said[1], example=MODELS.get(said[1]), quoted=repr(said[1]))
+
+
+@rule(
+    'programs.result-too-early',
+    what='the answer is not there yet: result() of a future is None until it has come',
+    why='call_async() only sends the request; the answer is taken later, while the node is spun',
+    do=(
+        'wait for it in main(): rclpy.spin_until_future_complete(node, future); in a callback give it a function: '
+        'future.add_done_callback(self.on_answer)'
+    ),
+    lesson='14_services',
+    level='error',
+)
+def result_too_early(failure: Failure) -> Iterator[Finding]:
+    """An attribute of None on a line with `.result()`, or of a variable that got its value so on the lines above."""
+    if failure.type != 'AttributeError' or not failure.message.startswith("'NoneType' object has no attribute"):
+        return
+    above = [
+        linecache.getline(failure.file or '', number) for number in range(max(1, (failure.line or 1) - 8), failure.line or 1)
+    ]
+    held = {said[1] for line in above if (said := re.match(r'\s*([\w.]+)\s*(?::[^=]+)?=\s*.*\.result\(\)', line))}
+    line = _line(failure)
+    if '.result()' in line or any(re.search(rf'(?<![\w.]){re.escape(name)}\.', line) for name in held):
+        yield speak(failure)
+
+
+@rule(
+    'launch.path-too-early',
+    what='{given} is no path yet while the launch file is read, so os.path cannot join it',
+    why='a substitution gets its value when launch starts the action',
+    do=(
+        "join it later: PathJoinSubstitution([FindPackageShare('my_package'), 'file']); or get the path at once: "
+        "get_package_share_directory('my_package')",
+        "join it later: PathJoinSubstitution([{given}(...), 'file'])",
+    ),
+    lesson='07_packages',
+    level='error',
+    hides=('launch.fails',),
+)
+def path_too_early(failure: Failure) -> Iterator[Finding]:
+    """`os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
+    said = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
+    if said is not None and hasattr(class_named(said[1]), 'perform'):
+        yield speak(failure, given=said[1])
+
+
+@rule(
+    'launch.condition-word',
+    what="the condition is the word '{word}' itself, not the launch argument of that name",
+    why='a condition takes the text that it is given; only a LaunchConfiguration stands for the value of an argument',
+    do="write {condition}(LaunchConfiguration('{word}'))",
+    lesson='04_conditions',
+    level='error',
+    hides=('launch.condition-value',),
+)
+def condition_word(failure: Failure) -> Iterator[Finding]:
+    """`IfCondition('gui')`, in the file that failed."""
+    said = re.match(r"invalid condition expression.* but got '(\w+)'", failure.message)
+    lines = _lines(failure.file) if said is not None and failure.file else []
+    if said is not None and any(re.search(rf"""DeclareLaunchArgument\(.*['"]{said[1]}['"]""", line) for line in lines):
+        for number, line in enumerate(lines, 1):
+            written = re.search(rf"""(IfCondition|UnlessCondition)\(\s*(['"]){said[1]}\2\s*\)""", line)
+            if written is not None:
+                yield speak(failure._replace(line=number), word=said[1], condition=written[1])
+                return
+
+
+@rule(
+    'launch.declared-after-use',
+    what="the launch argument '{configuration}' is declared in line {declared}, after its use",
+    why='launch does the actions of a list from the first to the last; the argument has no value before its declaration',
+    do="move DeclareLaunchArgument('{configuration}', ...) to the beginning of the list",
+    lesson='01_first_launch',
+    level='error',
+    hides=('launch.no-configuration',),
+)
+def declared_after_use(failure: Failure) -> Iterator[Finding]:
+    """The declaration stands further below in the same file."""
+    said = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
+    if said is not None and failure.file and failure.line:
+        for number, line in enumerate(_lines(failure.file), 1):
+            if number > failure.line and re.search(rf"""DeclareLaunchArgument\(\s*(name=)?['"]{re.escape(said[1])}['"]""", line):
+                yield speak(failure, configuration=said[1], declared=number)
+                return
+
+
+@rule(
+    'launch.set-in-group',
+    what="'{configuration}' is set inside a GroupAction, and the group has ended before this use",
+    why='what is set in a group counts inside of it only',
+    do='give the group scoped=False, or move what uses it into the group',
+    lesson='01_first_launch',
+    level='error',
+    hides=('launch.no-configuration', 'launch.declared-after-use'),
+)
+def set_in_group(failure: Failure) -> Iterator[Finding]:
+    """A SetLaunchConfiguration or DeclareLaunchArgument of that name stands in the list of a GroupAction of the same file."""
+    said = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
+    tree = script_of(failure.file) if said is not None else None
+    if said is None or tree is None:
+        return
+    for group in ast.walk(tree):
+        if isinstance(group, ast.Call) and name_of_call(group) == 'GroupAction' and keyword_of(group, 'scoped') is None:
+            sets = [call for call in ast.walk(group) if isinstance(call, ast.Call) and name_of_call(call) in SETTING]
+            if any(isinstance(word, ast.Constant) and word.value == said[1] for call in sets for word in call.args[:1]):
+                yield speak(failure, configuration=said[1])
+                return
+
+
+SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
+
+
+@rule(
+    'launch.class-for-action',
+    what='{given} stands here without brackets: it is a class, not an action',
+    why='launch calls what it is given as a handler with the event and its context; the class cannot be called so',
+    do='write {keyword}={given}()',
+    lesson='05_events',
+    level='error',
+    hides=('launch.positional', 'launch.call'),
+)
+def class_for_action(failure: Failure) -> Iterator[Finding]:
+    """`on_exit=Shutdown`, in the file that failed or in one that the launch began with."""
+    said = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
+    if said is not None:
+        yield speak(failure, given=said[1], keyword='on_exit' if said[1] == 'Shutdown' else 'on_start')
+
+
+def _lines(file: str) -> list[str]:
+    """The lines of a launch file that is not too long."""
+    lines = linecache.getlines(file) if file.endswith('.py') else []
+    return lines if sum(map(len, lines)) < LONGEST else []
+
+
+CONVERTERS = {'geometry_msgs': 'tf2_geometry_msgs', 'sensor_msgs': 'tf2_sensor_msgs'}
+
+
+@rule(
+    'tf.no-converter',
+    what='tf2 cannot transform a {kind_of} before {converter} is imported',
+    why='the import registers how messages of {package} are transformed; tf2 itself knows none',
+    do='write at the top of the program: import {converter}',
+    lesson='09_broadcaster_and_listener',
+    level='error',
+)
+def no_converter(failure: Failure) -> Iterator[Finding]:
+    """`buffer.transform(pose, 'map')` without the import."""
+    said = re.match(r"Type <class '(\w+)\.msg\.\w+\.(\w+)'> is not loaded or supported", failure.message)
+    if said is not None and said[1] in CONVERTERS:
+        yield speak(failure, package=said[1], kind_of=said[2], converter=CONVERTERS[said[1]])
+
+
+ELSEWHERE = {
+    'Duration': 'rclpy.duration',
+    'Node': 'rclpy.node',
+    'QoSProfile': 'rclpy.qos',
+    'Time': 'rclpy.time',
+    'remove_ros_args': 'rclpy.utilities',
+}
+"""Names that are looked for in `rclpy` itself, and the modules that have them."""
+
+
+@rule(
+    'programs.other-module',
+    what='{part} is not a part of rclpy itself, but of {module}',
+    do='write: from {module} import {part}',
+    level='error',
+)
+def other_module(failure: Failure) -> Iterator[Finding]:
+    """`rclpy.remove_ros_args(...)`."""
+    said = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
+    if said is not None and said[1] in ELSEWHERE:
+        yield speak(failure, part=said[1], module=ELSEWHERE[said[1]])

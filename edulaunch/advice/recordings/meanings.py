@@ -1,0 +1,226 @@
+"""Mistakes that work against what was meant, while every single message is in order: by the numbers, not by the symptoms."""
+
+from __future__ import annotations
+
+import math
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.recordings.topics import lone_ends
+from edulaunch.advice.recordings.turtles import commands, turtles
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import joined_strings, launch_scripts, program_scripts
+from edulaunch.advice.runs import (
+    NOWHERE,
+    broadcast_place,
+    broadcasts,
+    by_child,
+    end_place,
+    fact_place,
+    own_nodes,
+    places,
+    programs,
+)
+from edulaunch.engine.graph.names import expand_name
+from edulaunch.engine.graph.ros_arguments import remap_rule
+from edulaunch.engine.graph.rule_reader import RuleError
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+POSE = 'turtlesim/msg/Pose'
+LESSON = '09_broadcaster_and_listener'
+SAMPLES = 12
+"""Commands that a follower must have sent until its formula is known."""
+CLOSE = 0.05
+"""How far ratios of numbers that follow one formula are apart: a lookup is one broadcast older than the command."""
+
+
+@rule(
+    'tf.lookup-swapped',
+    what='{node} steers {turtle} by where {turtle} is seen from {leader}: the two frames of its lookup_transform are swapped',
+    why='lookup_transform(target, source) gives the place of source, seen from target; the follower has to be the target',
+    do="write lookup_transform('{own}', '{other}', ...): the frame of the robot that drives stands first",
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall', 'turtlesim.slow-commands', 'messages.two-commanders'),
+)
+def lookup_swapped(recording: Recording) -> Iterator[Finding]:
+    """Its turning speed is a fixed multiple of the angle at which the leader sees it, not of that at which it sees the leader."""
+    names, own = list(turtles(recording)), own_nodes(recording)
+    for turtle, rows in commands(recording).items() if len(names) > 1 else ():
+        node = rows[0][1] if rows else ''
+        turning = [(time, wire[5]) for time, who, wire in rows if who == node and wire[5]][-200:]
+        if node not in own or len(turning) < SAMPLES:
+            continue
+        mine = _poses(recording, turtle)
+        for leader in (name for name in names if name != turtle):
+            theirs = _poses(recording, leader)
+            right, swapped = [], []
+            for time, speed in turning:
+                me, it = _at(mine, time), _at(theirs, time)
+                if me is not None and it is not None:
+                    right.append(speed / (_bearing(me, it) or 1e-9))
+                    swapped.append(speed / (_bearing(it, me) or 1e-9))
+            if len(swapped) >= SAMPLES and _is_one_number(swapped) and not _is_one_number(right):
+                yield _swapped(recording, node, turtle, leader)
+
+
+def _swapped(recording: Recording, node: str, turtle: str, leader: str) -> Finding:
+    process = programs(recording).get(node)
+    lookup = next((one for one in recording.facts if one.kind == 'lookup failed' and one.process == process), None)
+    file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', node) if lookup is None else fact_place(recording, lookup)
+    facts: dict[str, Any] = {'node': node, 'leader': leader, 'own': turtle[1:], 'other': leader[1:]}
+    return found('turtle', turtle, file=file, line=line, **facts)
+
+
+def _poses(recording: Recording, turtle: str) -> tuple[list[int], list[Any]]:
+    rows = recording.wires(f'{turtle}/pose', POSE)
+    return [time for time, _ in rows], [wire for _, wire in rows]
+
+
+def _at(poses: tuple[list[int], list[Any]], time_ns: int) -> Any:
+    """The last pose before a time; None when there is none."""
+    number = bisect_right(poses[0], time_ns) - 1
+    return None if number < 0 else poses[1][number]
+
+
+def _bearing(seen_from: Any, of: Any) -> float:
+    """The angle at which one turtle sees another, in radians from its own heading."""
+    angle = math.atan2(of[1] - seen_from[1], of[0] - seen_from[0]) - seen_from[2]
+    return math.atan2(math.sin(angle), math.cos(angle))
+
+
+def _is_one_number(ratios: list[float]) -> bool:
+    """Whether nine of ten values are close to their middle."""
+    ordered = sorted(ratios)
+    middle = ordered[len(ordered) // 2]
+    near = sum(abs(value - middle) <= CLOSE * abs(middle) for value in ratios)
+    return bool(middle) and near >= 0.9 * len(ratios)
+
+
+@rule(
+    'tf.quaternion-order',
+    what="{node} broadcasts '{frame}' with its rotation in the order w, x, y, z: the frame is tilted, and its turtle is not",
+    why='fields and lists of ROS 2 have the order x, y, z, w; transforms3d and other libraries begin with w',
+    do='set rotation.x = 0.0, rotation.y = 0.0, rotation.z = sin(theta / 2) and rotation.w = cos(theta / 2)',
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall',),
+)
+def quaternion_order(recording: Recording) -> Iterator[Finding]:
+    """Of a frame of a turtle that turns: x is the cosine of half its heading, w the sine, in all of the last transforms."""
+    frames = {turtle[1:]: turtle for turtle in turtles(recording)}
+    for one in broadcasts(recording):
+        turtle = frames.get(one.child.removeprefix('/'))
+        if turtle is None or one.is_static:
+            continue
+        poses = _poses(recording, turtle)
+        rows = [
+            (_at(poses, time), row[7:])
+            for time, node, wire in recording.published('/tf', 'tf2_msgs/msg/TFMessage')[-2000:]
+            if node == one.node
+            for row in wire[0]
+            if row[3] == one.child
+        ]
+        known = [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]
+        if known and all(
+            abs(abs(q[0]) - abs(c)) < CLOSE and abs(abs(q[3]) - abs(s)) < CLOSE and abs(q[0]) > CLOSE for s, c, q in known
+        ):
+            file, line = broadcast_place(recording, one.node, '/tf')
+            yield found('frame', one.child, file=file, line=line, time_s=one.first_s, node=one.node)
+
+
+@rule(
+    'launch.remapping-reversed',
+    what="the remapping of '{old}' to '{new}' leads {node} away from {old}, which another node uses",
+    why='the first name of a remapping is the one that the node uses itself, the second one replaces it',
+    do="turn it round: remappings=[('{new}', '{old}')]",
+    lesson='02_names',
+    level='error',
+    hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
+)
+def remapping_reversed(recording: Recording) -> Iterator[Finding]:
+    """The node has an end under the second name, where it is alone; the first name is one of another node, alone there, too."""
+    lone = {kind: {(end.name, end.type): end for end in lone_ends(recording, kind)} for kind in ('publisher', 'subscription')}
+    for process in recording.processes:
+        nodes = [node for node in recording.nodes if node.process == process.name]
+        for flag, text in zip(process.argv, process.argv[1:], strict=False):
+            if flag not in ('-r', '--remap') or not nodes:
+                continue
+            try:
+                one = remap_rule(text)
+            except RuleError:
+                continue
+            if one.kind not in ('node', 'namespace'):
+                namespace, _, name = nodes[0].name.rpartition('/')
+                old, new = (expand_name(each, name, namespace or '/') for each in (one.match, one.replacement))
+                mine = {kind: [end for (topic, _), end in ends.items() if topic == new] for kind, ends in lone.items()}
+                other = {'publisher': 'subscription', 'subscription': 'publisher'}
+                for kind, ends in mine.items():
+                    if any((old, end.type) in lone[other[kind]] and end.node == nodes[0].name for end in ends):
+                        file, line = places(recording).get(process.name, NOWHERE)
+                        yield found('node', nodes[0].name, file=file, line=line, old=one.match, new=one.replacement)
+
+
+@rule(
+    'programs.joined-strings',
+    what="between '{first}' and '{second}' a comma is missing: Python makes '{joined}' of the two",
+    why='two strings that stand side by side are one string',
+    do="write a comma between them: '{first}', '{second}'",
+    lesson='00_python',
+    level='error',
+    hides=(
+        'messages.other-topic',
+        'messages.nobody-listens',
+        'messages.nobody-publishes',
+        'messages.no-server',
+        'tf.unknown-frame',
+        'programs.ended-at-once',
+    ),
+)
+def joined_strings_used(recording: Recording) -> Iterator[Finding]:
+    """On one line of a student's file, and a topic, service, node or frame of the run has the joined name in its own."""
+    lone = [end.name for kind in ('publisher', 'subscription') for end in lone_ends(recording, kind)]
+    unknown = [name for fact in recording.facts if fact.kind == 'lookup failed' for name in fact.data['unknown']]
+    wanted = [fact.data['name'] for fact in recording.facts if fact.kind in ('server awaited', 'request lost')]
+    names = [*lone, *unknown, *wanted]
+    parts = {part for name in names for part in name.split('/')}
+    if not names:
+        return
+    for file, _ in [*launch_scripts(recording), *program_scripts(recording)]:
+        for first, second, line in joined_strings(file):
+            joined = first + second
+            if re.fullmatch(r'[\w/]{2,}', joined) and first and second and (joined in parts or joined in names):
+                yield found('text', joined, file=file, line=line, first=first, second=second, joined=joined)
+
+
+@rule(
+    'tf.loop',
+    what='the frames {frames} are each the parent of the next, in a ring',
+    why='tf is a tree; in a ring no frame is at the top, and every lookup fails',
+    do="take one of the links out: the topmost frame, such as 'map' or 'world', has no parent",
+    lesson=LESSON,
+    level='error',
+    hides=('tf.two-parents', 'tf.separate-trees', 'tf.unknown-frame', 'tf.lookup-past', 'tf.lookup-future'),
+)
+def loop(recording: Recording) -> Iterator[Finding]:
+    """By the first link of each frame; each ring once."""
+    links = {child: found_links[0] for child, found_links in by_child(recording).items()}
+    seen: set[str] = set()
+    for start in links:
+        ring: list[str] = []
+        frame = start
+        while frame in links and frame not in ring:
+            ring.append(frame)
+            frame = links[frame].parent.removeprefix('/')
+        if frame in ring and len(ring[ring.index(frame) :]) > 1 and not seen & set(ring):
+            members = ring[ring.index(frame) :]
+            one = links[members[0]]
+            file, line = broadcast_place(recording, one.node, '/tf_static' if one.is_static else '/tf')
+            yield found(
+                'frame', frame, file=file, line=line, time_s=one.first_s, frames=[*members[::-1], members[-1]], node=one.node
+            )
+        seen |= set(ring)

@@ -1,0 +1,168 @@
+"""Robots by their descriptions and joints, and bags of topics that are not there."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import ends_by_name, node_place, speaker
+from edulaunch.engine.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import ProcessRecord
+
+
+def _place(process: ProcessRecord) -> dict[str, Any]:
+    return {'file': process.file, 'line': process.line, 'time_s': process.started_s}
+
+
+@rule(
+    'messages.bag-of-nothing',
+    what='{process} records {topic}, on which nobody publishes: the bag has no message of it',
+    do=('record {near}, if that is the topic you mean', 'look for the name of the topic with: ros2 topic list'),
+    lesson='15_bags',
+    level='error',
+)
+def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
+    """Topics that are named on the command line of `ros2 bag record`."""
+    ends = ends_by_name(recording)
+    sent = [name for kind, name in ends if kind == 'publisher']
+    for process in recording.processes:
+        if process.argv[1:3] != ['bag', 'record'] or not process.argv[0].endswith('ros2'):
+            continue
+        for option, word in zip(process.argv[2:], process.argv[3:], strict=False):
+            topic = word if word.startswith('/') else f'/{word}'
+            is_named = topic == word or ('subscription', topic) in ends
+            if (
+                is_named
+                and topic not in sent
+                and not os.path.exists(word)
+                and not word.startswith('-')
+                and not option.startswith('-')
+            ):
+                yield found('topic', topic, **_place(process), process=process.name, near=nearest(topic, sent))
+
+
+@rule(
+    'launch.description-is-path',
+    what='robot_description is {given}: {process} wants the text of the URDF, not its path',
+    why='the parameter holds the whole XML; nothing reads a file for it',
+    do="read the file: robot_description = open(path).read(), or ParameterValue(Command(['xacro ', path]), value_type=str)",
+    lesson='12_urdf',
+    level='error',
+    hides=('programs.died',),
+)
+def description_is_path(recording: Recording) -> Iterator[Finding]:
+    """A value that ends like the name of a URDF file."""
+    for process in recording.processes:
+        if process.executable == 'robot_state_publisher':
+            for text in _texts(recording, process):
+                if re.search(r'\.(urdf|xacro|xml)\s*$', text) and '<' not in text:
+                    yield found('process', process.name, **_place(process), given=f"'{text.strip()[-60:]}'")
+
+
+def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
+    """What a program was given as robot_description: by its node, or, when it died before it had one, on its command line."""
+    for _, node, name, value, _ in recording.rows('parameters'):
+        if (
+            name == 'robot_description'
+            and isinstance(value, str)
+            and node in {one.name for one in recording.nodes if one.process == process.name}
+        ):
+            yield value
+    for words in zip(process.argv, process.argv[1:], strict=False):
+        if words[0] == '-p' and words[1].startswith('robot_description:='):
+            yield words[1].partition(':=')[2].strip('\'"')
+        elif words[0] == '--params-file':
+            yield from _in_file(words[1])
+
+
+def _in_file(path: str) -> Iterator[str]:
+    """The value in a parameter file of launch, which has gone with the run when it was a temporary one."""
+    if os.path.isfile(path) and os.path.getsize(path) < 100_000:
+        with open(path, encoding='utf-8', errors='replace') as file:
+            yield from re.findall(r'robot_description: *[\'"]?([^\'"\n<]+)', file.read())
+
+
+MOVABLE = re.compile(
+    r'<joint\b[^>]*?\bname="([^"]+)"[^>]*?\btype="(?:revolute|continuous|prismatic)"|'
+    r'<joint\b[^>]*?\btype="(?:revolute|continuous|prismatic)"[^>]*?\bname="([^"]+)"'
+)
+
+
+def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
+    """Robot state publishers with the movable joints of their robots; not those that mimic another joint."""
+    for node in recording.nodes:
+        described = (
+            recording.parameters(node.name).get('robot_description')
+            if any(name.endswith('joint_states') for name, _ in node.subscriptions)
+            else None
+        )
+        if described is not None and isinstance(described.value, str):
+            joints = [first or second for first, second in MOVABLE.findall(described.value)]
+            if joints and '<mimic' not in described.value:
+                yield node.name, joints
+
+
+@rule(
+    'messages.no-joint-states',
+    what='{node} knows the movable joints {joints}, and nobody publishes {topic}',
+    why='without the angle of a joint the frames behind it have no place in tf',
+    do="start a joint_state_publisher: Node(package='joint_state_publisher', executable='joint_state_publisher')",
+    lesson='12_urdf',
+    hides=('messages.nobody-publishes',),
+)
+def no_joint_states(recording: Recording) -> Iterator[Finding]:
+    """A robot_state_publisher that lived for a second."""
+    ends = ends_by_name(recording)
+    lived = {node.name: node.started_s for node in recording.nodes}
+    for node, joints in _movable(recording):
+        topic = next(
+            end.name
+            for end in recording.ends
+            if end.node == node and end.kind == 'subscription' and end.name.endswith('joint_states')
+        )
+        if ('publisher', topic) not in ends and recording.duration_s - lived[node] >= 1.0:
+            file, line = node_place(recording, node)
+            yield found('topic', topic, file=file, line=line, node=node, joints=joints)
+
+
+JOINT_STATE = 'sensor_msgs/msg/JointState'
+
+
+@rule(
+    'messages.other-joint',
+    what=(
+        "{node} publishes the state of a joint '{joint}', which the robot does not have; its joints are: {joints}",
+        '{node} publishes {names} names and {positions} positions of joints on {topic}: the two lists must be of one length',
+    ),
+    why='robot_state_publisher passes over what fits no joint of its URDF, so frames behind that joint have no place in tf',
+    do=(
+        "write '{near}'",
+        'give message.position one number for each of the {names} names',
+        'use the names of the URDF: {joints}',
+    ),
+    lesson='12_urdf',
+    level='error',
+)
+def other_joint(recording: Recording) -> Iterator[Finding]:
+    """By the last message of each node on joint_states."""
+    for state_publisher, joints in _movable(recording):
+        for topic in dict.fromkeys(
+            end.name for end in recording.ends if end.node == state_publisher and end.name.endswith('joint_states')
+        ):
+            last = {node: message for (_, node, message) in recording.published(topic, JOINT_STATE)}
+            for node, wire in last.items():
+                names, positions = list(wire[-4]), list(wire[-3])
+                file, line = node_place(recording, node)
+                place: dict[str, Any] = {'file': file, 'line': line, 'node': speaker(recording, node)}
+                unknown = [name for name in names if name not in joints]
+                if len(names) != len(positions):
+                    yield found('topic', topic, **place, names=len(names), positions=len(positions))
+                elif unknown and not set(joints) & set(names):
+                    facts = {'joint': unknown[0], 'joints': joints, 'near': nearest(unknown[0], joints)}
+                    yield found('topic', topic, **place, **facts)

@@ -1,0 +1,137 @@
+"""Mistakes of programs and launch files that their text shows, once a run has shown what became of them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts
+from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
+
+
+@rule(
+    'programs.goal-unfinished',
+    what='{node} ends a goal without a final state, so the client is told that it was aborted',
+    why='an execute callback says how the goal ended before it returns the result',
+    do='write goal_handle.succeed() before the return; or abort() or canceled()',
+    lesson='14_services',
+    level='error',
+)
+def goal_unfinished(recording: Recording) -> Iterator[Finding]:
+    """As rclpy logs it."""
+    told: set[str] = set()
+    for time_ns, process, _, _, message in recording.rows('logs'):
+        if message.startswith('Goal state not set') and process not in told:
+            told.add(process)
+            node = next((one.name for one in recording.nodes if one.process == process), process)
+            file, line = node_place(recording, node)
+            for script, tree in program_scripts(recording):
+                for call in ast.walk(tree):
+                    if name_of_call(call) == 'ActionServer':
+                        file, line = script, call.lineno  # type: ignore[attr-defined]
+            yield found('node', node, file=file, line=line, time_s=time_ns / 1e9)
+
+
+@rule(
+    'programs.spun-once',
+    what='{node} is spun once and ends: rclpy.spin_once() waits for one callback only',
+    why='when main() returns the program is over, and its node with it',
+    do='write rclpy.spin(node) in place of rclpy.spin_once(node)',
+    lesson='09_broadcaster_and_listener',
+    level='error',
+    hides=('messages.nobody-listens', 'messages.too-early'),
+)
+def spun_once(recording: Recording) -> Iterator[Finding]:
+    """A program with subscriptions or timers that ended by itself with exit code 0, and calls spin_once outside of any loop."""
+    ended = {
+        process.name: process for process in recording.own_processes if process.returncode == 0 and process.ended_s is not None
+    }
+    nodes = [
+        node
+        for node in recording.nodes
+        if node.process in ended and any(_goes_on(recording, node, topic) for topic, _ in node.subscriptions)
+    ]
+    for file, tree in program_scripts(recording) if nodes else ():
+        loops = {id(inner) for loop in ast.walk(tree) if isinstance(loop, (ast.While, ast.For)) for inner in ast.walk(loop)}
+        calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        spins = [call for call in calls if name_of_call(call) == 'spin_once' and id(call) not in loops]
+        if spins and not any(name_of_call(call) in ('spin', 'spin_until_future_complete') for call in calls):
+            for node in nodes:
+                if file in ended[node.process].argv[:2]:
+                    yield found('node', node.name, file=file, line=spins[0].lineno, time_s=ended[node.process].ended_s)
+
+
+def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
+    """Whether others published on a topic for a second and more after a node had left."""
+    others = [end for end in ends_by_name(recording).get(('publisher', topic), ()) if end.node != node.name]
+    times = [row['times'][-1] / 1e9 for row in recording.rows('topics') if row['topic'] == topic and row['times']]
+    return not is_ros_own(topic) and bool(others and times) and max(times) > (node.ended_s or node.started_s) + 1.0
+
+
+@rule(
+    'programs.method-twice',
+    what='the class {klass} has two methods {method}(): only the second one is there',
+    why='in Python a later definition of a name replaces the earlier one, without a word',
+    do='give one of the two another name, and use it where you create the subscription or timer',
+    lesson='00_python',
+    level='error',
+    hides=('messages.field', 'programs.callback-arguments', 'programs.died'),
+)
+def method_twice(recording: Recording) -> Iterator[Finding]:
+    """Two definitions of one name in one class, without decorators, as `@property` and its setter have."""
+    for file, tree in program_scripts(recording):
+        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+            first: dict[str, ast.FunctionDef] = {}
+            for method in klass.body:
+                if isinstance(method, ast.FunctionDef) and not method.decorator_list:
+                    if method.name in first:
+                        yield found('class', klass.name, file=file, line=method.lineno, klass=klass.name, method=method.name)
+                    first[method.name] = method
+
+
+RUNS_LONG_S = 5.0
+ENDING = ('Shutdown', 'EmitEvent', 'LogInfo')
+
+
+@rule(
+    'launch.waits-for-endless',
+    what='OnProcessExit waits for the end of {process}, which runs until somebody stops it: what follows never starts',
+    why='a node runs until somebody ends it; only a program that does its work and returns ends by itself',
+    do='wait for its start: OnProcessStart(target_action=..., on_start=[...]); or for a program that ends by itself',
+    lesson='05_events',
+    confidence='asked',
+)
+def waits_for_endless(recording: Recording) -> Iterator[Finding]:
+    """After five seconds at least; not where the end of a node only shuts the launch down, or is logged."""
+    for file, tree in launch_scripts(recording):
+        made = {
+            node.targets[0].id: node.value
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Assign)
+            and isinstance(node.targets[0], ast.Name)
+            and name_of_call(node.value) in ('Node', 'LifecycleNode')
+        }
+        for call in ast.walk(tree):
+            if not isinstance(call, ast.Call) or name_of_call(call) != 'OnProcessExit':
+                continue
+            target, then = keyword_of(call, 'target_action'), keyword_of(call, 'on_exit')
+            action = made.get(target.id) if isinstance(target, ast.Name) else target
+            starts = isinstance(then, ast.List) and any(name_of_call(item) not in ENDING for item in then.elts)
+            if action is None or not starts or name_of_call(action) not in ('Node', 'LifecycleNode'):
+                continue
+            span = range(action.lineno, (action.end_lineno or action.lineno) + 1)
+            for process in recording.processes:
+                if process.file == file and process.line in span and _outlived(recording, process):
+                    yield found('process', process.name, file=file, line=call.lineno)
+
+
+def _outlived(recording: Recording, process: ProcessRecord) -> bool:
+    """Whether a program ran to the end of the run, or until Ctrl-C ended it."""
+    end_s = recording.duration_s if process.ended_s is None else process.ended_s
+    return process.returncode in (None, -2, -15) and end_s - process.started_s >= RUNS_LONG_S

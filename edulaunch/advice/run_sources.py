@@ -1,0 +1,88 @@
+"""The student's own Python files behind a run: its launch files and its programs. They are parsed, never executed."""
+
+from __future__ import annotations
+
+import ast
+import io
+import os
+import tokenize
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+Script = tuple[str, ast.Module]
+LONGEST = 400_000
+"""Bytes of a file that is parsed; nobody writes more by hand."""
+
+
+def launch_scripts(recording: Recording) -> list[Script]:
+    """The launch files of a run that are Python, the first one first."""
+    launch = recording.launch
+    files = [launch.file, *launch.includes, *(process.file or '' for process in recording.processes)]
+    return list(_scripts(files))
+
+
+def program_scripts(recording: Recording) -> list[Script]:
+    """The programs of a run, and the modules that made their publishers, subscriptions, services and clients."""
+    words = [word for process in recording.own_processes for word in process.argv[:2]]
+    return list(_scripts([*words, *(file for file, _ in recording.lines.values())]))
+
+
+def script_of(file: str | None) -> ast.Module | None:
+    """The syntax tree of one file; None when it is not a student's Python file that can be read."""
+    return next((tree for _, tree in _scripts([file or ''])), None)
+
+
+def _scripts(files: list[str]) -> Iterator[Script]:
+    from launch._failure import is_students
+
+    for file in dict.fromkeys(files):
+        if file.endswith('.py') and is_students(file):
+            try:
+                state = os.stat(file)
+            except OSError:
+                continue
+            tree = _parsed(file, state.st_mtime_ns, state.st_size)
+            if tree is not None:
+                yield file, tree
+
+
+@lru_cache(maxsize=256)
+def _parsed(file: str, changed_ns: int, size: int) -> ast.Module | None:
+    """The tree of a file as it was at a time."""
+    from edulaunch.ros.sources.source_package import parsed
+
+    return parsed(file) if os.path.isfile(file) and size <= LONGEST else None
+
+
+def joined_strings(file: str) -> Iterator[tuple[str, str, int]]:
+    """Two string literals of one line that nothing separates, which Python joins: both texts and the line."""
+    try:
+        with open(file, encoding='utf-8') as opened:
+            tokens = list(tokenize.generate_tokens(io.StringIO(opened.read()).readline))
+    except (OSError, UnicodeDecodeError, SyntaxError, tokenize.TokenError):
+        return
+    for one, other in zip(tokens, tokens[1:], strict=False):
+        if one.type == other.type == tokenize.STRING and one.end[0] == other.start[0]:
+            try:
+                first, second = ast.literal_eval(one.string), ast.literal_eval(other.string)
+            except (SyntaxError, ValueError):
+                continue
+            if isinstance(first, str) and isinstance(second, str):
+                yield first, second, one.start[0]
+
+
+def name_of_call(node: ast.AST) -> str:
+    """The last name of what a call calls: 'Node' of `Node(...)` and of `launch_ros.actions.Node(...)`; '' of anything else."""
+    if not isinstance(node, ast.Call):
+        return ''
+    function = node.func
+    return function.id if isinstance(function, ast.Name) else function.attr if isinstance(function, ast.Attribute) else ''
+
+
+def keyword_of(call: ast.Call, name: str) -> ast.expr | None:
+    """The value of a keyword argument."""
+    return next((keyword.value for keyword in call.keywords if keyword.arg == name), None)

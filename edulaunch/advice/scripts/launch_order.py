@@ -1,0 +1,122 @@
+"""The order of actions in a launch file, events that never come, delays in the wrong unit; nothing of the file is executed."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import Script, keyword_of, name_of_call
+
+SETTINGS = {
+    'PushRosNamespace': 'the namespace',
+    'PushROSNamespace': 'the namespace',
+    'SetEnvironmentVariable': 'the variable',
+    'AppendEnvironmentVariable': 'the variable',
+    'SetParameter': 'the parameter',
+    'SetParametersFromFile': 'the parameters',
+    'SetRemap': 'the remapping',
+    'SetUseSimTime': 'the parameter',
+}
+STARTING = frozenset(
+    (
+        'ComposableNodeContainer',
+        'ExecuteLocal',
+        'ExecuteProcess',
+        'GroupAction',
+        'IncludeLaunchDescription',
+        'LifecycleNode',
+        'Node',
+        'OpaqueFunction',
+        'TimerAction',
+    )
+)
+PROCESSES = {'ExecuteLocal', 'ExecuteProcess'}
+"""Only variables of the environment reach these."""
+LESSON = '02_names'
+
+
+@rule(
+    'launch.setting-after-nodes',
+    what='{written} stands behind the last node of its list, so {setting} reaches none of them',
+    why='launch does the actions of a list from the first to the last; a setting counts for what comes after it',
+    do='move {action} above the nodes that it is meant for',
+    lesson=LESSON,
+    level='error',
+    hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'programs.parameter-not-declared'),
+)
+def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
+    """In a list that is written out: something that starts programs comes before it, and nothing that could after it."""
+    for file, tree in scripts:
+        for items in (node for node in ast.walk(tree) if isinstance(node, ast.List)):
+            variables = _variables(tree)
+            names = [name_of_call(variables.get(item.id, item) if isinstance(item, ast.Name) else item) for item in items.elts]
+            for number, name in enumerate(names):
+                later, before = names[number + 1 :], names[:number]
+                reached = STARTING if 'Variable' in name else STARTING - PROCESSES
+                if name in SETTINGS and not any(one in reached or not one for one in later) and set(before) & reached:
+                    call = items.elts[number]
+                    yield found(
+                        'action', name, file=file, line=call.lineno, setting=SETTINGS[name], written=ast.unparse(call)[:60]
+                    )
+
+
+def _variables(tree: ast.Module) -> dict[str, ast.expr]:
+    """What is assigned to each variable, where that happens once."""
+    values: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
+            values.setdefault(node.targets[0].id, []).append(node.value)
+    return {name: each[0] for name, each in values.items() if len(each) == 1}
+
+
+@rule(
+    'launch.waits-for-unstarted',
+    what='{event} waits for {variable}, which is never started',
+    why='the variable holds an action, but no list hands it to launch: its event never comes',
+    do='write {variable} into the list of LaunchDescription([...]), too',
+    lesson='05_events',
+    level='error',
+    hides=('launch.not-added',),
+)
+def waits_for_unstarted(scripts: list[Script]) -> Iterator[Finding]:
+    """The variable is read as target_action and nowhere else."""
+    for file, tree in scripts:
+        variables = _variables(tree)
+        reads: dict[str, int] = {}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+                reads[node.id] = reads.get(node.id, 0) + 1
+        targets = [
+            (name_of_call(call), target.id, call.lineno)
+            for call in ast.walk(tree)
+            if isinstance(call, ast.Call) and isinstance(target := keyword_of(call, 'target_action'), ast.Name)
+        ]
+        for event, variable, line in targets:
+            is_action = name_of_call(variables.get(variable, tree)) in STARTING
+            if is_action and reads[variable] == sum(one == variable for _, one, _ in targets):
+                yield found('variable', variable, file=file, line=line, event=event)
+
+
+LONG_S = 300.0
+
+
+@rule(
+    'launch.timer-in-milliseconds',
+    what='this TimerAction waits {period} seconds ({minutes} minutes): is that what you mean?',
+    why='the period of a TimerAction is in seconds',
+    do='write the seconds: TimerAction(period={seconds}, ...)',
+    lesson='05_events',
+    confidence='asked',
+)
+def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
+    """A number that is written out, of 300 and more."""
+    for file, tree in scripts:
+        for call in ast.walk(tree):
+            if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':
+                period = keyword_of(call, 'period')
+                if isinstance(period, ast.Constant) and isinstance(period.value, (int, float)) and period.value >= LONG_S:
+                    value = float(period.value)
+                    facts: dict[str, Any] = {'period': f'{value:g}', 'minutes': f'{value / 60:.0f}', 'seconds': value / 1000}
+                    yield found('action', 'TimerAction', file=file, line=call.lineno, **facts)

@@ -1,0 +1,16 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def generate_launch_description():
+    spawn = ['ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x: 2.0, y: 2.0, name: turtle2}']
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        ExecuteProcess(cmd=spawn),
+        ExecuteProcess(cmd=['python3', os.path.join(HERE, 'watcher.py')], output='screen'),
+    ])
