@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
 from edulaunch.advice.run_sources import launch_scripts
-from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.errors import EdulaunchError
+from edulaunch.ros.collector_pause import collector_paused
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal

@@ -19,13 +19,13 @@ from edulaunch.advice.plan.rehearsal import (
     still_busy,
 )
 from edulaunch.advice.plan.wording import Branch, Setters
-from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.commands import CommandSet
 from edulaunch.engine.processes.watchdog import RunawayProgram, Watchdog
 from edulaunch.engine.recording.views import view
 from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.ros.collector_pause import collector_paused
 from edulaunch.runtime.shell import SimulatedShell
 
 if TYPE_CHECKING:

@@ -37,7 +37,7 @@ def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
     """The policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
 
     The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
-    Of several, the one that Fast DDS reports as the last is told.
+    If several do not fit, return the one that Fast DDS reports last.
     """
     if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
         return 'RELIABILITY'

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.members import Members
     from edulaunch.engine.graph.node_entry import NodeEntry
 
-Taken = tuple[Any, int, 'Publisher']
+Sample = tuple[Any, int, 'Publisher']
 """What a subscription's queue holds: (wire tuple, time of publication in ns, publisher)."""
 
 
@@ -38,11 +38,11 @@ class Endpoint:
         """The name under which the graph has it: the topic's."""
         return self.topic_name
 
-    def _tell_matched(self, change: int) -> None:
+    def _report_matched(self, change: int) -> None:
         if self.on_matched is not None:
             self.on_matched(change)
 
-    def _tell_incompatible(self, policy: str) -> None:
+    def _report_incompatible(self, policy: str) -> None:
         if self.on_incompatible is not None:
             self.on_incompatible(policy)
 
@@ -57,7 +57,7 @@ class Publisher(Endpoint):
         self._sim = graph.sim
         self.record = graph.tracer.channel(self)
         self.matched: list[Subscription] = []
-        self.history: deque[Taken] | None = None
+        self.history: deque[Sample] | None = None
         if qos.durability == TRANSIENT_LOCAL:
             self.history = deque(maxlen=qos.queue_length)
 
@@ -67,7 +67,7 @@ class Publisher(Endpoint):
         return len(self.matched)
 
     def publish(self, wire: Any) -> None:
-        """Deliver a snapshot: it stands in all matched queues, and their nodes are told, when this returns."""
+        """Deliver a snapshot: when this returns, it is in all matched queues and their nodes are marked as ready."""
         now = self._sim.now_ns
         self.record((now, self.index, wire))
         if self.history is not None:
@@ -76,9 +76,9 @@ class Publisher(Endpoint):
             subscription.queue.append((wire, now, self))
             subscription.on_ready()
 
-    def kept(self) -> list[Taken]:
+    def late_samples(self) -> list[Sample]:
         """What a late subscription gets: the messages whose lifespan is not over."""
-        return [taken for taken in self.history or () if self.is_current(taken[1])]
+        return [sample for sample in self.history or () if self.is_current(sample[1])]
 
     def is_current(self, published_ns: int) -> bool:
         """Whether the lifespan of a message is not over; one that is exactly that old is gone."""
@@ -103,20 +103,20 @@ class WatchedPublisher(Publisher):
     def publish(self, wire: Any) -> None:
         """See `Publisher.publish`."""
         super().publish(wire)
-        for tell in self.on_publish:
-            tell()
+        for callback in self.on_publish:
+            callback()
         self.show_life()
 
     def show_life(self) -> None:
-        """Tell that the publisher is alive, without a message."""
-        for tell in self.on_life:
-            tell()
+        """Report that the publisher is alive, without a message."""
+        for callback in self.on_life:
+            callback()
 
 
 class Subscription(Endpoint):
     """One subscription of one node.
 
-    `queue` holds what was not taken yet, oldest first; when it is full (QoS depth) the oldest is dropped. `on_ready()` is
+    `queue` holds what was not sample yet, oldest first; when it is full (QoS depth) the oldest is dropped. `on_ready()` is
     called on the publisher's turn after each delivery: it marks and wakes, nothing more.
     """
 
@@ -127,13 +127,13 @@ class Subscription(Endpoint):
     ) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self.on_ready = on_ready
-        self.queue: deque[Taken] = deque(maxlen=qos.queue_length)
+        self.queue: deque[Sample] = deque(maxlen=qos.queue_length)
         self.publishers: list[Publisher] = []
         self.may_expire = False
 
     def drop_expired(self) -> None:
         """Forget the waiting messages whose publisher's lifespan is over."""
-        current = [taken for taken in self.queue if taken[2].is_current(taken[1])]
+        current = [sample for sample in self.queue if sample[2].is_current(sample[1])]
         if len(current) < len(self.queue):
             self.queue.clear()
             self.queue.extend(current)
@@ -143,7 +143,7 @@ class Subscription(Endpoint):
         """How many publishers reach this subscription."""
         return len(self.publishers)
 
-    def take(self) -> Taken | None:
+    def take(self) -> Sample | None:
         """The oldest waiting (wire, source time in ns, publisher), or None."""
         if self.may_expire:
             self.drop_expired()
@@ -163,15 +163,15 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
     if policy is not None:
         publisher.graph.tracer.incompatible(publisher, subscription, policy)
         if policy != 'TYPE':
-            publisher._tell_incompatible(policy)
-            subscription._tell_incompatible(policy)
+            publisher._report_incompatible(policy)
+            subscription._report_incompatible(policy)
         return
     publisher.matched.append(subscription)
     subscription.publishers.append(publisher)
     subscription.may_expire |= bool(publisher.qos.lifespan_ns)
-    publisher._tell_matched(+1)
-    subscription._tell_matched(+1)
-    kept = publisher.kept() if publisher.history and subscription.qos.durability == TRANSIENT_LOCAL else ()
+    publisher._report_matched(+1)
+    subscription._report_matched(+1)
+    kept = publisher.late_samples() if publisher.history and subscription.qos.durability == TRANSIENT_LOCAL else ()
     if kept:
         subscription.queue.extend(kept)
         subscription.on_ready()
@@ -182,8 +182,8 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
     if subscription in publisher.matched:
         publisher.matched.remove(subscription)
         subscription.publishers.remove(publisher)
-        publisher._tell_matched(-1)
-        subscription._tell_matched(-1)
+        publisher._report_matched(-1)
+        subscription._report_matched(-1)
 
 
 def _forget(record: Any) -> None:

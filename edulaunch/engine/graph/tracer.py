@@ -1,4 +1,4 @@
-"""What the graph and the processes tell whoever keeps the record; this one keeps nothing."""
+"""The hooks through which a recorder sees the graph and the processes; this class records nothing."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _forget(_: Record) -> None:
 
 
 class Tracer:
-    """Told of everything that crosses a process boundary, before anybody who receives it. Subclass it to keep a record."""
+    """Is called for everything that crosses a process boundary, before the receiver gets it. Subclass it to keep a record."""
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         """Where this publisher's publications go: called once per publisher, so that publishing stays cheap."""
@@ -75,7 +75,7 @@ class Tracer:
         """Something odd happened in a program: plain data, no words. With a key that came before it happened once more."""
 
     def fact_over(self, process: Any, kind: str, key: Hashable) -> None:
-        """What was noted under that key has come right after all: it never was."""
+        """Withdraw the fact of that key: it turned out not to be one."""
 
     def watch(self, node: NodeEntry, look: Look) -> None:
         """`look()` tells what is odd about a node; it is called when the node leaves, or when the record ends before that."""

@@ -11,10 +11,10 @@ from typing import Any, NoReturn
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.engine.interfaces.message import Message
-from edulaunch.engine.interfaces.spec import Field, Kind
+from edulaunch.engine.interfaces.spec import Field, Primitive
 
 
-def python_values(values: Any, kind: Kind) -> Any:
+def python_values(values: Any, kind: Primitive) -> Any:
     """What Jazzy makes of them: an `array.array` or numpy array of the field's kind takes integers for floats, numpy's numbers
     for Python's, and goes through any iterable.
 

@@ -6,7 +6,7 @@ import re
 from typing import Any, NamedTuple
 
 
-class Kind:
+class Primitive:
     """One primitive type.
 
     `code` is the type code of both `array` and `struct`; `python` the type that a field of it holds; `low`
@@ -46,18 +46,18 @@ FLOAT32_MAX = 3.402823466e38
 FLOAT64_MAX = 1.7976931348623157e308
 
 
-def _integer(name: str, code: str, size: int, type_id: int) -> Kind:
+def _integer(name: str, code: str, size: int, type_id: int) -> Primitive:
     bits = 8 * size
     low, high = (0, 2**bits - 1) if name[0] == 'u' else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
-    return Kind(name, int, code, size, low, high, name, type_id)
+    return Primitive(name, int, code, size, low, high, name, type_id)
 
 
 # No `char`: ROS 2 turns it into uint8 before anything else sees it, and so does `primitive_name`.
-KINDS: dict[str, Kind] = {
+KINDS: dict[str, Primitive] = {
     kind.name: kind
     for kind in (
-        Kind('bool', bool, '?', 1, 0, 1, 'boolean', 15),
-        Kind('byte', bytes, 'c', 1, 0, 255, 'octet', 16),
+        Primitive('bool', bool, '?', 1, 0, 1, 'boolean', 15),
+        Primitive('byte', bytes, 'c', 1, 0, 255, 'octet', 16),
         _integer('int8', 'b', 1, 2),
         _integer('uint8', 'B', 1, 3),
         _integer('int16', 'h', 2, 4),
@@ -66,10 +66,10 @@ KINDS: dict[str, Kind] = {
         _integer('uint32', 'I', 4, 7),
         _integer('int64', 'q', 8, 8),
         _integer('uint64', 'Q', 8, 9),
-        Kind('float32', float, 'f', 4, -FLOAT32_MAX, FLOAT32_MAX, 'float', 10),
-        Kind('float64', float, 'd', 8, -FLOAT64_MAX, FLOAT64_MAX, 'double', 11),
-        Kind('string', str, '', 0, 0, 0, 'string', 17),
-        Kind('wstring', str, '', 0, 0, 0, 'wstring', 18),
+        Primitive('float32', float, 'f', 4, -FLOAT32_MAX, FLOAT32_MAX, 'float', 10),
+        Primitive('float64', float, 'd', 8, -FLOAT64_MAX, FLOAT64_MAX, 'double', 11),
+        Primitive('string', str, '', 0, 0, 0, 'string', 17),
+        Primitive('wstring', str, '', 0, 0, 0, 'wstring', 18),
     )
 }
 PRIMITIVE_NAMES = (*KINDS, 'char')
@@ -96,7 +96,7 @@ class FieldType(NamedTuple):
     size: int = 0
 
     @property
-    def kind(self) -> Kind | None:
+    def kind(self) -> Primitive | None:
         """The primitive kind, or None when the base is another interface."""
         return KINDS.get(self.base)
 

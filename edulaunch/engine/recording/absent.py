@@ -61,7 +61,7 @@ class NoMessages(list[Any]):
         raise not_recorded(f'no topic {self._topic!r}', self._topic, self._among)
 
 
-class Frames(dict[str, Frame]):
+class RecordedFrames(dict[str, Frame]):
     """The tf frames at a time, by name; asking for another one says which there are."""
 
     def __missing__(self, name: str) -> Frame:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from edulaunch.engine.recording.absent import Frames
+from edulaunch.engine.recording.absent import RecordedFrames
 from edulaunch.engine.recording.messages import Messages
 from edulaunch.engine.recording.records import Frame
 
@@ -26,7 +26,7 @@ def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Se
 
 def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
     """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
-    found = Frames()
+    found = RecordedFrames()
     for topic, is_static in TOPICS:
         for published_s, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
             if published_s > time_s:

@@ -14,10 +14,10 @@ from edulaunch.engine.tf.history import History
 from edulaunch.engine.tf.path import MAX_DEPTH
 from edulaunch.engine.tf.transforms import IDENTITY, Transform, canonical, compose, relative
 
-Frames = Mapping[str, 'History | None']
+Histories = Mapping[str, 'History | None']
 
 
-def walk(frames: Frames, target: str, source: str, time_ns: int) -> tuple[int, Transform]:
+def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int, Transform]:
     """(stamp, target_from_source); time 0 is the latest common time.
 
     :raises TransformFailure: with tf2's text.
@@ -42,7 +42,7 @@ def walk(frames: Frames, target: str, source: str, time_ns: int) -> tuple[int, T
     )
 
 
-def latest_common_time(frames: Frames, target: str, source: str) -> int:
+def latest_common_time(frames: Histories, target: str, source: str) -> int:
     """The newest time at which every frame between the two has data; 0 when all of it is static.
 
     :raises TransformFailure: the frames are not connected, or run in a loop.
@@ -67,7 +67,7 @@ def latest_common_time(frames: Frames, target: str, source: str) -> int:
     return _minimum(stamps)
 
 
-def chain(frames: Frames, target: str, source: str, time_ns: int) -> list[str]:
+def chain(frames: Histories, target: str, source: str, time_ns: int) -> list[str]:
     """The frames from `source` over the first common ancestor to `target`, both included.
 
     :raises TransformFailure: there is no such chain at `time_ns`.
@@ -79,7 +79,7 @@ def chain(frames: Frames, target: str, source: str, time_ns: int) -> list[str]:
     return up[: up.index(meeting) + 1] + down[: down.index(meeting)][::-1]
 
 
-def _ancestors(frames: Frames, frame: str, time_ns: int) -> list[str]:
+def _ancestors(frames: Histories, frame: str, time_ns: int) -> list[str]:
     found = [frame]
     while (history := frames[frame]) is not None and (sample := history.sample(time_ns)) is not None:
         frame = sample[1]
@@ -89,7 +89,7 @@ def _ancestors(frames: Frames, frame: str, time_ns: int) -> list[str]:
     return found
 
 
-def _climb(frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
+def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
     """(reached_from_start, frame reached, history that had no sample at that time or None)."""
     pose = IDENTITY
     steps = 0
@@ -104,7 +104,7 @@ def _climb(frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int) -> 
     return pose, frame, None
 
 
-def _newest_upward(frames: Frames, frame: str, stops: tuple[str, ...]) -> list[tuple[int, str]]:
+def _newest_upward(frames: Histories, frame: str, stops: tuple[str, ...]) -> list[tuple[int, str]]:
     """(newest stamp, newest parent) of each frame upward, until a stop has become the parent."""
     found: list[tuple[int, str]] = []
     while (history := frames[frame]) is not None and history.stamps:
@@ -146,5 +146,5 @@ def _unconnected(target: str, source: str) -> TransformFailure:
     )
 
 
-def _loop(frames: Frames) -> TransformFailure:
+def _loop(frames: Histories) -> TransformFailure:
     return TransformFailure(LOOKUP, f'The tf tree is invalid because it contains a loop.\n{all_frames_as_string(frames)}\n')

@@ -14,7 +14,7 @@ from typing import Any, Protocol, TypeVar
 
 from edulaunch.engine.interfaces.layout import is_byte_like
 from edulaunch.engine.interfaces.message import Message
-from edulaunch.engine.interfaces.spec import FieldType, Kind
+from edulaunch.engine.interfaces.spec import FieldType, Primitive
 from edulaunch.errors import InterfaceError
 
 _COUNT = Struct('<I')
@@ -62,7 +62,7 @@ class Run:
     start.
     """
 
-    def __init__(self, kinds: list[Kind | None]) -> None:
+    def __init__(self, kinds: list[Primitive | None]) -> None:
         self._kinds = kinds  # None: the byte that stands for a message without fields
         self.takes = sum(kind is not None for kind in kinds)
 
@@ -190,9 +190,9 @@ class Several:
 def make_codec(cls: type[Message]) -> Codec:
     """The codec of a message class."""
     steps: list[Step] = []
-    run: list[Kind | None] = []
+    run: list[Primitive | None] = []
     for part in _parts(cls):
-        if part is None or isinstance(part, Kind):
+        if part is None or isinstance(part, Primitive):
             run.append(part)
             continue
         if run:
@@ -202,7 +202,7 @@ def make_codec(cls: type[Message]) -> Codec:
     return Codec([*steps, Run(run)] if run else steps)
 
 
-def _parts(cls: type[Message]) -> Iterator[Kind | None | Step]:
+def _parts(cls: type[Message]) -> Iterator[Primitive | None | Step]:
     if not cls._FIELDS:
         yield None
     for rule in cls._RULES.values():
@@ -213,7 +213,7 @@ def _parts(cls: type[Message]) -> Iterator[Kind | None | Step]:
             yield _part(field_type, nested)
 
 
-def _part(field_type: FieldType, nested: type[Message] | None) -> Kind | Step:
+def _part(field_type: FieldType, nested: type[Message] | None) -> Primitive | Step:
     size = field_type.size if field_type.array == 'fixed' else None
     kind = field_type.kind
     if kind is None:

@@ -9,8 +9,8 @@ from collections.abc import Awaitable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.collector_pause import collector_paused
 
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads

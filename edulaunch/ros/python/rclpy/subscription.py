@@ -11,8 +11,8 @@ from rclpy.impl.entity import SUBSCRIPTION, Entity, ReadyList, TopicEnd, check_a
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:
+    from edulaunch.engine.graph.topics import Sample
     from edulaunch.engine.graph.topics import Subscription as GraphSubscription
-    from edulaunch.engine.graph.topics import Taken
     from rclpy.callback_groups import CallbackGroup
     from rclpy.impl.protocols import ExecutorProtocol
     from rclpy.qos import QoSProfile
@@ -92,7 +92,7 @@ class Subscription(TopicEnd, Entity):
         self._wire_callback = callback
         self._simple = False
 
-    def _info(self, taken: Taken) -> dict[str, Any]:
+    def _info(self, taken: Sample) -> dict[str, Any]:
         return {
             'source_timestamp': taken[1],
             'received_timestamp': taken[1],

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
-from edulaunch.engine.collector_pause import collector_paused
 from edulaunch.engine.nearest import nearest
+from edulaunch.ros.collector_pause import collector_paused
 
 from .._engine import inside
 from .._origin import MAKERS

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from edulaunch.engine import collector_pause
-from edulaunch.engine.collector_pause import MANY, collector_paused
+from edulaunch.ros import collector_pause
+from edulaunch.ros.collector_pause import MANY, collector_paused
 
 
 class Knot:
