@@ -42,7 +42,7 @@ def ask(stage: Any, use: Any) -> list[Any]:
         answers.append((stage.tape.now_ms(), answer))
         rclpy.shutdown()
 
-    Process(stage.host, ProcessSpec(argv=('asker',), name='asker'), 4243, ['asker'], body).task.start()
+    Process(stage.host, ProcessSpec(argv=('asker',), name='asker'), 4243, ['asker'], body).lifecycle.task.start()
     return answers
 
 
