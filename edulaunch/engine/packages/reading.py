@@ -135,12 +135,12 @@ _IGNORE_FILES = frozenset(('COLCON_IGNORE', 'AMENT_IGNORE', 'CATKIN_IGNORE', 'py
 _MAX_FOLDERS = 5000
 
 
-def find_packages(workspace: str, warnings: list[PackageWarning]) -> list[str]:
+def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
     """Folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
 
     Does not look inside packages, build/ install/ log/, hidden folders, virtual environments, and folders
     with a COLCON_IGNORE. Links to folders are followed, as colcon does, but no folder is taken twice; gives up
-    with a warning after 5000 folders, for somebody may have named a whole home folder.
+    with a warning after `most` folders, for somebody may have named a whole home folder.
     """
     found: list[str] = []
     waiting = [workspace]
@@ -151,12 +151,12 @@ def find_packages(workspace: str, warnings: list[PackageWarning]) -> list[str]:
         if real in seen:
             continue
         seen.add(real)
-        if len(seen) > _MAX_FOLDERS:
+        if len(seen) > most:
             warnings.append(
                 PackageWarning(
                     workspace,
                     0,
-                    f'more than {_MAX_FOLDERS} folders; the rest was not searched for packages. Name the workspace folder itself',
+                    f'more than {most} folders; the rest was not searched for packages. Name the workspace folder itself',
                 )
             )
             break

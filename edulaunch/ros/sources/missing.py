@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.reading import find_packages, read_manifest
+from edulaunch.engine.sim.task import running_task
 from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
 
 if TYPE_CHECKING:
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 
 
 Facts = dict[str, Any]
+LOOKED_AT = 500
+"""Folders below the current one in which a package is looked for that no workspace has: others wait meanwhile."""
 
 
 def missing_package(index: Index, package: str) -> Facts:
@@ -40,9 +43,15 @@ def missing_package(index: Index, package: str) -> Facts:
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
 
 
+def _here() -> str:
+    """The folder in which the running program is. A machine of several terminals has none of its own."""
+    task = running_task()
+    return getattr(task and task.owner, 'cwd', None) or os.getcwd()
+
+
 def _without_manifest(package: str) -> str | None:
     """The folder of a package in a workspace in which no package has a package.xml, so that it is not seen as a workspace."""
-    here = os.getcwd()
+    here = _here()
     for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
         folder = os.path.join(here, source, package)
         if os.path.isfile(os.path.join(folder, 'setup.py')) and not os.path.isfile(os.path.join(folder, 'package.xml')):
@@ -52,8 +61,8 @@ def _without_manifest(package: str) -> str | None:
 
 def _elsewhere_below(package: str, workspaces: list[str]) -> str | None:
     """The folder of a package of that name below the current one, as a path from there; None when a workspace has it."""
-    here = os.getcwd()
-    for folder in find_packages(here, []):
+    here = _here()
+    for folder in find_packages(here, [], LOOKED_AT) if os.path.dirname(here) != here else ():
         manifest = read_manifest(folder, [])
         if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):
             return os.path.relpath(folder, here)

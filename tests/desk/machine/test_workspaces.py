@@ -52,3 +52,9 @@ def test_a_program_that_was_edited_is_read_anew(desk: Desk) -> None:
     assert desk.said('run mine one') == 'second one\n'
     assert desk.said('run mine two') == 'another\n'
     assert desk.said('pkg executables mine') == 'mine one\nmine two\n'
+
+
+def test_a_package_that_is_not_there_is_looked_for_below_the_folder_of_the_terminal(desk: Desk) -> None:
+    make_package(desk.folder / 'one' / 'level' / 'deeper', {})
+    told = desk.said('run mine anything')
+    assert told.startswith("Package 'mine' not found\n") and 'one/level/deeper' in told
