@@ -27,7 +27,16 @@ def shown_by(name: str) -> str:
     return f'{name} opens a window, and there is none here: `edulaunch view --tab {WINDOWS[name]}` shows it in a browser'
 
 
-_DEBIAN = re.compile(r'ros-[a-z]+-(?P<package>[a-z0-9-]+)')
+ABSENT = {
+    **dict.fromkeys(
+        ('gazebo', 'gz', 'gzclient', 'gzserver', 'ign'),
+        'is not here: launch files that start Gazebo get a robot of edulaunch instead; `edulaunch view` shows it in a browser',
+    ),
+    'check_urdf': 'is not here: `ros2 run robot_state_publisher robot_state_publisher FILE` reads a URDF file and says '
+    'what is wrong in it',
+}
+"""Commands of other programs that tutorials use, and what does their work."""
+_DEBIAN = re.compile(r'(~n|\?name\()?ros-[a-z]+-(?P<package>[a-z0-9-]+?)[-*)]*')
 _DISTRIBUTION = re.compile(r'/opt/ros/(?P<name>[a-z]+)/(local_)?setup\.\w+')
 _BUILDING = ('build', 'build-and-test')
 _SHOWN = 5
@@ -50,6 +59,8 @@ def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
         return _apt([name.replace('-', '_') for name in names])
     if command in WINDOWS:
         return shown_by(command)
+    if command in ABSENT:
+        return f'{command} {ABSENT[command]}.'
     if command in ('source', '.') and given:
         return _source(given[0])
     return None
@@ -73,14 +84,15 @@ def _colcon(words: Sequence[str], folder: str) -> str:
         )
     return (
         f'colcon build: nothing has to be built here. {_listed(names)} {"is" if len(names) == 1 else "are"} read from the '
-        'sources each time, so what you write now runs at the next launch; `edulaunch pkg check` says what a build would reject.'
+        'sources each time, without an `install` folder, so what you write now runs at the next launch; `edulaunch pkg check` '
+        'says what a build would reject.'
     )
 
 
 def _apt(names: Sequence[str]) -> str:
     from edulaunch.engine.packages import Index
 
-    here = set(Index().packages())
+    here = {*Index().packages(), *WINDOWS}
     missing = [name for name in names if name not in here]
     if not missing:
         return f'apt: {_listed(names)} {"is" if len(names) == 1 else "are"} here already; edulaunch brings its own.'

@@ -22,7 +22,7 @@ function source {
     if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
 }
 function . { source "$@"; }
-for name in rqt rqt_console rqt_graph rqt_plot rviz2; do
+for name in check_urdf gazebo gz rqt rqt_console rqt_graph rqt_plot rviz2; do
     command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
 done
 unset name

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
+VIEWS = {'turtlesim_node': 'graph', 'rviz2': 'frames', 'waffle_simulator': 'graph', 'joint_state_publisher_gui': 'frames'}
+"""Programs with a window on a real computer, and the tab of the live page that shows what they show."""
 MOST_PAGES = 256
 """Live pages that may be open at once; the other connections are for terminals."""
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
@@ -116,6 +118,7 @@ class Terminals(OnNetwork):
     """All terminals of a machine, in the order in which they came.
 
     :ivar pages: the live pages that show the machine.
+    :ivar knows_view: whether somebody has a live page, or was told how to get one.
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     """
 
@@ -127,6 +130,7 @@ class Terminals(OnNetwork):
         self.open_ones: list[Terminal] = []
         self.pages: list[Desk] = []
         self.is_asked_to_end = False
+        self.knows_view = False
         self._count = 0
 
     def tell(self, text: str) -> None:
@@ -161,6 +165,7 @@ class Terminals(OnNetwork):
                 connection.end()
             page = Desk(self, connection)
             self.pages.append(page)
+            self.knows_view = True
             return page
         self._count += 1
         env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
@@ -215,6 +220,17 @@ class Terminal:
     def show(self, stream: str, text: str) -> None:
         """Write in this terminal."""
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
+        if not self._terminals.knows_view and self._terminals_there[2] == '1':
+            self._say_where_the_view_is()
+
+    def _say_where_the_view_is(self) -> None:
+        """Once on a machine: a program here opens a window on a real computer."""
+        names = [*self.words[3:4], *(each.spec.executable or '' for each in self.programs())]
+        name = next((name for name in names if name in VIEWS), None)
+        if name is not None:
+            self._terminals.knows_view = True
+            note = f'note: {name} opens no window here; `edulaunch view --tab {VIEWS[name]}` shows it in a browser\n'
+            self._connection.send(wire.ERRORS, note.encode())
 
     def _finished(self, code: int) -> None:
         """The command has run to its end: what it launched or ran is judged."""

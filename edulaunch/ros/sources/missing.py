@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.reading import find_packages, read_manifest
-from edulaunch.engine.sim.task import running_task
 from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
 
 if TYPE_CHECKING:
@@ -21,17 +20,21 @@ LOOKED_AT = 500
 """Folders below the current one in which a package is looked for that no workspace has: others wait meanwhile."""
 
 
-def missing_package(index: Index, package: str) -> Facts:
-    """Of a package that is not found: the nearest name, or where such a folder is, or that no workspace was named."""
+def missing_package(index: Index, package: str, here: str | None = None) -> Facts:
+    """Of a package that is not found: the nearest name, or where such a folder is, or that no workspace was named.
+
+    :param here: the folder of the program that looks for it; default: that of this process.
+    """
+    here = here or os.getcwd()
     workspaces = [place.folder for place in index.workspaces]
     same = [(folder, files) for workspace in workspaces for folder, files in _folders_called(package, workspace)]
     for folder, files in same:
         if 'package.xml' in files or 'setup.py' in files:
             return _why_no_package(folder, files)
-    forgotten = None if workspaces else _without_manifest(package)
+    forgotten = None if workspaces else _without_manifest(package, here)
     if forgotten is not None:
         return {'about': 'packages.no-manifest', 'folder': forgotten}
-    below = _elsewhere_below(package, workspaces)
+    below = _elsewhere_below(package, workspaces, here)
     if below is not None:
         return {'about': 'packages.not-searched', 'package': package, 'below': below}
     kind = index.absent(package)
@@ -43,15 +46,8 @@ def missing_package(index: Index, package: str) -> Facts:
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
 
 
-def _here() -> str:
-    """The folder in which the running program is. A machine of several terminals has none of its own."""
-    task = running_task()
-    return getattr(task and task.owner, 'cwd', None) or os.getcwd()
-
-
-def _without_manifest(package: str) -> str | None:
+def _without_manifest(package: str, here: str) -> str | None:
     """The folder of a package in a workspace in which no package has a package.xml, so that it is not seen as a workspace."""
-    here = _here()
     for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
         folder = os.path.join(here, source, package)
         if os.path.isfile(os.path.join(folder, 'setup.py')) and not os.path.isfile(os.path.join(folder, 'package.xml')):
@@ -59,9 +55,8 @@ def _without_manifest(package: str) -> str | None:
     return None
 
 
-def _elsewhere_below(package: str, workspaces: list[str]) -> str | None:
-    """The folder of a package of that name below the current one, as a path from there; None when a workspace has it."""
-    here = _here()
+def _elsewhere_below(package: str, workspaces: list[str], here: str) -> str | None:
+    """The folder of a package of that name below `here`, as a path from there; None when a workspace has it."""
     for folder in find_packages(here, [], LOOKED_AT) if os.path.dirname(here) != here else ():
         manifest = read_manifest(folder, [])
         if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):

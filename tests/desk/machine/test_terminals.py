@@ -89,3 +89,12 @@ def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: 
     silent.until('Publishing')
     silent.type('\x03')
     assert silent.end() == 0 and 'warning: ' not in silent.output
+
+
+def test_the_first_program_with_a_window_says_once_where_it_is_shown(desk: Desk) -> None:
+    launch = desk.ros2('launch turtlesim multisim.launch.py')
+    launch.until('note: turtlesim_node opens no window here; `edulaunch view --tab graph` shows it in a browser')
+    other = desk.ros2('run turtlesim turtlesim_node')
+    other.until('Spawning turtle [turtle1]')
+    launch.until(lambda output: output.count('Spawning turtle') == 2)
+    assert launch.output.count('opens no window') == 1 and 'opens no window' not in other.output

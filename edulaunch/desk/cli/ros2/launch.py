@@ -170,7 +170,7 @@ def _not_found(index: Index, package: str, executable: str) -> str:
     from edulaunch.ros.sources.missing import missing_executable, missing_package
 
     if package not in index.packages():
-        return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package)))
+        return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package, current_process().cwd)))
     native = index.native_executables(package)
     if executable in native:
         return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')

@@ -83,4 +83,4 @@ def _not_found(package_name: str) -> PackageNotFoundError:
     from edulaunch.ros.sources.missing import missing_package
 
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
-    return with_facts(error, **missing_package(index_in_force(), package_name))
+    return with_facts(error, **missing_package(index_in_force(), package_name, current_process().cwd))
