@@ -19,6 +19,7 @@ from edulaunch.advice.reader import Reader, reader_of
 from edulaunch.advice.wording import diagnosis, said_at_the_end
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.connection import RemoteInput
+from edulaunch.desk.machine.notes import Notes
 from edulaunch.desk.machine.on_network import OnNetwork
 from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.processes.process import Process
@@ -33,8 +34,8 @@ if TYPE_CHECKING:
 
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
-VIEWS = {'turtlesim_node': 'graph', 'rviz2': 'frames', 'waffle_simulator': 'graph', 'joint_state_publisher_gui': 'frames'}
-"""Programs with a window on a real computer, and the tab of the live page that shows what they show."""
+NOTES_WITHIN = 50
+"""Writes of a terminal after which it gets no more notes about its programs."""
 MOST_PAGES = 256
 """Live pages that may be open at once; the other connections are for terminals."""
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
@@ -118,7 +119,6 @@ class Terminals(OnNetwork):
     """All terminals of a machine, in the order in which they came.
 
     :ivar pages: the live pages that show the machine.
-    :ivar knows_view: whether somebody has a live page, or was told how to get one.
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     """
 
@@ -130,7 +130,7 @@ class Terminals(OnNetwork):
         self.open_ones: list[Terminal] = []
         self.pages: list[Desk] = []
         self.is_asked_to_end = False
-        self.knows_view = False
+        self.notes = Notes()
         self._count = 0
 
     def tell(self, text: str) -> None:
@@ -165,7 +165,7 @@ class Terminals(OnNetwork):
                 connection.end()
             page = Desk(self, connection)
             self.pages.append(page)
-            self.knows_view = True
+            self.notes.knows_view = True
             return page
         self._count += 1
         env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
@@ -193,7 +193,7 @@ class Terminal:
         self._terminals_there = terminals_there
         self._decoder = getincrementaldecoder('utf-8')('replace')
         self.words: list[str] = []
-        self.number = 0
+        self.number = self._writes = 0
         self.process: Process | None = None
         self.input = RemoteInput(connection.send, terminals_there[0] == '1', size)
 
@@ -220,17 +220,10 @@ class Terminal:
     def show(self, stream: str, text: str) -> None:
         """Write in this terminal."""
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
-        if not self._terminals.knows_view and self._terminals_there[2] == '1':
-            self._say_where_the_view_is()
-
-    def _say_where_the_view_is(self) -> None:
-        """Once on a machine: a program here opens a window on a real computer."""
-        names = [*self.words[3:4], *(each.spec.executable or '' for each in self.programs())]
-        name = next((name for name in names if name in VIEWS), None)
-        if name is not None:
-            self._terminals.knows_view = True
-            note = f'note: {name} opens no window here; `edulaunch view --tab {VIEWS[name]}` shows it in a browser\n'
-            self._connection.send(wire.ERRORS, note.encode())
+        if self._terminals_there[2] == '1' and self._writes < NOTES_WITHIN:
+            self._writes += 1
+            for note in self._terminals.notes.about(self.words, self.programs()):
+                self._connection.send(wire.ERRORS, note.encode())
 
     def _finished(self, code: int) -> None:
         """The command has run to its end: what it launched or ran is judged."""

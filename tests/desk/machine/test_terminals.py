@@ -98,3 +98,14 @@ def test_the_first_program_with_a_window_says_once_where_it_is_shown(desk: Desk)
     other.until('Spawning turtle [turtle1]')
     launch.until(lambda output: output.count('Spawning turtle') == 2)
     assert launch.output.count('opens no window') == 1 and 'opens no window' not in other.output
+
+
+def test_a_launch_says_at_once_that_its_teleop_gets_no_keys(desk: Desk) -> None:
+    (desk.folder / 'keys.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\ndef generate_launch_description():\n'
+        "    return LaunchDescription([Node(package='turtlesim', executable='turtle_teleop_key', output='screen')])\n"
+    )
+    launch = desk.ros2('launch keys.launch.py')
+    launch.until('note: turtle_teleop_key gets no keys from a launch file; type `ros2 run turtlesim turtle_teleop_key`')
+    launch.until("'Q' to quit.")
+    assert launch.output.count('gets no keys') == 1

@@ -1,0 +1,52 @@
+"""What a terminal says at once of programs that behave differently on a real computer: a window, a keyboard."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+VIEWS = {'turtlesim_node': 'graph', 'rviz2': 'frames', 'waffle_simulator': 'graph', 'joint_state_publisher_gui': 'frames'}
+"""Programs with a window on a real computer, and the tab of the live page that shows what they show."""
+READ_KEYS = {
+    'turtle_teleop_key': 'turtlesim',
+    'teleop_twist_keyboard': 'teleop_twist_keyboard',
+    'teleop_keyboard': 'turtlebot3_teleop',
+}
+"""Programs that are driven by keys, and their packages."""
+
+
+class Notes:
+    """The notes that a machine's terminals have got: each comes once.
+
+    :ivar knows_view: whether somebody has a live page, or was told how to get one.
+    """
+
+    def __init__(self) -> None:
+        self.knows_view = False
+        self._told: set[int] = set()
+
+    def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
+        """What is to be said now in a terminal.
+
+        :param words: its command.
+        :param programs: what runs there, the command first.
+        """
+        if not programs:
+            return
+        names = [*words[3:4], *(each.spec.executable or '' for each in programs)]
+        if not self.knows_view:
+            for name in filter(VIEWS.__contains__, names):
+                self.knows_view = True
+                yield f'note: {name} opens no window here; `edulaunch view --tab {VIEWS[name]}` shows it in a browser\n'
+                break
+        if words[:2] == ['ros2', 'launch'] and programs[0].pid not in self._told:
+            for name in filter(READ_KEYS.__contains__, names):
+                self._told.add(programs[0].pid)
+                yield (
+                    f'note: {name} gets no keys from a launch file; '
+                    f'type `ros2 run {READ_KEYS[name]} {name}` in a terminal of its own\n'
+                )
+                break
