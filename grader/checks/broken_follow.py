@@ -18,6 +18,7 @@ from edugrade.library.launched import find_processes, require_process
 from edugrade.library.movement import turtle_track
 from edugrade.library.node_graph import loose_ends
 from edugrade.library.parameters import require_parameter
+from edugrade.source import Place
 
 TURN = 0.5  # rad/s, of the teacher
 SETTLED_S = 12.0
@@ -118,10 +119,10 @@ def turtle2_follows(run: Evidence) -> None:
 
 
 def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
-    """The same failure, pointing at a Node."""
-    return Failure(
-        failure.rationale, expected=failure.expected, seen=failure.seen, where=where or failure.where, try_=failure.try_
-    )
+    """The same failure, pointing at a Node where one is known."""
+    if where is not None:
+        failure.where = Place(*where)
+    return failure
 
 
 def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:

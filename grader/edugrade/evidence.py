@@ -151,7 +151,7 @@ class Missing(Failure):
     """Something is absent.
 
     :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
-    :param name: the bare name that was looked for; with `among`, the nearest name is offered in the report.
+    :param name: the bare name that was looked for; with `among`, the report asks whether the student meant the nearest one.
     :param among: the names that are there.
     """
 
@@ -169,9 +169,22 @@ class Missing(Failure):
         known = list(among)
         if seen is None:
             seen = ', '.join(known) if known else 'nothing of the kind'
-        super().__init__(
-            f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=_with_nearest(try_, name, known)
-        )
+        super().__init__(f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=try_)
+        self.name, self.known, self._may_ask = name, known, try_ is None or isinstance(try_, str)
+
+    def ask(self, texts: Iterable[str]) -> None:
+        """Put the question "did you mean ...?" before the advice, where the student wrote a name that is near to the missing one.
+
+        :param texts: what the student wrote. A name that stands nowhere in them is no slip of the student's.
+        """
+        if self.name is None or self.name in self.known or not self._may_ask:
+            return
+        from edulaunch.engine.nearest import nearest
+
+        close = nearest(self.name, self.known)
+        if close is not None and any(close.rpartition('/')[2] in text for text in texts):
+            question = f'did you mean "{self.name}" where you wrote "{close}"?'
+            self.try_ = question if self.try_ is None else f'{question} Otherwise: {self.try_}'
 
 
 class Mismatch(Failure):
@@ -189,15 +202,3 @@ class Mismatch(Failure):
     ) -> None:
         words = f'{thing} is not what was asked for'
         super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)
-
-
-def _with_nearest(try_: str | Sequence[str] | None, name: str | None, known: list[str]) -> str | Sequence[str] | None:
-    if name is None or name in known or not (try_ is None or isinstance(try_, str)):
-        return try_
-    from edulaunch.engine.nearest import nearest
-
-    close = nearest(name, known)
-    if close is None:
-        return try_
-    question = f'did you mean "{name}" where you wrote "{close}"?'
-    return question if try_ is None else f'{question} Otherwise: {try_}'

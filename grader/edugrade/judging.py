@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding
 
-from .evidence import Evidence, Failure, Outcome
+from .evidence import Evidence, Failure, Missing, Outcome
 from .faults import REPORT_IT, words_of
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
@@ -117,6 +117,8 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
     except MemoryError:
         return _unseen(_plain(check, FAILED), 'memory has run out', evidence.source)
     except Failure as failure:
+        if isinstance(failure, Missing):
+            failure.ask(evidence.source.texts().values())
         return replace(
             _plain(check, FAILED),
             reason=failure.rationale,

@@ -102,8 +102,8 @@ def circle_run(radius: float, **changes: Any) -> FakeRecording:
     )
 
 
-def graded(exercise: str, run: Callable[[Scenario], Any], seed: int = 0) -> Mapping[str, Any]:
-    """The results of a rubric over made-up runs, by name of the check."""
+def graded(exercise: str, run: Callable[[Scenario], Any], seed: int = 0, wrote: str = '') -> Mapping[str, Any]:
+    """The results of a rubric over made-up runs, by name of the check; `wrote` stands in the student's file."""
     rubric = find_rubric(exercise)[1]
     outcomes = [Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)]
-    return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, TEXT))}
+    return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, f'{TEXT}{wrote}\n'))}

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence, Failure
+from ..shortened import shortened
 from ..source import Place
 from .launched import launched
 
@@ -68,7 +69,7 @@ def last_line(recording: Recording, name: str) -> str:
             lines += [line.removeprefix(prefix) for line in output.text.splitlines() if line.startswith(prefix)]
     spoken = [line for line in lines if not USAGE.match(line)]
     errors = [line for line in spoken if ERROR.search(line)]
-    return (errors or spoken or [''])[-1][:LONGEST_LINE]
+    return shortened((errors or spoken or [''])[-1], LONGEST_LINE)
 
 
 def _failure(recording: Recording, death: Death, words: str) -> Failure:

@@ -32,8 +32,9 @@ def render(report: Report, *, colour: bool = False) -> str:
     title = reader.retells(f'{report.given}: {reader.retells(report.title)} (rubric {report.rubric}, seed {report.seed})')
     lines = [printable(title), *([printable(reader.retells(report.word))] if report.word else []), '']
     for status in (GRADER_BROKE, FAILED):
-        for result in _of(status, results):
-            lines += [mark(status) + _title(result, reader), *_explanation(result, paths, reader, report.level)]
+        for alike in _of_one_cause([*_of(status, results)]):
+            lines += [mark(status) + _title(result, reader) for result in alike]
+            lines += _explanation(alike[0], paths, reader, report.level)
     lines += _not_run(results, mark, reader)
     lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
     lines += ['', *textwrap.wrap(refusal_of(report.refused), WIDTH)] if report.refused else []
@@ -46,6 +47,14 @@ def render(report: Report, *, colour: bool = False) -> str:
 
 def _of(status: str, results: list[CheckResult]) -> Iterator[CheckResult]:
     return (result for result in results if result.status == status)
+
+
+def _of_one_cause(results: Sequence[CheckResult]) -> list[list[CheckResult]]:
+    """The results in blocks: those that fail for the same reason, at the same place, stand together under one explanation."""
+    blocks: dict[object, list[CheckResult]] = {}
+    for result in results:
+        blocks.setdefault((result.reason, result.expected, result.seen, result.where), []).append(result)
+    return list(blocks.values())
 
 
 def _plain_mark(reader: Reader, status: str) -> str:
@@ -133,7 +142,6 @@ def next_step(report: Report) -> str:
         return 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
     first = next(_of(FAILED, list(report.results)))
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
-        gap = report.gaps[0]
-        file = ShortPaths(report.folder, report.shown, report.package).text(gap.file)
-        return f'Next: work on line {gap.line} of {file} and grade again. It says: {gap.text}'
+        lines = ', '.join(str(gap.line) for gap in report.gaps)
+        return f'Next: repair "{first.sentence}" and grade again. Comments "# TODO" are left on these lines: {lines}'
     return f'Next: repair "{first.sentence}" and grade again.'

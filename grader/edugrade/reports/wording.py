@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from edulaunch.engine.underlay_place import engine_folder
 
 from ..results import FAILED, OF_NO_RUBRIC, CheckResult
+from ..shortened import shortened
 from ..source import Place
 
 if TYPE_CHECKING:
@@ -24,8 +25,9 @@ KIND, THING, ALL = LEVELS = 1, 2, 3
 TRIES = {THING: 2, ALL: 4}
 """From which different text on a level is reached."""
 
+ARTICLES = ('a ', 'an ', 'the ', 'one ', 'two ')
 KINDS = {
-    'a name: compare it letter by letter with the task': ('did you mean',),
+    'compare the names letter by letter with the task': ('did you mean',),
     'a DeclareLaunchArgument': ('DeclareLaunchArgument',),
     'an IncludeLaunchDescription': ('IncludeLaunchDescription',),
     'a static_transform_publisher': ('static_transform_publisher',),
@@ -56,6 +58,8 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
         return result
     given = (*result.steps, result.try_)
     step = given[min(level, len(given)) - 1] if result.steps else None
+    if step is not None and step.startswith(ARTICLES):
+        step = f'check {step}'
     if step is None:
         step = kind_of(result) if level == KIND or result.try_ is None else without_code(result.try_)
     return replace(result, try_=step, cause=result.cause if level > KIND or _has_ended(result) else None)
@@ -74,10 +78,10 @@ def kind_of(result: CheckResult) -> str:
     advice = result.try_ or ''
     for text in (advice.partition('Otherwise: ')[2] or advice, result.reason, result.sentence):
         thing = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
-        if thing is not None and ':' in thing:
+        if thing is not None and not thing.startswith(ARTICLES):
             return thing
         if thing is not None:
-            return f'{thing} is missing' if result.reason.endswith('missing') else f'{thing} is not yet as it should be'
+            return f'add what is missing: {thing}' if result.reason.endswith('missing') else f'check {thing}'
     return without_code(result.try_) if result.try_ else 'compare what was expected with what was seen'
 
 
@@ -179,7 +183,8 @@ class ShortPaths:
         if text is None:
             return None
         if len(text) > LONGEST_TEXT:
-            text = f'{text[:LONGEST_TEXT]} ... and {len(text) - LONGEST_TEXT} characters more'
+            start = shortened(text, LONGEST_TEXT)
+            text = f'{start} ... and {len(text) - len(start)} characters more'
         text = text.replace(self._folder, self._shown).replace(_ENGINE, 'edulaunch/')
         if 'edulaunch-' in text or 'edugrade-' in text:
             text = _WORD.sub(lambda word: self._of_word(word[0]), text)

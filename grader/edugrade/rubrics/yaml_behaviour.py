@@ -11,6 +11,7 @@ from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
+from ..shortened import last_lines, readable
 from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
@@ -44,7 +45,9 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         lines = _lines(one)
         if len(lines) < LEAST_LINES:
             thing = f'{LEAST_LINES} such lines in what {wanted["executable"]} prints, when launched with {one.words}'
-            raise Missing(thing, expected=wanted['example'] or wanted.shown['pattern'], seen=_last_lines(one), **one.told)
+            raise Missing(
+                thing, expected=wanted['example'] or readable(str(wanted['pattern'])), seen=_last_lines(one), **one.told
+            )
         for time_s, found in lines:
             x, y, age = (float(found[group]) for group in (1, 2, 3))
             asked, thing = one.number('ago'), f'what {wanted["executable"]} says at {time_s:.2f} s'
@@ -79,8 +82,7 @@ def _lines(one: OfRun) -> list[tuple[float, re.Match[str]]]:
 
 def _last_lines(one: OfRun) -> str:
     rows = rows_of(one.recording, 'output', one.wanted['package'], one.wanted['executable'])
-    text = ''.join(one.recording.output[row].text for row in rows)
-    return '\n'.join(text.splitlines()[-4:]) or 'nothing is printed'
+    return last_lines([one.recording.output[row].text for row in rows]) or 'nothing is printed'
 
 
 def _at(track: Track, time_s: float) -> tuple[float, float, float] | None:

@@ -19,6 +19,7 @@ from ..library.movement import Track, length, odometry_track, since, turtle_trac
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import node_parameter as read_parameter
 from ..library.parameters import require_parameter
+from ..shortened import last_lines, readable
 from .yaml_wanted import OfRun, Wanted
 
 if TYPE_CHECKING:
@@ -193,20 +194,21 @@ def logs(run: Evidence, wanted: Wanted) -> None:
         rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
         said = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
         if not _fits(wanted, said):
-            seen = '\n'.join(text[:200] for text in said[-4:]) or 'it says nothing'
-            asked = wanted['example'] or wanted['pattern']
+            seen = last_lines([f'{text}\n' for text in said]) or 'it logs nothing'
+            asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Missing(f'such a line of {wanted["node"]}', expected=asked, seen=seen, **one.told)
 
 
-@kind('{executable} prints {pattern}', 'package executable pattern')
+@kind('{executable} prints {pattern}', 'package executable pattern', 'example')
 def prints(run: Evidence, wanted: Wanted) -> None:
     """A program prints a line that fits."""
     for one in wanted.of_each(run):
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
         said = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in said for line in text.splitlines())):
-            thing = f'{wanted["pattern"]} in what {wanted["executable"]} prints, when launched with {one.words},'
-            raise Missing(thing, seen=''.join(said)[-400:] or 'nothing is printed', **one.told)
+            thing = f'such a line in what {wanted["executable"]} prints, when launched with {one.words},'
+            asked = wanted['example'] or readable(str(wanted['pattern']))
+            raise Missing(thing, expected=asked, seen=last_lines(said) or 'nothing is printed', **one.told)
 
 
 def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:

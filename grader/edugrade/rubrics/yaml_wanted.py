@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..evidence import Evidence
 from ..library.close import require_close
+from ..shortened import readable
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -37,6 +38,7 @@ class Wanted(dict[str, Any]):
     def shown(self) -> Wanted:
         """As a sentence says it: ``$(arg speed)`` is speed, and the parts of a list have commas between them."""
         parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
+        parts = {key: readable(text) if key == 'pattern' else text for key, text in parts.items()}
         return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
 
     def of_each(self, run: Evidence) -> Iterator[OfRun]:

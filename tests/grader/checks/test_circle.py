@@ -43,7 +43,7 @@ def test_a_fixed_radius_fails_in_parameter_and_movement() -> None:
 
 def test_a_misspelt_parameter_is_recognised() -> None:
     node = process('part3_beyond_basics', 'param_circle.py', parameter_origins={'raduis': 'launch argument'})
-    results = graded('circle', lambda scenario: circle_run(0.5, processes=[node]))
+    results = graded('circle', lambda scenario: circle_run(0.5, processes=[node]), wrote="{'raduis': 0.5}")
     assert results['radius_is_passed'].reason == 'the parameter radius of the Node is missing'
     assert results['radius_is_passed'].try_.startswith('did you mean "radius" where you wrote "raduis"?')
 
@@ -73,7 +73,8 @@ def test_a_robot_that_stands_is_told_from_one_on_a_line() -> None:
 
 def test_a_misspelt_argument_is_recognised() -> None:
     argument = DeclaredArgument('circle_radious', '1.0', '', None, '/student/a.launch.py', 3)
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+    run = LaunchRecord(declared=[argument])
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=run), wrote="'circle_radious'")
     assert 'did you mean "circle_radius" where you wrote "circle_radious"?' in results['argument_is_declared'].try_
 
 
@@ -126,7 +127,11 @@ def test_a_single_nan_in_a_good_track_is_named() -> None:
 
 
 def test_another_node_is_named() -> None:
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')]))
+    results = graded(
+        'circle',
+        lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')]),
+        wrote='param_cirle.py',
+    )
     assert results['node_is_started'].try_.startswith('did you mean "param_circle.py" where you wrote "param_cirle.py"?')
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Any
 
 from edugrade import Scenario
@@ -40,11 +41,11 @@ def test_colour_adds_nothing_but_colour() -> None:
     assert re.sub('\x1b\\[[0-9]*m', '', coloured) == EXPECTED
 
 
-def test_an_open_gap_is_the_next_step() -> None:
+def test_the_next_step_follows_the_first_failure_and_open_gaps_are_listed() -> None:
     recording: Any = object()
     outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
     text = render(report(FAILED, outcome=outcome, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    line = 'Next: work on line 4 of work/a.launch.py and grade again. It says: # TODO 1: drive'
+    line = 'Next: repair "It drives" and grade again. Comments "# TODO" are left on these lines: 4'
     assert text.splitlines()[-1] == line
 
 
@@ -52,6 +53,14 @@ def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
     unusable = Outcome(Scenario('s'), 'unusable')
     text = render(report(FAILED, outcome=unusable, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
     assert text.endswith('Next: repair "It drives" and grade again.\n')
+
+
+def test_failures_of_one_cause_are_one_block() -> None:
+    second = replace(FAILED, name='b', sentence='It turns')
+    other = replace(FAILED, name='c', sentence='It stops', seen='something else')
+    lines = render(report(FAILED, second, other)).splitlines()
+    assert lines[2:4] == ['FAILED   It drives  [0 of 3]', 'FAILED   It turns  [0 of 3]']
+    assert [line.strip() for line in lines].count('the robot stands') == 2
 
 
 def test_a_broken_grader_gives_no_mark() -> None:

@@ -77,20 +77,20 @@ def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
     [
         (
             "add DeclareLaunchArgument('r', default_value='1')",
-            'a DeclareLaunchArgument is missing',
+            'add what is missing: a DeclareLaunchArgument',
             'add DeclareLaunchArgument(...)',
         ),
         (
             "give the Node parameters=[{'radius': LaunchConfiguration('r')}]",
-            'a parameter of a Node is missing',
+            'add what is missing: a parameter of a Node',
             'give the Node parameters=[...]',
         ),
         (
             'give the Node of turtlesim this namespace and name',
-            'a Node with a namespace is missing',
+            'add what is missing: a Node with a namespace',
             'give the Node of turtlesim this namespace and name',
         ),
-        ('did you mean "/a" where you wrote "/b"?', 'a name: compare it letter by letter with the task', None),
+        ('did you mean "/a" where you wrote "/b"?', 'compare the names letter by letter with the task', None),
     ],
 )
 def test_one_advice_has_three_steps(try_: str, kind: str, thing: str | None) -> None:
@@ -102,8 +102,8 @@ def test_a_rubric_may_say_the_steps_itself() -> None:
     failure = Failure('no', try_=['a frame', 'the frame laser', '--child-frame-id laser'])
     result = replace(failed(''), try_=failure.try_, steps=failure.steps)
     assert [at_level(result, level).try_ for level in (KIND, THING, ALL)] == [
-        'a frame',
-        'the frame laser',
+        'check a frame',
+        'check the frame laser',
         '--child-frame-id laser',
     ]
 
