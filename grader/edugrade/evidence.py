@@ -177,14 +177,15 @@ class Missing(Failure):
 
         :param texts: what the student wrote. A name that stands nowhere in them is no slip of the student's.
         """
-        if self.name is None or self.name in self.known or not self._may_ask:
+        name, try_ = self.name, self.try_
+        if name is None or name in self.known or not self._may_ask:
             return
         from edulaunch.engine.nearest import nearest
 
-        close = nearest(self.name, self.known)
+        close = nearest(name, self.known)
         if close is not None and any(close.rpartition('/')[2] in text for text in texts):
-            question = f'did you mean "{self.name}" where you wrote "{close}"?'
-            self.try_ = question if self.try_ is None else f'{question} Otherwise: {self.try_}'
+            question = f'did you mean "{name}" where you wrote "{close}"?'
+            self.try_ = question if try_ is None else f'{question} Otherwise: {try_}'
 
 
 class Mismatch(Failure):
