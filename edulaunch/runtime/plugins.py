@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
@@ -105,9 +105,20 @@ SOURCES = {
 @cache
 def plugins() -> dict[str, Plugin]:
     """The plug-ins that are here, by name. One that cannot be loaded is named in a warning on standard error."""
+    return _usable(lambda name: True)
+
+
+@cache
+def plugins_of_others() -> dict[str, Plugin]:
+    """Those of somebody else, by name. Our own bring no packages and no rules, and so a run need not load them."""
+    ours = {source.plugin for source in SOURCES.values()}
+    return _usable(lambda name: name not in ours)
+
+
+def _usable(is_wanted: Callable[[str], bool]) -> dict[str, Plugin]:
     found: dict[str, Plugin] = {}
     for entry in sorted(entries()):
-        plugin = _loaded(entry)
+        plugin = _loaded(entry) if is_wanted(entry.name) else None
         if plugin is not None and all(map(is_here, plugin.needs)):
             found.setdefault(entry.name, plugin)
     return found
@@ -145,17 +156,14 @@ def _entries_of(path: str, owner: str) -> Iterator[Entry]:
             text = file.read()
     except (OSError, ValueError):
         return
-    if GROUP not in text:
-        return
-    from configparser import ConfigParser
-
-    parser = ConfigParser(delimiters=('=',), interpolation=None)
-    parser.optionxform = str  # type: ignore[assignment,method-assign]
-    parser.read_string(text)
-    for name, place in parser[GROUP].items() if parser.has_section(GROUP) else ():
-        yield Entry(name, place.strip(), owner)
+    section = text.partition(f'[{GROUP}]')[2].partition('\n[')[0]
+    for line in section.splitlines():
+        name, sign, place = line.partition('=')
+        if sign and not line.startswith(('#', ';')):
+            yield Entry(name.strip(), place.strip(), owner)
 
 
+@cache
 def _loaded(entry: Entry) -> Plugin | None:
     """The plug-in; None when its folder was taken away, or when it is broken."""
     module = entry.place.partition(':')[0]
@@ -213,12 +221,12 @@ def options_of_plugins(command: str) -> Iterator[Any]:
 
 def package_folders() -> list[str]:
     """The folders with ROS packages that plug-ins bring."""
-    return [folder for plugin in plugins().values() for folder in plugin.packages]
+    return [folder for plugin in plugins_of_others().values() for folder in plugin.packages]
 
 
 def modules_with_rules(kind: str) -> list[Any]:
     """The modules with rules of advice that plug-ins bring for one kind of thing."""
-    return [import_module(plugin.rules[kind]) for plugin in plugins().values() if kind in plugin.rules]
+    return [import_module(plugin.rules[kind]) for plugin in plugins_of_others().values() if kind in plugin.rules]
 
 
 def template(name: str) -> Any | None:

@@ -44,3 +44,8 @@ def test_every_module_that_a_plug_in_names_is_there() -> None:
             *(verb.function for verb in plugin.grading.values()),
         ):
             assert callable(plugins.function(place))
+
+
+def test_our_own_bring_no_packages_and_no_rules() -> None:
+    assert set(plugins.plugins()) - set(plugins.plugins_of_others()) == set(OURS)
+    assert [name for name in OURS if plugins.plugins()[name].packages or plugins.plugins()[name].rules] == []

@@ -13,6 +13,14 @@ from edulaunch.desk.cli.main import main
 from edulaunch.errors import UnusableInput
 from edulaunch.runtime import plugins
 
+
+def forget() -> None:
+    """As in a fresh process."""
+    plugins.plugins.cache_clear()
+    plugins.plugins_of_others.cache_clear()
+    plugins._loaded.cache_clear()
+
+
 Installed = Callable[..., None]
 
 
@@ -26,11 +34,11 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Insta
         info.mkdir()
         (info / 'METADATA').write_text(f'Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n')
         (info / 'entry_points.txt').write_text(f'[edulaunch.plugins]\n{name} = {entry}\n')
-        plugins.plugins.cache_clear()
+        forget()
 
     monkeypatch.syspath_prepend(tmp_path)
     yield install
-    plugins.plugins.cache_clear()
+    forget()
     for name in [name for name in sys.modules if name.endswith('_plugin') and not name.startswith('edulaunch')]:
         del sys.modules[name]
 
@@ -134,5 +142,5 @@ def test_the_current_folder_brings_no_plug_in(installed: Installed, tmp_path: Pa
 
 def test_a_built_in_verb_looks_for_no_plug_in(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(plugins, 'entries', lambda: pytest.fail('looked for plug-ins'))
-    plugins.plugins.cache_clear()
+    forget()
     assert main(['env']) == 0
