@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import difflib
+import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,6 +29,7 @@ recordings have no sentences in them, and are the same in every language.
 
 This page is made from the rules and their examples, which are tests (`tests/advice/examples`): `python -m tests.advice.page`.
 """
+SHOWN = Path(edulaunch.__file__).parent / 'advice' / 'examples.json'
 KINDS = {
     'workspaces': 'a workspace',
     'errors': 'an error',
@@ -53,6 +56,26 @@ def page() -> str:
             for rule in of_group:
                 lines += ['', *_section(rule, kinds[rule.name])]
     return '\n'.join(lines) + '\n'
+
+
+def examples() -> str:
+    """What `edulaunch explain RULE` shows: of each rule the difference between the failing and the healthy example."""
+    found = {name: text for name in all_rules() if name not in WITHOUT and (text := _difference(name))}
+    return json.dumps(found, indent=0, ensure_ascii=False) + '\n'
+
+
+def _difference(rule: str) -> str:
+    failing, healthy = example(rule, 'failing'), example(rule, 'healthy')
+    pairs = [(failing, healthy)]
+    if failing.is_dir():
+        names = {file.relative_to(place) for place in (failing, healthy) for file in place.rglob('*') if file.is_file()}
+        pairs = [(failing / name, healthy / name) for name in sorted(names) if '__pycache__' not in name.parts]
+    lines: list[str] = []
+    for one, other in pairs:
+        texts = [_text(file).splitlines() if file.is_file() else [] for file in (one, other)]
+        changed = list(difflib.unified_diff(*texts, n=2, lineterm=''))[2:]
+        lines += [f'{one.name}:', *(line for line in changed if not line.startswith('@@'))] if changed else []
+    return '\n'.join(lines[:60])
 
 
 def _section(rule: Rule, kind: str) -> Iterator[str]:
@@ -112,4 +135,5 @@ def _text(file: Path) -> str:
 if __name__ == '__main__':
     edulaunch.source()
     PAGE.write_text(page(), encoding='utf-8')
+    SHOWN.write_text(examples(), encoding='utf-8')
     sys.stdout.write(f'{PAGE.name}: {len(all_rules())} rules\n')

@@ -4,57 +4,85 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
+import time
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.judging import in_order, judge, judge_plan, judge_sources
 from edulaunch.advice.reader import reader_here
 from edulaunch.advice.wording import diagnosis, diagnosis_data
 from edulaunch.desk.cli.launch import split_words
+from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.file_format import FORMAT
 from edulaunch.errors import UnusableInput
 
 if TYPE_CHECKING:
+    from edulaunch.advice.plan import Rehearsal
     from edulaunch.advice.rule import Finding
+    from edulaunch.runtime.session import Session
 
 SECONDS = 20.0
+_ABSENT = re.compile(r"package '([\w-]+)' not found")
+OF_FOLDER_S = 8.0
+"""Simulated seconds of each launch file of a folder."""
+MOST_LAUNCHED = 12
+"""Launch files of a folder that are run; a workspace of a company has hundreds."""
+PATIENCE_S = 30.0
+"""Real seconds after which no further launch file of a folder is run."""
+PASSED_OVER = frozenset(('build', 'install', 'log', 'node_modules', '__pycache__', 'test', 'tests'))
+ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.py', '_launch.xml', '_launch.yaml', '_launch.yml')
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to look at, and how to tell it."""
+    """What to look at, and how to report it."""
     parser.add_argument(
         'target',
         metavar='FILE | FOLDER | RECORDING | PACKAGE',
         help='a launch file, a package or workspace, a recording; or a package, and the name of a launch file in it',
     )
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
-    parser.add_argument('--json', action='store_true', help='as JSON, with the facts behind each sentence')
     parser.add_argument(
-        '--for', dest='seconds', type=float, default=SECONDS, metavar='SECONDS', help=f'simulated seconds (default: {SECONDS:g})'
+        '--json',
+        nargs='?',
+        const='facts',
+        choices=('facts', 'sarif'),
+        help='as JSON, with the facts behind each sentence; or as SARIF 2.1.0, which editors and code hosts read',
+    )
+    parser.add_argument(
+        '--for',
+        dest='seconds',
+        type=float,
+        metavar='SECONDS',
+        help=f'simulated seconds (default: {SECONDS:g}; {OF_FOLDER_S:g} for each launch file of a folder)',
     )
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Say what is wrong. 0 when nothing is, 1 when something is, 2 when there is nothing that can be looked at."""
-    findings, reader = _findings(arguments), reader_here()
+    """Report what is wrong. 0 when nothing is, 1 when something is, 2 when there is nothing that can be looked at."""
+    notes: list[str] = []
+    findings, reader = _findings(arguments, notes), reader_here()
     if arguments.json:
         import json
 
-        print(json.dumps(diagnosis_data(findings, reader), indent=2, ensure_ascii=False))
+        from edulaunch.desk.cli.sarif import sarif
+
+        data = sarif(findings, reader) if arguments.json == 'sarif' else diagnosis_data(findings, reader)
+        print(json.dumps(data, indent=2, ensure_ascii=False))
     else:
-        print('\n'.join(diagnosis(findings, reader)).encode(errors='backslashreplace').decode())
+        print('\n'.join([*diagnosis(findings, reader), *notes]).encode(errors='backslashreplace').decode())
     return 1 if findings else 0
 
 
-def _findings(arguments: argparse.Namespace) -> list[Finding]:
+def _findings(arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
     target: str = arguments.target
     if os.path.isdir(target) and not arguments.rest:
-        return judge_sources(target)
+        return _of_folder(target, arguments, notes)
     if _is_recording(target):
         return judge(Recording.load(target))
-    return _of_launch(target, arguments)
+    return _of_launch(target, arguments, notes)
 
 
 def _is_recording(path: str) -> bool:
@@ -64,9 +92,8 @@ def _is_recording(path: str) -> bool:
         return FORMAT.encode() in file.read(100)
 
 
-def _of_launch(target: str, arguments: argparse.Namespace) -> list[Finding]:
+def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
     """By its dry run and, when that comes to its end, by a run."""
-    from edulaunch.advice.plan import rehearse
     from edulaunch.runtime.launching import find_launch_file
     from edulaunch.runtime.session import Session
 
@@ -74,15 +101,75 @@ def _of_launch(target: str, arguments: argparse.Namespace) -> list[Finding]:
     workspaces = workspaces_of_command(arguments.workspace, first)
     with Session(workspaces=workspaces) as session:
         if file is None and not os.path.exists(first) and first in session.index.packages():
-            return judge_sources(_folder_of(first, session.index.share(first)))
+            return _of_folder(_folder_of(first, session.index.share(first)), arguments, notes)
         path = find_launch_file(session.index, first, file)
-        host = session.host
-        rehearsal = rehearse(path, given, session.index, host.env, command_set=host.command_set)
+        rehearsal = _rehearsed(session, path, given)
         if rehearsal.plan['error'] is not None:
             return judge_plan(rehearsal)
         session.launch(path, None, given)
-        session.run(arguments.seconds)
+        session.run(SECONDS if arguments.seconds is None else arguments.seconds)
         return in_order([*judge_plan(rehearsal), *judge(session.recording())])
+
+
+def _rehearsed(session: Session, path: str, given: dict[str, str]) -> Rehearsal:
+    from edulaunch.advice.plan import rehearse
+
+    return rehearse(path, given, session.index, session.host.env, command_set=session.host.command_set)
+
+
+def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
+    """By its sources, and by a short run of each launch file that runs as it is.
+
+    :param notes: gets one line for the launch files that ran, and one for each that did not, with the reason.
+    """
+    findings, ran = judge_sources(folder), []
+    files = _launch_files(folder)
+    began_s = time.monotonic()
+    for number, path in enumerate(files):
+        name = os.path.relpath(path, folder)
+        if number >= MOST_LAUNCHED or time.monotonic() - began_s > PATIENCE_S:
+            notes.append(f'{len(files) - number} more launch files were not run: edulaunch doctor {os.path.relpath(path)}')
+            break
+        found, reason = _of_one(folder, path, arguments)
+        findings += found
+        if reason is None:
+            ran.append(name)
+        else:
+            notes.append(f'{name} was not run: {reason}')
+    if ran:
+        seconds = OF_FOLDER_S if arguments.seconds is None else arguments.seconds
+        notes.insert(0, f'launch files that were run, {seconds:g} simulated seconds each: {", ".join(ran)}')
+    return in_order(findings)
+
+
+def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
+    """The findings of one launch file of a folder, and why it was not run; None when it was."""
+    from edulaunch.runtime.session import Session
+
+    workspaces = arguments.workspace or workspaces_of_command([folder], path)
+    with Session(workspaces=workspaces) as session:
+        rehearsal = _rehearsed(session, path, {})
+        needed = [one['name'] for one in rehearsal.plan['arguments'] if one['default'] is None]
+        if needed:
+            return [], f'it needs {", ".join(f"{name}:=..." for name in needed)}'
+        found = judge_plan(rehearsal)
+        absent = _ABSENT.search((rehearsal.plan['error'] or {}).get('text', ''))
+        if absent is not None and nearest(absent[1], session.index.packages()) is None:
+            return [], f'it needs the package {absent[1]}, which is not here'
+        if rehearsal.plan['error'] is not None:
+            return found, 'it cannot be launched'
+        session.launch(path)
+        session.run(OF_FOLDER_S if arguments.seconds is None else arguments.seconds)
+        return [*found, *judge(session.recording())], None
+
+
+def _launch_files(folder: str) -> list[str]:
+    """The launch files below a folder, by their names; neither built copies nor tests."""
+    found: list[str] = []
+    for place, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name not in PASSED_OVER and not name.startswith('.'))
+        found += (os.path.join(place, name) for name in sorted(names) if name.endswith(ENDINGS))
+    return found
 
 
 def _folder_of(package: str, share: str | None) -> str:

@@ -1,4 +1,4 @@
-"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything.
+"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything; or a rule.
 
 `edulaunch plan --json`: the plan of a launch file, for programs.
 """
@@ -11,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.desk.cli.explain_rule import explain_rule, is_rule
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.errors import UnusableInput
 
@@ -22,6 +23,7 @@ EXAMPLES = """examples:
   edulaunch explain my.launch.py background_r:=200             with an argument, as for `ros2 launch`
   edulaunch explain my.launch.py /sim background_g             why has this parameter this value
   edulaunch explain my.launch.py background_r                  why has this launch argument this value
+  edulaunch explain tf.unknown-frame                           a rule of advice: cause, example and cure
   edulaunch explain --diff my.launch.py other.launch.py        what differs between two launch files
   edulaunch explain --diff my.launch.py gui:=true gui:=false   ... between two sets of arguments ("a:=1 b:=2" for several)"""
 
@@ -29,7 +31,7 @@ EXAMPLES = """examples:
 def explain_arguments(parser: argparse.ArgumentParser) -> None:
     """The launch file as for `edulaunch launch`, and what to show of it."""
     parser.epilog = EXAMPLES
-    parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or its path')
+    parser.add_argument('package_or_path', metavar='PACKAGE | PATH | RULE', help='package of the launch file, or its path')
     parser.add_argument(
         'rest',
         nargs='*',
@@ -46,6 +48,8 @@ def explain_arguments(parser: argparse.ArgumentParser) -> None:
 
 def explain_verb(arguments: argparse.Namespace) -> int:
     """Print it. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
+    if is_rule(arguments.package_or_path):
+        return explain_rule(arguments.package_or_path)
     import gc
 
     gc.disable()  # this program ends soon; to look for what could be forgotten takes longer than to draw the tree

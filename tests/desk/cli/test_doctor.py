@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -56,6 +57,38 @@ def test_json_has_the_facts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         '/talker',
     )
     assert finding['facts'] == {'first': 'talker-1', 'second': 'talker-2', 'other': 'talker_2'} and finding['file'] == SAME
+
+
+def test_a_folder_is_judged_by_its_sources_and_by_runs_of_its_launch_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(SAME, tmp_path / 'a.launch.py')
+    head = 'from launch import LaunchDescription\nfrom launch.actions import DeclareLaunchArgument\nfrom launch_ros.actions import Node\n'
+    body = '\n\ndef generate_launch_description():\n    return LaunchDescription([{}])\n'
+    (tmp_path / 'b.launch.py').write_text(head + body.format("DeclareLaunchArgument('robot')"))
+    (tmp_path / 'c.launch.py').write_text(head + body.format("Node(package='slam_toolbox', executable='slam')"))
+    (tmp_path / 'build').mkdir()
+    shutil.copy(SAME, tmp_path / 'build' / 'copy.launch.py')
+    assert main(['doctor', '.', '--for', '1']) == 1
+    out = capsys.readouterr().out
+    assert 'two nodes are called /talker' in out and 'where: a.launch.py:9' in out
+    assert out.splitlines()[-3:] == [
+        'launch files that were run, 1 simulated seconds each: a.launch.py',
+        'b.launch.py was not run: it needs robot:=...',
+        'c.launch.py was not run: it needs the package slam_toolbox, which is not here',
+    ]
+
+
+def test_sarif_has_the_place_and_the_rule(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['doctor', SAME, '--for', '1', '--json', 'sarif']) == 1
+    log = json.loads(capsys.readouterr().out)
+    (run,) = log['runs']
+    (result,) = run['results']
+    assert log['version'] == '2.1.0' and run['tool']['driver']['rules'][result['ruleIndex']]['id'] == 'programs.same-name'
+    place = result['locations'][0]['physicalLocation']
+    assert place == {'artifactLocation': {'uri': Path(SAME).as_uri()}, 'region': {'startLine': 9}}
+    assert result['level'] == 'warning' and result['message']['text'].startswith('two nodes are called /talker')
 
 
 def test_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,0 +1,65 @@
+"""`edulaunch explain RULE`: the cause, an example and the cure of a rule of advice."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice import rule as rule_module
+from edulaunch.advice.reader import Reader, reader_here
+from edulaunch.advice.rule import GROUPS, Rule, all_rules
+from edulaunch.engine.nearest import nearest
+from edulaunch.errors import UnusableInput
+
+_RULE = re.compile(rf'({"|".join(GROUPS)})\.[a-z][a-z0-9-]*')
+_FACT = re.compile(r'\{(\w+)\}')
+EXAMPLES = os.path.join(os.path.dirname(rule_module.__file__), 'examples.json')
+"""Of each rule what `tests/advice/examples` has: the mistake as the difference to the healthy file, and what is reported."""
+
+
+def is_rule(word: str) -> bool:
+    """Whether a word has the form of a rule's name, and is no file."""
+    return _RULE.fullmatch(word) is not None and not os.path.exists(word)
+
+
+def explain_rule(name: str) -> int:
+    """Print what a rule reports, why that matters, what to do, and an example with its cure.
+
+    :raises UnusableInput: when there is no such rule; the message names the nearest one.
+    """
+    rules = all_rules()
+    if name not in rules:
+        near = nearest(name, rules)
+        group = [other for other in rules if other.partition('.')[0] == name.partition('.')[0]]
+        raise UnusableInput(f'there is no rule {name!r}', help=f'write {near}' if near else f'choose one of: {", ".join(group)}')
+    print('\n'.join(_lines(rules[name], reader_here())).encode(errors='backslashreplace').decode())
+    return 0
+
+
+def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
+    yield f'{rule.name} ({rule.level})'
+    for label, templates in (('what', rule.what), ('why', rule.why), ('do', rule.do)):
+        for number, template in enumerate(templates):
+            heading = '  or' if number else 'what:' if label == 'what' else f'{reader.says(label)}:'
+            yield f'  {heading:<8}{_shown(reader.says(template))}'
+    if rule.lesson:
+        yield f'  see:    lessons/{rule.lesson}.ipynb'
+    example = _example(rule.name)
+    if example is not None:
+        yield ''
+        yield 'an example; lines with - are the mistake, lines with + the cure:'
+        yield ''
+        yield from (f'  {line}' for line in example.splitlines())
+
+
+def _shown(template: str) -> str:
+    """A template for people: a fact is written as <fact>."""
+    return _FACT.sub(r'<\1>', template).replace('{{', '{').replace('}}', '}')
+
+
+def _example(name: str) -> str | None:
+    with open(EXAMPLES, encoding='utf-8') as file:
+        found: str | None = json.load(file).get(name)
+    return found
