@@ -146,8 +146,8 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
 
 
 def _whose(work: Work) -> list[CheckResult]:
-    """What is said of a submission that was evidently made from somebody else's exercise."""
-    from .results import FAILED, OWN_VARIANT, CheckResult
+    """What is said of a submission that was evidently made from somebody else's exercise: no mark, a person decides."""
+    from .results import GRADER_BROKE, OWN_VARIANT, CheckResult
 
     if work.variant is None or not any(map(work.variant.is_of_another, work.submission.source.texts().values())):
         return []
@@ -155,8 +155,8 @@ def _whose(work: Work) -> list[CheckResult]:
         CheckResult(
             OWN_VARIANT,
             'The file is made from your own exercise',
-            FAILED,
-            reason="this is another student's variant",
+            GRADER_BROKE,
+            reason="this is another student's variant: there is no mark until a teacher has looked at it",
             expected=f'Variant {work.variant.tag}, made for {work.variant.student}',
             where=work.submission.source.place,
             try_='begin with the file that you were given: its names and numbers are yours',

@@ -92,7 +92,8 @@ def add_common(parser: argparse.ArgumentParser) -> None:
         '--sandbox',
         choices=('auto', 'require', 'off'),
         default='auto',
-        help='confine runs as far as this system can (default), run nothing that is not confined, or do not confine',
+        help='confine runs as far as this system can (default; of a batch: require), run nothing that is not confined, '
+        'or do not confine',
     )
 
 

@@ -10,6 +10,7 @@ import json
 import os
 from base64 import b64decode, b64encode
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 from edulaunch.errors import UnusableInput
@@ -107,6 +108,7 @@ def _library() -> tuple[Any, Any]:
     return serialization, ed25519
 
 
+MOST_BESIDE = 1000  # entries of the folder of a report
 MOST_PLACES = 20_000  # files that are looked at in search of a submission
 NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
 
@@ -146,7 +148,7 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
     submission = Submission(options.submission or find_submission(report, options.report))
     rubric = options.rubric or report['rubric']['name'] if submission.exercise != report['rubric']['name'] else options.rubric
     work = plan_work(submission, rubric, seed, variant=_variant(report))
-    yield from _of_the_seed(report, options.course_secret_file, submission)
+    yield from _of_the_seed(report, options, submission)
     now = receipt(work)
     yield from (f'{words}: another one' for key, words in NAMES.items() if before.get(key) != now[key])
     (made,) = grade([work], Limits(options.limit, sandbox=options.sandbox), options.workspace)
@@ -169,10 +171,18 @@ def _variant(report: dict[str, Any]) -> Variant | None:
         return None
 
 
-def _of_the_seed(report: dict[str, Any], secret_file: str | None, submission: Submission) -> Iterator[str]:
-    if secret_file is None:
+def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission: Submission) -> Iterator[str]:
+    """The seed is that of the text, of the course's secret, or the one that is given here: else the student may have chosen it.
+
+    :raises UnusableInput: when a secret chose it, and is not given.
+    """
+    if options.course_secret_file is None:
+        if report['receipt'].get('secret') is not None and options.seed is None:
+            raise UnusableInput('a course secret has chosen the runs of this report', help='give --course-secret-file FILE')
+        if report['receipt'].get('seed') != (submission.seed if options.seed is None else options.seed):
+            yield 'seed: not the one that follows from the text; whoever graded it has chosen it (--seed N accepts it)'
         return
-    secret = CourseSecret(secret_file)
+    secret = CourseSecret(options.course_secret_file)
     student = str(report.get('student_id') or report.get('student') or '')
     if report['receipt'].get('seed') != secret.seed(report['rubric']['name'], student, submission.sha256):
         yield 'seed: not the one that this course secret chooses for this student and text'
@@ -216,8 +226,10 @@ def find_submission(report: dict[str, Any], path: str) -> str:
 
 
 def _places(report: dict[str, Any], file: str, path: str) -> Iterator[str]:
-    yield from (os.path.join(os.path.dirname(path), file), file)
     folder = os.path.dirname(path)
+    yield from (os.path.join(folder, file), file)
+    with suppress(OSError):  # a package beside it
+        yield from (os.path.join(folder, name, file) for name in sorted(os.listdir(folder))[:MOST_BESIDE])
     while os.path.dirname(folder) != folder:
         if os.path.exists(os.path.join(folder, '.lock')):  # the results of a batch
             inside = str(report.get('path'))

@@ -7,7 +7,18 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
+from ..results import (
+    ALL_PASSED,
+    BROKEN_GRADER,
+    FAILED,
+    GRADER_BROKE,
+    NOT_RUN,
+    OWN_VARIANT,
+    PASSED,
+    SOME_FAILED,
+    CheckResult,
+    Report,
+)
 from ..verdicts import refusal_of
 from .wording import ALL, ShortPaths, at_level, explained, points_of, retold
 
@@ -119,8 +130,15 @@ def points_line(report: Report) -> str:
     """How much of it passed, and the mark."""
     mark = f'{report.earned} of {report.possible} points'
     if report.earned is None:
-        mark = 'no mark, because the grader broke'
+        mark = f'no mark, because {_why_none(report)}'
     return f'{report.passed} of {len(report.results)} checks passed: {mark}.'
+
+
+def _why_none(report: Report) -> str:
+    reasons = [result.reason for result in report.results if result.status == GRADER_BROKE]
+    if any(result.name == OWN_VARIANT for result in report.results):
+        return "this is another student's exercise"
+    return reasons[0].removeprefix('not graded: ') if reasons[0].startswith('not graded: ') else 'the grader broke'
 
 
 def sandbox_line(reports: Sequence[Report]) -> str:
@@ -138,6 +156,8 @@ def next_step(report: Report) -> str:
     """The closing line: the one thing to do now."""
     if report.exit_code == ALL_PASSED:
         return 'Next: done. Take the next exercise, or change something and predict what the report will say.'
+    if any(result.name == OWN_VARIANT for result in report.results):
+        return 'Next: begin with the file that you were given, or ask your teacher to look at this one.'
     if report.exit_code == BROKEN_GRADER:
         return 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
     first = next(_of(FAILED, list(report.results)))

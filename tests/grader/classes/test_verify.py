@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from edugrade.classes.verify import find_submission, read_report
 from edugrade.cli import main
 
 pytestmark = pytest.mark.processes
@@ -74,6 +75,25 @@ def test_another_text_is_found(work: Path, tmp_path: Path, capsys: pytest.Captur
     (tmp_path / SOLUTION.name).write_text(SOLUTION.read_text() + '\n# more\n')
     assert main(['verify', str(work / 'report.json'), '--submission', str(tmp_path / SOLUTION.name)]) == 1
     assert 'the text of the submission: another one' in capsys.readouterr().out
+
+
+def test_a_seed_that_somebody_chose_is_found(work: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A file that is right for one seed only holds, when its author may choose the seed."""
+    report = str(tmp_path / 'report.json')
+    shutil.copy(SOLUTION, tmp_path)
+    main([str(tmp_path / SOLUTION.name), '--seed', '7', '--json', report])
+    assert main(['verify', report]) == 1
+    assert 'seed: not the one that follows from the text' in capsys.readouterr().out
+    assert main(['verify', report, '--seed', '7']) == 0
+    assert main(['verify', str(work / 'class.results' / 'anna' / 'static_frame.launch.py.json')]) == 2
+    assert 'give --course-secret-file' in capsys.readouterr().err
+
+
+def test_a_package_is_found_beside_its_report(tmp_path: Path) -> None:
+    shutil.copytree(SOLUTION.parent / 'large_project', tmp_path / 'large_project')
+    report = str(tmp_path / 'report.json')
+    main([str(tmp_path / 'large_project'), '--json', report])
+    assert find_submission(read_report(report), report) == str(tmp_path / 'large_project' / 'launch' / 'large_project.launch.py')
 
 
 def test_a_seed_that_the_secret_did_not_choose_is_found(work: Path, capsys: pytest.CaptureFixture[str]) -> None:

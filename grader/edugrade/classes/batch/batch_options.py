@@ -12,7 +12,8 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     """Parse what follows ``edugrade batch``."""
     parser = argparse.ArgumentParser(
         prog='edugrade batch',
-        description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own.',
+        description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own. '
+        'There is no mark from a run that is not confined, unless --sandbox auto is given.',
     )
     parser.add_argument(
         'folder',
@@ -33,6 +34,7 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
     parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
     add_common(parser)
+    parser.set_defaults(sandbox='require')  # the work of others
     return parser.parse_args(words)
 
 

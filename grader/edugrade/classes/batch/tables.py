@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from hashlib import sha256
@@ -25,9 +26,11 @@ if TYPE_CHECKING:
 
 COLUMNS = (
     *('student', 'student_id', 'submission', 'exercise', 'verdict', 'earned', 'possible', 'first_problem'),
-    *('sha256', 'seed', 'origin'),
+    *('sha256', 'seed', 'origin', 'sandbox'),
 )
 FORMULA = ('=', '+', '-', '@', '\t', '\r')
+BEHIND_A_SEPARATOR = re.compile(r'([;|\t\n][ "]*)(?=[=+@-])')
+"""Where in another country's spreadsheet a new cell begins, with a formula."""
 
 
 def rows(results: Results) -> list[dict[str, str]]:
@@ -49,14 +52,32 @@ def _row(entry: Entry, found: Result) -> dict[str, str]:
         'sha256': made.get('submission'),
         'seed': made.get('seed'),
         'origin': entry.origin,
+        'sandbox': confined_by(found),
     }
     return {name: '' if value is None else str(value) for name, value in values.items()}
 
 
+def confined_by(found: Result) -> str:
+    """What confined the runs of a submission: the names of the layers, and of those that did not hold, with why."""
+    if 'checks' not in found:
+        return ''
+    layers = found.get('sandbox') or {}
+    missing = [f'{layer} ({state})' for layer, state in layers.items() if state != 'held']
+    held = [layer for layer, state in layers.items() if state == 'held']
+    return (', '.join(held) or 'not confined') + (f'; without {", ".join(missing)}' if missing else '')
+
+
+def one_line(text: str) -> str:
+    """The first line of a text; with the next one when that is what it announces."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    return ' '.join([lines[0], lines[1].removeprefix('- ')] if lines[1:] and lines[0].endswith(':') else lines[:1])
+
+
 def first_problem(found: Result) -> str | None:
-    """Why it was not graded, or why the first check that was run did not pass."""
+    """In one line, why it was not graded, or why the first check that was run did not pass."""
     broken = next((check for check in found.get('checks', ()) if check['status'] not in ('passed', 'not_run')), None)
-    return found.get('refused') or (broken and broken['reason'])
+    words = found.get('refused') or (broken and broken['reason'])
+    return one_line(words) if words else None
 
 
 def class_csv(results: Results) -> str:
@@ -65,7 +86,7 @@ def class_csv(results: Results) -> str:
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]]) -> str:
-    """A table. A text that a spreadsheet would take for a formula begins with an apostrophe; controls are question marks."""
+    """A table. What a spreadsheet would take for a formula begins with an apostrophe, also behind another separator of cells."""
     file = io.StringIO()
     writer = csv.DictWriter(file, columns, lineterminator='\n')
     writer.writeheader()
@@ -77,6 +98,7 @@ def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]]) -> str:
 def plain(value: str) -> str:
     """A text as a spreadsheet shows it, and never runs it."""
     value = ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in value)
+    value = BEHIND_A_SEPARATOR.sub(r"\1'", value)
     return f"'{value}" if value.startswith(FORMULA) else value
 
 
@@ -85,7 +107,7 @@ STYLE = (
     'table{display:block;overflow-x:auto}a,td:last-child{overflow-wrap:anywhere}td:last-child{min-width:12em}'
     'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
 )
-SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'first_problem')
+SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'sandbox', 'first_problem')
 MOST_CAUSES = 20
 LONGEST_STEM = 80  # characters of a student's page's name
 

@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
+from edugrade import verdicts
 from edugrade.classes.batch.entries import Entry
 from edugrade.classes.batch.store import Store
-from edugrade.classes.batch.tables import class_csv, class_page
+from edugrade.classes.batch.tables import class_csv, class_page, confined_by, one_line, plain
 from edugrade.cli import main
 
 SOLUTIONS = Path(__file__).parents[4] / 'solutions'
@@ -284,3 +285,22 @@ def test_a_result_that_cannot_be_written_is_no_older_mark(
     said = capsys.readouterr()
     assert '0 have a mark' in said.out and 'No space left on device' in said.err
     assert main([*words, '--resume']) == 0
+
+
+def test_a_table_says_what_confined_a_mark_and_is_safe_in_every_country() -> None:
+    held = {'checks': [], 'points': {}, 'sandbox': {'files': 'held', 'view': 'no namespaces'}}
+    assert confined_by(held) == 'files; without view (no namespaces)'
+    assert (confined_by({**held, 'sandbox': {}}), confined_by({'refused': 'x'})) == ('not confined', '')
+    assert plain('a;=1+1') == "a;'=1+1" and plain('a; "@b') == 'a; "\'@b' and plain('a;b-c') == 'a;b-c'
+    assert one_line('Caught exceptions:\n - SyntaxError: (\n - InvalidXml\n') == 'Caught exceptions: SyntaxError: ('
+
+
+@pytest.mark.processes
+def test_a_class_gets_no_marks_from_runs_that_are_not_confined(two: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, rubric = two
+    monkeypatch.setattr(verdicts, 'unconfined', lambda sandbox: {'files': 'this kernel has none'})
+    result = Path(f'{folder}.results/anna/two.launch.py.json')
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 3
+    assert json.loads(result.read_text())['points']['earned'] is None
+    assert main(['batch', str(folder), '--rubric', str(rubric), '--sandbox', 'auto']) == 0
+    assert json.loads(result.read_text())['points']['earned'] == 4.5
