@@ -10,14 +10,12 @@ import time
 import traceback
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from edulaunch.desk.machine import wire
 from edulaunch.engine.processes.inputs import PipedInput
 
 if TYPE_CHECKING:
-    from edulaunch.desk.machine.desk import Desk
-    from edulaunch.desk.machine.terminals import Terminal, Terminals
     from edulaunch.engine.processes.process import Process
 
 MOST_UNREAD = 32 << 20
@@ -26,9 +24,20 @@ CHUNK = 1 << 16
 SOON_S = 0.02
 
 
+class Peer(Protocol):
+    """What a connection becomes once the other side has said who it is: a terminal, or a live page."""
+
+    def take(self, kind: bytes, payload: bytes) -> None:
+        """The other side has sent a frame."""
+
+    def hang_up(self) -> None:
+        """The other side is gone."""
+
+
 class Connection:
     """One accepted connection. It says nothing, and nothing is done for it, before it has said the token.
 
+    :param open_peer: makes the terminal or live page that the first frame asks for.
     :param forget: called once, when it is closed.
     :ivar terminal: what it became, if it is one.
     """
@@ -38,13 +47,13 @@ class Connection:
         client: socket.socket,
         selector: selectors.BaseSelector,
         token: str,
-        terminals: Terminals,
+        open_peer: Callable[[Connection, list[str]], Peer],
         forget: Callable[[Connection], object],
     ) -> None:
         self._socket = client
         self._selector = selector
         self._token = token
-        self._terminals = terminals
+        self._open_peer = open_peer
         self._forget = forget
         self._frames = wire.Frames(wire.FROM_TERMINAL)
         self._unsent = bytearray()
@@ -53,7 +62,7 @@ class Connection:
         self._heard: deque[tuple[bytes, bytes]] = deque()
         self.is_open = True
         self.since_s = self._flushed_s = time.monotonic()
-        self.terminal: Terminal | Desk | None = None
+        self.terminal: Peer | None = None
         client.setblocking(False)
         selector.register(client, self._events, self._attend)
 
@@ -159,7 +168,7 @@ class Connection:
         if not hmac.compare_digest(fields[0].encode('utf-8', 'replace'), self._token.encode()):
             raise wire.BadFrame('not the token')
         self.send(wire.WELCOME)
-        self.terminal = self._terminals.open(self, fields[1:])
+        self.terminal = self._open_peer(self, fields[1:])
 
 
 class RemoteInput(PipedInput):

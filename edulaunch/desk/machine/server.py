@@ -11,7 +11,7 @@ import traceback
 from collections.abc import Callable
 from functools import partial
 
-from edulaunch.desk.machine.connection import Connection
+from edulaunch.desk.machine.connection import Connection, Peer
 from edulaunch.desk.machine.terminals import Terminal, Terminals
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.runtime.session import Session
@@ -137,7 +137,11 @@ class Server:
             client.close()
             return
         self.on_accept(client)
-        self._connections.append(Connection(client, self.selector, self._token, self.terminals, self._forget))
+        self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
+
+    def _open_peer(self, connection: Connection, fields: list[str]) -> Peer:
+        """For whoever comes now: another session may have been there when the connection was accepted."""
+        return self.terminals.open(connection, fields)
 
     def _forget(self, connection: Connection) -> None:
         self._connections.remove(connection)

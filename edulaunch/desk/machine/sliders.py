@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
 
 if TYPE_CHECKING:
-    from edulaunch.desk.machine.started import Machine
+    from edulaunch.desk.machine.host import Host
 
 WITHOUT_STEP = 100
 """Steps over a range of floats that names none."""
 
 
-def slider(machine: Machine, node: str, name: str, limits: tuple[float, float] | None) -> Any:
-    """See `Machine.slider`."""
+def slider(
+    machine: Host, take: Callable[[dict[str, Any]], object], node: str, name: str, limits: tuple[float, float] | None
+) -> Any:
+    """See `Machine.slider`.
+
+    :param take: does what a live page would ask for.
+    """
     ipywidgets = widgets()
     recorder = machine.session.recorder
     known = {row[2]: row[3] for row in recorder.parameters if row[1] == node}
@@ -36,7 +42,7 @@ def slider(machine: Machine, node: str, name: str, limits: tuple[float, float] |
 
     def set_parameter(change: Any) -> None:
         text = str(change.new).lower() if isinstance(value, bool) else str(change.new)
-        machine.soon(lambda: machine.take({'op': 'param', 'node': node, 'name': name, 'value': text}))
+        machine.soon(lambda: take({'op': 'param', 'node': node, 'name': name, 'value': text}))
 
     made.observe(set_parameter, 'value')
     return made

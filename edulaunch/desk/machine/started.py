@@ -208,7 +208,7 @@ class Machine(OnNetwork, Host):
         """
         from edulaunch.desk.machine.sliders import slider
 
-        return slider(self, node, name, limits)
+        return slider(self, self.take, node, name, limits)
 
     def take(self, words: dict[str, Any]) -> None:
         """Do by hand what a page would ask for."""

@@ -30,7 +30,7 @@ from edulaunch.runtime.session import Session, index_for, machine_environment
 
 if TYPE_CHECKING:
     from edulaunch.desk.machine.connection import Connection
-    from edulaunch.desk.machine.desk import Desk
+    from edulaunch.desk.machine.live_page import LivePage
 
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
@@ -128,7 +128,7 @@ class Terminals(OnNetwork):
         self.selector = selector
         session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
         self.open_ones: list[Terminal] = []
-        self.pages: list[Desk] = []
+        self.pages: list[LivePage] = []
         self.is_asked_to_end = False
         self.notes = Notes()
         self._count = 0
@@ -147,7 +147,7 @@ class Terminals(OnNetwork):
     def _where_on_network(self) -> str | None:
         return self.network.where() if self.network is not None and self.network.is_on else None
 
-    def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
+    def open(self, connection: Connection, fields: list[str]) -> Terminal | LivePage:
         """A terminal for what somebody said first.
 
         :raises ValueError, IndexError: when that is not what a terminal says.
@@ -157,13 +157,13 @@ class Terminals(OnNetwork):
         if not words or len(terminals) != 3:
             raise ValueError('no command')
         if words == ['machine', 'view']:
-            from edulaunch.desk.machine.desk import Desk
+            from edulaunch.desk.machine.live_page import LivePage
 
             if len(self.pages) >= MOST_PAGES:
                 why = f'{MOST_PAGES} pages show this machine already: close some of them, and load this page again'
                 connection.send(wire.ERRORS, why.encode())
                 connection.end()
-            page = Desk(self, connection)
+            page = LivePage(self, connection.send, self.pages.remove)
             self.pages.append(page)
             self.notes.knows_view = True
             return page

@@ -1,31 +1,34 @@
-"""The machine's end of a page: pieces of film on request, and what the page asks for. One line of JSON each way."""
+"""The machine's end of a live page: changes on request, and what the page asks for. One line of JSON each way."""
 
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any
 
 from edulaunch.desk.machine import wire
+from edulaunch.desk.view import Living
 from edulaunch.desk.view.viewer import Viewer
-
-if TYPE_CHECKING:
-    from edulaunch.desk.machine.connection import Connection
-    from edulaunch.desk.machine.terminals import Terminals
 
 LONGEST_LINE = 1 << 16
 
 
-class Desk:
-    """Stands where a terminal would: it is fed the same frames."""
+class LivePage:
+    """Takes the place of a terminal, and is fed the same frames.
 
-    def __init__(self, terminals: Terminals, connection: Connection) -> None:
-        self._terminals = terminals
-        self._connection = connection
-        self._viewer = Viewer(terminals, self._say)
+    :param machine: what it shows.
+    :param send: sends a frame to the page: its kind and payload.
+    :param forget: called once with this page when it is closed.
+    """
+
+    def __init__(self, machine: Living, send: Callable[[bytes, bytes], object], forget: Callable[[LivePage], object]) -> None:
+        self._send = send
+        self._forget = forget
+        self._viewer = Viewer(machine, self._say)
         self._line = b''
 
     def _say(self, message: dict[str, Any]) -> None:
-        self._connection.send(wire.OUTPUT, json.dumps(message, separators=(',', ':')).encode() + b'\n')
+        self._send(wire.OUTPUT, json.dumps(message, separators=(',', ':')).encode() + b'\n')
 
     def take(self, kind: bytes, payload: bytes) -> None:
         """What the page says.
@@ -46,6 +49,5 @@ class Desk:
 
     def hang_up(self) -> None:
         """The page is gone."""
-        if self in self._terminals.pages:
-            self._terminals.pages.remove(self)
+        self._forget(self)
         self._viewer.close()
