@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.read_only import ReadOnly
+from edulaunch.engine.sim.task import AmbientTask, current_task
 from edulaunch.ros.collector_pause import collector_paused
 
 from ._argument_search import looking
@@ -319,8 +320,6 @@ class LaunchService:
 
 def _check_thread() -> None:
     """The main thread is the real one for a plain script, and the first task of a simulated process."""
-    from edulaunch.engine.sim.task import AmbientTask, current_task
-
     task = running_process().lifecycle.task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from edulaunch.engine.processes.current import current_process
+
 from ._running import run_until_complete
 
 if TYPE_CHECKING:
@@ -43,7 +45,6 @@ def companions(scope: Any) -> dict[str, Any]:
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
         """The asyncio loop on which launch and coroutines run, in simulated time."""
-        from edulaunch.engine.processes.current import current_process
         from edulaunch.engine.processes.views.asyncio_view import ProcessEventLoop
 
         process = current_process()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from launch._engine import assumptions, generated_files, inside, running_process, state_of
 
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
-from ._parameter_origins import Given, ParameterOrigins, in_force
+from ._parameter_origins import Given, ParameterOrigins, given_by_file, given_by_global, given_by_launch_file, in_force
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
 from .utilities.evaluate_parameters import evaluate_parameter_dict
@@ -114,8 +114,6 @@ class ParameterArguments:
 
         :param node: where the launch file made the node.
         """
-        from ._parameter_origins import given_by_file, given_by_global, given_by_launch_file
-
         found: list[Given] = []
         for (text, is_file), (values, written) in zip(self.items, self._sources, strict=True):
             if isinstance(written, dict):

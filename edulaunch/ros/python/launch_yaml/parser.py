@@ -7,6 +7,7 @@ from typing import Any, TextIO
 
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.parser import Parser as BaseParser
+from launch.utilities.yaml_reader import read_file
 
 from edulaunch.engine.facts import with_facts
 
@@ -50,6 +51,4 @@ def _read(text: str, name: str) -> Any:
     try:
         return read_plain(text)
     except NotPlain:
-        from launch.utilities.yaml_reader import read_file
-
         return read_file(text, name)

@@ -14,6 +14,7 @@ from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
 from rclpy.time import Time, time_of_clock
+from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.context import Context
@@ -176,8 +177,6 @@ class Clock:
         :raises NotInitializedException: before init.
         :raises ValueError: when `until` belongs to another kind of clock.
         """
-        from rclpy.utilities import get_default_context
-
         context = context or get_default_context()
         if not context.alive:
             raise NotInitializedException()

@@ -16,7 +16,7 @@ from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
 from rclpy.impl.logging_state import logging_state
-from rclpy.impl.own_names import AT_START, check_own_names
+from rclpy.impl.own_names import AT_START, check_own_names, private_names
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.entities import NodeEntities
@@ -208,7 +208,6 @@ _finish_node_class()
 def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
     """Only asked for when the node leaves, or at the end of the record."""
     from rclpy.impl.facts import odd_facts
-    from rclpy.impl.own_names import private_names
 
     yield from odd_facts(node._rclpy)
     yield from private_names(node)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import SERVICE, Entity, ReadyList, ServiceEnd
 from rclpy.task import is_coroutine_function
@@ -66,8 +67,6 @@ class Service(ServiceEnd, Entity):
         """
         response_type = self.srv_type.Response
         if not isinstance(response, response_type):
-            from edulaunch.engine.facts import kind_of, with_facts
-
             raise with_facts(TypeError(), 'programs.no-response', service=self.endpoint.service_name, returned=kind_of(response))
         self.endpoint.respond(header, response_type.to_wire(response))
         if self._introspection is not None:

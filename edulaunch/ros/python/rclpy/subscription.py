@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.facts import with_facts
 from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import SUBSCRIPTION, Entity, ReadyList, TopicEnd, check_alive
 from rclpy.task import is_coroutine_function
@@ -127,8 +128,6 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
         return Subscription.CallbackType.MessageOnly
     if _accepts(callback, 2):
         return Subscription.CallbackType.WithMessageInfo
-    from edulaunch.engine.facts import with_facts
-
     raise with_facts(
         RuntimeError(
             'Subscription.__init__(): callback should be either be callable with one argument'

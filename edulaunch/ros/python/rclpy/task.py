@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.frame_owner import coroutine_line
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
@@ -254,7 +255,6 @@ class Task(Future):
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
         """A callback that waits keeps its group: a client of the same group gets no answer."""
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
-            from edulaunch.engine.processes.frame_owner import coroutine_line
             from rclpy.impl.facts import note_wait
 
             note_wait('await', source, coroutine_line(self._running))

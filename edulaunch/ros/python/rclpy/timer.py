@@ -10,6 +10,7 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ROSInterruptException
 from rclpy.impl.entity import NEVER_NS, TIMER, Handle, ReadyList, TimedEntity
 from rclpy.impl.refusals import invalid_handle
+from rclpy.process_state import process_state
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:
@@ -127,7 +128,6 @@ class Timer(TimedEntity):
     def _note_skipped(self, now_ns: int) -> None:
         """The executor comes a whole period late, or later: something holds it up."""
         from rclpy.impl.facts import callback_name, node_name
-        from rclpy.process_state import process_state
 
         late_s = round((now_ns - self._next_ns) / 1e9, 9)
         data = {'callback': callback_name(self), 'node': node_name(self), 'period_s': self._period_ns / 1e9, 'late_s': late_s}

@@ -25,7 +25,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 from ..logging import get_logger, get_output_loggers
 from ..logging._output import normalize_output_configuration
 from ..utilities.texts import normalize_to_list_of_substitutions
-from ._process_run import DEFAULT_OUTPUT_FORMAT, OutputLines
+from ._process_run import DEFAULT_OUTPUT_FORMAT, OutputLines, ProcessRun
 
 if TYPE_CHECKING:
     import asyncio
@@ -176,8 +176,6 @@ class ProcessWatch(BaseEventHandler):
 
     def _start(self, context: LaunchContext, emulate_tty: bool) -> ProcessRun:
         from edulaunch.engine.processes import ProcessSpec
-
-        from ._process_run import ProcessRun
 
         details = self._details
         details['cmd'] = self._action.process_description.command

@@ -13,6 +13,7 @@ from .._failure import is_students
 from .._include_ring import enter_include
 from .._run_notes import note_declared, note_include, note_undeclared, tell_wrong_return
 from ..action import Action
+from ..launch_context import LaunchContext
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..launch_description_source import LaunchDescriptionSource
 from ..launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
@@ -72,8 +73,6 @@ class IncludeLaunchDescription(Action):
 
     def _try_get_arguments_names_without_context(self) -> list[str]:
         """The names of the launch arguments, as far as they are known without a running launch."""
-        from ..launch_context import LaunchContext
-
         try:
             return self.__argument_names(LaunchContext())
         except Exception:

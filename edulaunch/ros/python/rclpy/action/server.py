@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
@@ -266,8 +267,6 @@ class ActionServer(Waitable):
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future.ended:
             if not isinstance(result, self._action_type.Result):
-                from edulaunch.engine.facts import kind_of, with_facts
-
                 raise with_facts(
                     TypeError(),
                     'programs.no-result',

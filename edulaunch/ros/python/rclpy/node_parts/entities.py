@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.names import expand_name, full_topic_name_problem, fully_qualified_name, topic_name_problem
+from edulaunch.engine.processes.frame_owner import student_line
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
@@ -359,7 +360,6 @@ def _new_timer(
 
 def _note_period(core: NodeCore, timer: Timer) -> None:
     """A period as nobody means it: 0, or minutes where milliseconds were thought of."""
-    from edulaunch.engine.processes.frame_owner import student_line
     from rclpy.impl.facts import callback_name
 
     data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}
@@ -370,8 +370,6 @@ def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
     """Note that the result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
     if callback is not None:
         return
-    from edulaunch.engine.processes.frame_owner import student_line
-
     line = student_line()
     data = {'node': core.full_name, 'function': function, 'file': line.get('file'), 'line': line.get('line')}
     core.process.fact('callback missing', (core.entry.index, core.next_number()), data)

@@ -17,7 +17,7 @@ from rclpy.exceptions import (
 from rclpy.impl.refusals import student_level
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.parameter_store import undeclared
-from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType, parameter_value_to_python
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
@@ -194,8 +194,6 @@ class NodeParameters:
 
         :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
         """
-        from rclpy.parameter import parameter_value_to_python
-
         store = self._rclpy.parameters
         if name not in store.values:
             return self.get_parameter(name).get_parameter_value()

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 
+from edulaunch.engine.processes import current_process
+
 if TYPE_CHECKING:
     from launch.launch_description import LaunchDescription
 
@@ -151,6 +153,4 @@ def launch_a_launch_file(
 
 
 def _print(text: str) -> None:
-    from edulaunch.engine.processes import current_process
-
     current_process().streams.stdout.write(text + '\n')
