@@ -10,6 +10,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     from edulaunch.ros.sourcing import source
 
     source()
-    from launch_testing import launch_test
+    from edulaunch.extras.testing import launch_test
 
     return launch_test.main(argv)

@@ -43,6 +43,9 @@ def start(config: pytest.Config) -> None:
     source()
     from launch_testing.pytest import hooks
 
+    from edulaunch.extras.testing.launch_test import run_launch_test
+
+    config.stash[hooks.RUNNER] = run_launch_test
     for name, plugin in (('edulaunch_asked', sys.modules[__name__]), ('launch_testing', hooks)):
         if not config.pluginmanager.is_registered(plugin):
             config.pluginmanager.register(plugin, name)

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from launch_testing.launch_test import LaunchTest, run_launch_test
+from launch_testing.launch_test import LaunchTest
 from launch_testing.pytest.hooks import pytest_configure
+
+from edulaunch.extras.testing.launch_test import run_launch_test
 
 CORPUS = Path(__file__).parent / 'corpus'
 Run = Callable[..., Any]
