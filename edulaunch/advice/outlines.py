@@ -45,8 +45,7 @@ def launch_files(rehearsal: Rehearsal) -> list[str]:
 
 def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
     """The student's own Python launch files with their syntax trees; nothing of them is executed."""
-    from launch._failure import is_students
-
+    from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import parsed
 
     for file in launch_files(rehearsal):

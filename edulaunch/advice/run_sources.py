@@ -37,7 +37,7 @@ def script_of(file: str | None) -> ast.Module | None:
 
 
 def _scripts(files: list[str]) -> Iterator[Script]:
-    from launch._failure import is_students
+    from edulaunch.engine.underlay_place import is_students
 
     for file in dict.fromkeys(files):
         if file.endswith('.py') and is_students(file):

@@ -18,3 +18,12 @@ def underlay_prefix() -> str:
 def underlay_python() -> str:
     """The folder that `edulaunch.source()` puts on the path."""
     return os.path.join(underlay_prefix(), 'python')
+
+
+def is_students(filename: str) -> bool:
+    """Whether a file is neither ours nor Python's nor of an installed package. What the underlay shares is as a student's."""
+    python = os.path.dirname(os.path.abspath(os.__file__)) + os.sep
+    if filename.startswith(('<', python)) or 'site-packages' in filename or filename.endswith('.pyx'):
+        return False
+    shared = os.path.join(underlay_prefix(), 'share') + os.sep
+    return filename.startswith(shared) or not filename.startswith(engine_folder() + os.sep)

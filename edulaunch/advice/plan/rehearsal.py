@@ -239,7 +239,7 @@ def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
     """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
     from traceback import walk_tb
 
-    from launch._failure import is_students
+    from edulaunch.engine.underlay_place import is_students
 
     places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]
     own = [place for place in places if is_students(place.rpartition(':')[0])]

@@ -11,7 +11,6 @@ from collections.abc import Callable, Collection, Iterable
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from launch._failure import is_students
 from launch._handler_table import Handler
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
@@ -20,6 +19,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 
 from edulaunch.advice.plan.rehearsal import MOST_REACTIONS
 from edulaunch.advice.plan.wording import Branch
+from edulaunch.engine.underlay_place import is_students
 
 if TYPE_CHECKING:
     from launch.event import Event

@@ -161,8 +161,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
 )
 def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
     """A path below a home folder that is written out."""
-    from launch._failure import is_students
-
+    from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import read_text
 
     for file in filter(is_students, launch_files(rehearsal)):

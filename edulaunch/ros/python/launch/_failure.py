@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import facts_of
 from edulaunch.engine.nearest import nearest_file
+from edulaunch.engine.underlay_place import is_students
 
 from ._engine import running_process
 from .invalid_launch_file_error import InvalidLaunchFileError
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
     from edulaunch.engine.processes import Origin
 
-_OURS = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))) + os.sep
-_PYTHON = os.path.dirname(os.path.abspath(os.__file__)) + os.sep
 CALL_LINES = 8
 """So many lines a call may have, to be looked at for the names of its arguments."""
 
@@ -93,14 +92,6 @@ def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
     while trace is not None:
         yield trace.tb_frame, trace.tb_lineno
         trace = trace.tb_next
-
-
-def is_students(filename: str) -> bool:
-    """Whether a file is neither ours nor Python's nor that of an installed package."""
-    if filename.startswith(('<', _PYTHON)) or 'site-packages' in filename or filename.endswith('.pyx'):
-        return False
-    shared = os.path.join(_OURS, 'ros', 'share') + os.sep
-    return filename.startswith(shared) or not filename.startswith(_OURS)
 
 
 def _found_in_frames(error: BaseException) -> dict[str, Any]:

@@ -6,10 +6,11 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from edulaunch.engine.underlay_place import is_students
+
 from .._absent_packages import is_left_out
 from .._bases import ReadOnly
 from .._engine import inside
-from .._failure import is_students
 from .._include_ring import enter_include
 from .._run_notes import note_declared, note_include, note_undeclared, tell_wrong_return
 from ..action import Action
