@@ -17,7 +17,7 @@ WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')
 """Wings of several rooms; each other wing is one room."""
 AS_PREFIX = ('bin', 'programs', 'python', 'share', 'shell')
 """What of the wing `ros` is an install prefix, and no package of edulaunch."""
-RULES = ('advice.errors', 'advice.plans', 'advice.recordings', 'advice.sources', 'advice.workspaces')
+RULES = ('advice.errors', 'advice.plans', 'advice.recordings', 'advice.scripts', 'advice.sources', 'advice.workspaces')
 """Folders of rules, which are no rooms of their own."""
 FACADE = ('__main__', 'checking')
 WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')

@@ -1,0 +1,13 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=['python3', os.path.join(HERE, 'talker.py')], output='screen'),
+        ExecuteProcess(cmd=['python3', os.path.join(HERE, 'listener.py')], output='screen'),
+    ])

@@ -1,0 +1,15 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node, SetRemap
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        SetRemap('/turtle1/cmd_vel', '/cmd_vel'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        ExecuteProcess(cmd=['python3', os.path.join(HERE, 'driver.py')], output='screen'),
+    ])

@@ -1,0 +1,13 @@
+import os
+
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--frame-id', 'map', '--child-frame-id', 'odom']),
+        Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--frame-id', 'odom', '--child-frame-id', 'base']),
+    ])

@@ -1,0 +1,14 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--x', '1', '--frame-id', 'map', '--child-frame-id', 'base']),
+        ExecuteProcess(cmd=['python3', os.path.join(HERE, 'poses.py')], output='screen'),
+    ])
