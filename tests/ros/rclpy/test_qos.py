@@ -91,7 +91,15 @@ def test_incompatible_profiles_are_explained(offered: dict[str, object], request
 def test_open_policies_make_warnings(offered: dict[str, object], requested: dict[str, object], reason: str) -> None:
     automatic = {'depth': 1, 'liveliness': 1}
     check = qos.qos_check_compatible(qos.QoSProfile(**automatic | offered), qos.QoSProfile(**automatic | requested))
-    assert (str(check.compatibility), check.reason) == ('QoSCompatibility.WARNING', f'WARNING: {reason};')
+    assert check == (qos.QoSCompatibility.WARNING, f'WARNING: {reason};')
+    assert type(check) is tuple, 'a program prints it'
+
+
+def test_a_depth_of_zero_that_is_set_later_warns_too() -> None:
+    profile = qos.QoSProfile(depth=5)
+    with pytest.warns(UserWarning, match='A zero depth with KEEP_LAST') as caught:
+        profile.depth = 0
+    assert len(caught) == 1
 
 
 def test_a_flag_of_a_profile_is_a_bool() -> None:

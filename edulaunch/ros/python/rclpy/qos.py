@@ -142,12 +142,8 @@ class QoSProfile:
             raise InvalidQoSProfileException('History set to KEEP_LAST without a depth setting.')
         for name, default in _DEFAULTS.items():
             setattr(self, name, kwargs.get(name, default))
-        if kwargs.get('depth') == 0 and self.history == HistoryPolicy.KEEP_LAST:
-            warn(
-                "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
-                'This will be interpreted as SYSTEM_DEFAULT',
-                stacklevel=student_level(),
-            )
+        if 'depth' in kwargs:
+            _warn_of_zero(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
@@ -164,8 +160,16 @@ class QoSProfile:
         return engine_qos(self)
 
 
+def _warn_of_zero(profile: QoSProfile) -> None:
+    if profile.depth == 0 and profile.history == HistoryPolicy.KEEP_LAST:
+        warn(
+            "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. This will be interpreted as SYSTEM_DEFAULT",
+            stacklevel=student_level(),
+        )
+
+
 def _property(name: str) -> property:
-    slot = '_' + name
+    slot, is_depth = '_' + name, name == 'depth'
 
     def getter(self: QoSProfile) -> Any:
         """The value of this policy."""
@@ -180,6 +184,8 @@ def _property(name: str) -> property:
         else:
             assert isinstance(value, bool if name == 'avoid_ros_namespace_conventions' else int)
         setattr(self, slot, value)
+        if is_depth and getattr(self, '_avoid_ros_namespace_conventions', None) is not None:  # else it is being made
+            _warn_of_zero(self)
 
     return property(getter, setter)
 
@@ -310,7 +316,7 @@ class QoSPresetProfiles(Enum):
         return profile
 
 
-_LATE = ('QoSCheck', 'QoSCompatibility', 'QoSPolicyKind', 'qos_check_compatible', 'qos_policy_name_from_kind')
+_LATE = ('QoSCompatibility', 'QoSPolicyKind', 'qos_check_compatible', 'qos_policy_name_from_kind')
 __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *_LATE]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
@@ -45,13 +45,6 @@ class QoSCompatibility(IntEnum):
         return f'{type(self).__name__}.{self.name}'
 
 
-class QoSCheck(NamedTuple):
-    """What :func:`qos_check_compatible` found."""
-
-    compatibility: QoSCompatibility
-    reason: str
-
-
 # For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value that a
 # subscription asks for, the laxest that a publisher offers, and the sentence about each beside a side that leaves it open.
 _OPEN_POLICIES = (
@@ -83,18 +76,18 @@ _OPEN_POLICIES = (
 _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 
 
-def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> QoSCheck:
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
     """Whether a publisher and a subscription with these profiles can talk, and the reasons why not.
 
     A policy that one side leaves open (system default, unknown) makes a warning where the choice matters.
     """
     errors = _clashes(publisher_qos, subscription_qos)
     if errors:
-        return QoSCheck(QoSCompatibility.ERROR, ''.join(f'ERROR: {reason};' for reason in errors))
+        return QoSCompatibility.ERROR, ''.join(f'ERROR: {reason};' for reason in errors)
     doubts = _doubts(publisher_qos, subscription_qos)
     if doubts:
-        return QoSCheck(QoSCompatibility.WARNING, ''.join(f'WARNING: {reason};' for reason in doubts))
-    return QoSCheck(QoSCompatibility.OK, '')
+        return QoSCompatibility.WARNING, ''.join(f'WARNING: {reason};' for reason in doubts)
+    return QoSCompatibility.OK, ''
 
 
 def _doubts(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str]:
