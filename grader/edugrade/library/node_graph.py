@@ -41,7 +41,7 @@ def require_node(
         nodes = named_nodes(recording, name, package, executable)
         if not nodes:
             others = [f'{node.name} of another program ({node.process})' for _, node in named_nodes(recording, name)]
-            own = range(len(recording.nodes)) if package is None else nodes_of(recording, package, executable)
+            own = range(len(recording.nodes)) if package is None else nodes_of(recording, package)
             among = [recording.nodes[position].name for position in own]
             program = f' of {" ".join(filter(None, (package, executable)))}' if package and others else ''
             raise Missing(
