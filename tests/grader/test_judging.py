@@ -15,6 +15,7 @@ from edugrade.judging import judge, with_causes
 from edugrade.reports.wording import KIND, ShortPaths, at_level, explained, retold
 from edugrade.results import FAILED, PASSED, CheckResult
 from edugrade.source import Place, Source
+from fake_recording import FakeRecording, circle_run, graded
 
 from edulaunch.advice import Finding, Reader, found
 
@@ -179,3 +180,15 @@ def test_a_report_is_retold_in_german() -> None:
     assert told.reason != result.reason and 'laser' in told.reason
     shown = explained(told, ShortPaths(''), german)
     assert list(shown) == ['gesehen', 'versuch', 'Ursache'] and 'carrot1' in shown['Ursache']
+
+
+def test_a_rule_that_breaks_costs_no_mark() -> None:
+    class Breaking(FakeRecording):
+        def __getattribute__(self, name: str) -> Any:
+            if name == 'advice':
+                raise RuntimeError('a rule broke')
+            return super().__getattribute__(name)
+
+    results = graded('circle', lambda scenario: Breaking(**vars(circle_run(0.5))))
+    assert results['radius_is_passed'].status == 'failed'
+    assert results['radius_is_passed'].cause is None
