@@ -123,3 +123,8 @@ def test_paths_and_texts_are_joined() -> None:
     assert path.perform(context) == '/a/b/c_X.py'
     assert StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context) == 'a,bX'
     assert PathJoinSubstitution(['a', '/b', 'c']).perform(context) == '/b/c'
+
+
+def test_a_path_of_plain_texts_needs_no_context() -> None:
+    nothing: Any = None
+    assert PathJoinSubstitution(['a', 'b']).perform(nothing) == 'a/b'

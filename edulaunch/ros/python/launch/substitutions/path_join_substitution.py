@@ -32,4 +32,4 @@ class PathJoinSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """The joined path."""
-        return os.path.join(*[context.perform_substitution(part) for part in self.__substitutions])
+        return os.path.join(*[part.perform(context) for part in self.__substitutions])
