@@ -31,6 +31,19 @@ def test_a_launch_leaves_jobs_alone(desk: Any) -> None:
     assert sorted(nodes(desk)) == ['/sim', '/talker']  # what the cell before showed has ended, the job goes on
 
 
+def test_a_launch_beside_a_job_says_so(desk: Any) -> None:
+    desk.ros2('launch sim.launch.py --for 1')
+    assert 'still runs' not in ''.join(desk.said)
+    desk.ros2('run demo_nodes_py talker &')
+    desk.ros2('wait 3')
+    desk.said.clear()
+    desk.ros2('launch sim.launch.py --for 1')
+    assert (
+        'note: [1] ros2 run demo_nodes_py talker still runs: this launch runs beside it, from t = 4.00 s of the same machine\n'
+        '  help: end it before you compare runs: %ros2 stop 1\n'
+    ) in ''.join(desk.said)
+
+
 def test_launches_may_run_side_by_side(desk: Any) -> None:
     assert desk.ros2('launch sim.launch.py &') is None
     desk.ros2('launch turtlesim multisim.launch.py &')

@@ -117,7 +117,8 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     hides=('messages.nobody-publishes',),
 )
 def no_joint_states(recording: Recording) -> Iterator[Finding]:
-    """A robot_state_publisher that lived for a second."""
+    """A robot_state_publisher that lived for a second, and that no launch file of ROS's own packages starts: they know why."""
+    ours = tuple(os.path.join(path, '') for path, name in recording.rows('roots') if name == '@underlay')
     ends = ends_by_name(recording)
     lived = {node.name: node.started_s for node in recording.nodes}
     for node, joints in _movable(recording):
@@ -126,8 +127,9 @@ def no_joint_states(recording: Recording) -> Iterator[Finding]:
             for end in recording.ends
             if end.node == node and end.kind == 'subscription' and end.name.endswith('joint_states')
         )
-        if ('publisher', topic) not in ends and recording.duration_s - lived[node] >= 1.0:
-            file, line = node_place(recording, node)
+        file, line = node_place(recording, node)
+        is_ours = file is not None and file.startswith(ours)
+        if ('publisher', topic) not in ends and recording.duration_s - lived[node] >= 1.0 and not is_ours:
             yield found('topic', topic, file=file, line=line, node=node, joints=joints)
 
 
