@@ -145,18 +145,26 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
     )
 
 
+COPIED = "this is another student's variant: there is no mark until a teacher has looked at it"
+
+
+def is_copied(work: Work) -> bool:
+    """Whether a text of the submission says that it was made for somebody else."""
+    return work.variant is not None and any(map(work.variant.is_of_another, work.submission.source.texts().values()))
+
+
 def _whose(work: Work) -> list[CheckResult]:
     """What is said of a submission that was evidently made from somebody else's exercise: no mark, a person decides."""
     from .results import GRADER_BROKE, OWN_VARIANT, CheckResult
 
-    if work.variant is None or not any(map(work.variant.is_of_another, work.submission.source.texts().values())):
+    if work.variant is None or not is_copied(work):
         return []
     return [
         CheckResult(
             OWN_VARIANT,
             'The file is made from your own exercise',
             GRADER_BROKE,
-            reason="this is another student's variant: there is no mark until a teacher has looked at it",
+            reason=COPIED,
             expected=f'Variant {work.variant.tag}, made for {work.variant.student}',
             where=work.submission.source.place,
             try_='begin with the file that you were given: its names and numbers are yours',

@@ -20,7 +20,7 @@ from edulaunch.version import __version__
 
 from ...faults import REPORT_IT
 from ...files import read_regular
-from ...grading import Work
+from ...grading import COPIED, Work, is_copied
 from ...results import BROKEN_GRADER
 from .entries import Entry
 from .store import Store
@@ -46,12 +46,16 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
         client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
         raise UnusableInput(f'no Dask scheduler answers at {address}: {error}', help='start one: dask scheduler') from None
+    for entry, work in todo:
+        if is_copied(work):
+            keep(store, entry, refusal(BROKEN_GRADER, COPIED, 'look at it'))
     with client:
         entries = {
             client.submit(
                 grade_parcel, parcel(work, options), pure=False, retries=TRIES, key=f'edugrade-{number}-{os.urandom(4).hex()}'
             ): entry
             for number, (entry, work) in enumerate(todo)
+            if not is_copied(work)
         }
         from ...grading import progress_bar
 
@@ -79,10 +83,20 @@ def parcel(work: Work, options: Options) -> Parcel:
         'seed': work.seed,
         'secret': work.secret,
         'only': options.only,
+        'workspaces': [_files(folder) for folder in _workspaces(work, options)],
+        'variant': None if work.variant is None else {**work.variant._asdict(), 'values': dict(work.variant.values)},
         'limit': options.limits.wall_s,
         'sandbox': options.limits.sandbox,
         'page': options.html is not None,
     }
+
+
+def _workspaces(work: Work, options: Options) -> list[str]:
+    """Folders with more packages than the one that is graded."""
+    own = work.submission.package
+    return [
+        os.path.abspath(each) for each in (*options.workspaces, *work.submission.workspaces) if own is None or each != own.path
+    ]
 
 
 def _files(folder: str) -> dict[str, bytes]:
@@ -106,10 +120,9 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
         raise UnusableInput(f'this worker has edulaunch {__version__}, and not {given["version"]}')
     with tempfile.TemporaryDirectory(prefix='edugrade-parcel-', ignore_cleanup_errors=True) as temporary:
         home = Path(temporary)
-        for name, data in given['files'].items():
-            path = home / 'submission' / given['name'] / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
+        _put(home / 'submission' / given['name'], given['files'])
+        for number, files in enumerate(given['workspaces']):
+            _put(home / 'workspaces' / str(number), files)
         rubric = home / 'rubrics' / given['rubric'][0]
         rubric.parent.mkdir()
         rubric.write_bytes(given['rubric'][1])
@@ -117,6 +130,9 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
         settings = {'rubric': rubric, 'json': home / 'report.json', 'html': home / 'page.html' if given['page'] else None}
         settings |= {key: given[key] for key in ('seed', 'limit', 'sandbox', 'only')}
         words = [word for key, value in settings.items() if value is not None for word in (f'--{key}', str(value))]
+        words += [
+            word for number in range(len(given['workspaces'])) for word in ('--workspace', str(home / 'workspaces' / str(number)))
+        ]
         command = [sys.executable, '-m', 'edugrade', str(home / 'submission' / given['name'] / given['launch']), *words]
         done = subprocess.run(
             command, cwd=home / 'here', stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE_S + 10 * given['limit']
@@ -127,7 +143,17 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
         page = (home / 'page.html').read_text('utf-8') if (home / 'page.html').exists() else None
         found = json.loads((home / 'report.json').read_text('utf-8'))
     found['receipt']['secret'] = given['secret']
+    if given['variant'] is not None:
+        found['variant'] = given['variant']
     return {'report': found, 'page': page}
+
+
+def _put(folder: Path, files: dict[str, bytes]) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
 
 
 def _keep(store: Store, entry: Entry, came: dict[str, Any], options: Options) -> None:

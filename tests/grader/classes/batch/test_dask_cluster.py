@@ -12,9 +12,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from edugrade.classes.batch.dask_cluster import parcel
 from edugrade.classes.batch.entries import Entry
 from edugrade.classes.batch.store import Store
+from edugrade.classes.batch.work import Options
 from edugrade.cli import main
+from edugrade.grading import plan_work
+from edugrade.submission import Submission
+from edugrade.variant import Variant
 
 pytest.importorskip('distributed', reason='the extra "dask"')
 pytestmark = [
@@ -90,3 +95,29 @@ def test_a_worker_that_is_killed_costs_no_mark(
 def test_nobody_at_the_address_is_said(group: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['batch', str(group), '--dask', 'tcp://127.0.0.1:1']) == 2
     assert 'no Dask scheduler answers at tcp://127.0.0.1:1' in capsys.readouterr().err
+
+
+def test_a_parcel_has_the_variant_and_the_other_packages(tmp_path: Path) -> None:
+    for name in ('robot', 'more'):
+        (tmp_path / 'anna' / name / 'launch').mkdir(parents=True)
+        (tmp_path / 'anna' / name / 'package.xml').write_text(f'<package><name>{name}</name></package>')
+    launch = tmp_path / 'anna' / 'robot' / 'launch' / 'robot.launch.py'
+    launch.write_text('')
+    (tmp_path / 'robot.py').write_text(RUBRIC)
+    variant = Variant('anna', '01234567', {'0.4': '0.3'})
+    submission = Submission(str(launch.parents[1]), str(tmp_path / 'anna'))
+    found = parcel(plan_work(submission, str(tmp_path / 'robot.py'), variant=variant), Options())
+    assert found['variant'] == {'student': 'anna', 'tag': '01234567', 'values': {'0.4': '0.3'}}
+    assert 'more/package.xml' in found['workspaces'][0]
+    assert b'0.3' in found['rubric'][1] and b'0.4' not in found['rubric'][1]
+
+
+RUBRIC = """
+from edugrade import Evidence, Rubric, Scenario, check
+
+@check(points=4)
+def a(run: Evidence) -> None:
+    'The first 0.4'
+
+RUBRIC = Rubric(title='Two', scenarios=lambda random: [Scenario('one', {}, 1.0)], checks=[a])
+"""
