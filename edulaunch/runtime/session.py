@@ -20,7 +20,7 @@ from edulaunch.engine.recording.views import view
 from edulaunch.engine.sim.interruption import Interruption
 from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
-from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.engine.underlay_place import engine_folder, underlay_prefix
 from edulaunch.errors import UnusableInput
 from edulaunch.ros.sources import read_source
 from edulaunch.ros.sourcing import source
@@ -95,7 +95,8 @@ class Session:
         self.close()
 
     def _name_roots(self, workspaces: list[str]) -> None:
-        own = [(underlay_prefix(), '@underlay'), *((path, f'@workspace{number}') for number, path in enumerate(workspaces))]
+        ours = ((underlay_prefix(), '@underlay'), (engine_folder(), '@edulaunch'))
+        own = [*ours, *((path, f'@workspace{number}') for number, path in enumerate(workspaces))]
         self.recorder.roots = list(with_real_paths(own))
 
     def launch(

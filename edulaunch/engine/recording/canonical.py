@@ -17,9 +17,9 @@ _SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
-    """The content with the folders named in `roots` (workspaces, the underlay, the launch file's folder, Python's folders,
-    temporary files ...) replaced by short names wherever a text mentions them, and without the frames of libraries in tracebacks,
-    which are others in each version of a library.
+    """The content with the folders named in `roots` (workspaces, the package edulaunch, the launch file's folder, Python's
+    folders, temporary files ...) replaced by short names wherever a text mentions them, and without the frames of libraries in
+    tracebacks, which are others in each version of a library.
     """
     shorten = _shortener(content['roots'])
     short = {part: shorten(content[part]) for part in TEXT_PARTS}

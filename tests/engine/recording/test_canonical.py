@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -102,3 +105,35 @@ def test_a_program_that_prints_its_folders_has_the_same_digest_elsewhere(tmp_pat
         recording = edulaunch.run(file, duration_s=1.0)
         digests.add(recording.digest())
     assert len(digests) == 1, recording.output
+
+
+ELSEWHERE = """import sys
+sys.path.insert(0, sys.argv[1])
+import edulaunch
+recording = edulaunch.run(sys.argv[2], duration_s=3.0)
+print(edulaunch.__file__, 'bag_record.py' in str(recording.messages('/rosout')), recording.digest())
+"""
+RECORDS = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'drive', '/pose'], output='screen')])
+"""
+
+
+@pytest.mark.processes
+def test_a_line_that_names_a_file_of_ours_has_the_same_digest_wherever_edulaunch_lies(tmp_path: Path) -> None:
+    """`ros2 bag record` logs with its own file and line."""
+    house = Path(edulaunch.__file__).resolve().parent
+    (tmp_path / 'copied').mkdir()
+    shutil.copytree(house, tmp_path / 'copied' / 'edulaunch', ignore=shutil.ignore_patterns('__pycache__'))
+    file = tmp_path / 'records.launch.py'
+    file.write_text(RECORDS)
+    found = set()
+    for place in (house.parent, tmp_path / 'copied'):
+        shutil.rmtree(tmp_path / 'drive', ignore_errors=True)
+        command = [sys.executable, '-c', ELSEWHERE, str(place), str(file)]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+        imported, logged, digest = done.stdout.split()
+        assert Path(imported).parent.parent == place and logged == 'True'
+        found.add(digest)
+    assert len(found) == 1
