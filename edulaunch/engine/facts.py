@@ -1,4 +1,8 @@
-"""What is known about an error besides its text, as plain data. The words for it are said at the edge (`edulaunch.advice`)."""
+"""What is known about an error besides its text, as plain data. `edulaunch.advice` has the words for it.
+
+The module belongs to no room of the engine: the processes, the graph and ROS's packages attach facts, and each recording keeps
+them.
+"""
 
 from __future__ import annotations
 

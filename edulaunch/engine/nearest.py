@@ -1,4 +1,7 @@
-"""The nearest match among known names, for "did you mean" lines."""
+"""The nearest match among known names, for "did you mean" lines.
+
+The module belongs to no room of the engine: all wings ask it, and so it lies below all of them.
+"""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
-from edulaunch.engine.read_only import ReadOnly as ReadOnly
+from edulaunch.ros.read_only import ReadOnly as ReadOnly
 
 
 class StableRepr:

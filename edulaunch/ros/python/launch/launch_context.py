@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Iterable, MutableMapping
 from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
-from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.read_only import ReadOnly
 
 from ._engine import environment, process_state, running_process
 from ._handler_table import Handler, HandlerTable

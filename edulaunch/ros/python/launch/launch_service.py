@@ -9,9 +9,9 @@ from collections.abc import Awaitable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import AmbientTask, current_task
 from edulaunch.ros.collector_pause import collector_paused
+from edulaunch.ros.read_only import ReadOnly
 
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads

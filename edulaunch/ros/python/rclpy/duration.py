@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.constants import S_TO_NS
 
 if TYPE_CHECKING:

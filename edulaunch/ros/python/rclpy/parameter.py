@@ -6,8 +6,8 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph import parameters as rules
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile

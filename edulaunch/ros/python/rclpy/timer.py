@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.exceptions import ROSInterruptException
 from rclpy.impl.entity import NEVER_NS, TIMER, Handle, ReadyList, TimedEntity
 from rclpy.impl.refusals import invalid_handle

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.read_only import ReadOnly
 
 from ..substitution import Substitution
 

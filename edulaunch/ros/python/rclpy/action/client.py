@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
 
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.client import Asker, parked_until_done
 from rclpy.impl.entity import check_endpoint
 from rclpy.impl.new_end_checks import checked_action_name

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.ros.passed_on import passed_on
+from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
 from rclpy.impl.new_end_checks import checked_action_name

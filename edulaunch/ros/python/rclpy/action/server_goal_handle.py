@@ -6,8 +6,8 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:

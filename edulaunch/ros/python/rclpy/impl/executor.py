@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.read_only import ReadOnly
 from edulaunch.engine.sim.task import current_task
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.impl.entity import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.impl.facts import note_sleep

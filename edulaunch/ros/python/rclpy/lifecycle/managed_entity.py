@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import wraps
 from typing import Any
 
-from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
 
 

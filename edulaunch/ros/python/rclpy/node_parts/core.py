@@ -20,7 +20,7 @@ from edulaunch.engine.graph.names import (
 )
 from edulaunch.engine.graph.ros_arguments import Override, RosArguments
 from edulaunch.engine.processes.current import current_process
-from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.read_only import ReadOnly
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,

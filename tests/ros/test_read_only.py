@@ -6,7 +6,7 @@ import pickle
 
 import pytest
 
-from edulaunch.engine.read_only import ReadOnly
+from edulaunch.ros.read_only import ReadOnly
 
 
 class _Turtle:
