@@ -46,6 +46,10 @@ def script_sees_the_clock() -> bool:
 class AmbientProcess(Process):
     """A script or notebook cell that uses the ROS faces by itself: its streams are the real ones."""
 
+    def has_imported(self, package: str) -> bool:
+        """Whether this interpreter, whose imports no loader sees, has imported a package."""
+        return package in sys.modules
+
     def write(self, stream: str, text: str) -> None:
         """Write to the real stream of that name."""
         target = sys.stdout if stream == 'stdout' else sys.stderr

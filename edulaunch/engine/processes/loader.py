@@ -49,11 +49,13 @@ class Loader:
     :param compiled: code that programs of one machine share.
     :ivar finder: where private modules are looked for; `roots` are the folders that come first.
     :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
+    :ivar shared: the packages that this program imported and that all programs share.
     """
 
     def __init__(self, process: Owner, compiled: Compiled) -> None:
         self.process = process
         self.modules: dict[str, ModuleType] = {}
+        self.shared: set[str] = set()
         self.finder = Finder(lambda: process.overlay.modules, self.modules)
         self.roots = self.finder.roots
         self._compiled = compiled
@@ -145,6 +147,7 @@ class Loader:
         if not self.is_private(top) and (name == top or self._view(top) is None):
             if top in REFUSED:
                 raise ModuleNotFoundError(f'No module named {top!r}', name=top)
+            self.shared.add(top)
             try:
                 return _shared_import(name, None, None, fromlist or (), 0)
             except ModuleNotFoundError as error:
@@ -217,6 +220,7 @@ class Loader:
         top = name.partition('.')[0]
         if top in REFUSED:
             raise ModuleNotFoundError(f'No module named {top!r}', name=top)
+        self.shared.add(top)
         _shared_import(name, None, None, (), 0)
         return sys.modules[name]
 

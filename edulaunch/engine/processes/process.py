@@ -94,6 +94,10 @@ class Process:
             self._loader = Loader(self, self.host.compiled)
         return self._loader
 
+    def has_imported(self, package: str) -> bool:
+        """Whether this program imported a package that all programs share. Another program's import does not count."""
+        return package in self.loader.shared
+
     @property
     def overlay(self) -> Overlay:
         """Modules and interfaces of the student's workspaces."""

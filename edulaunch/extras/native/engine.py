@@ -160,6 +160,10 @@ class ThisProcess:
         getattr(sys, stream).write(text)
         getattr(sys, stream).flush()
 
+    def has_imported(self, package: str) -> bool:
+        """Whether a package is imported; the process is this program's alone."""
+        return package in sys.modules
+
     def fact(self, kind: str, key: object, data: object) -> None:
         """Nobody keeps it."""
 

@@ -82,7 +82,7 @@ def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_pat
     )
     assert err == (
         'warning: /turtlesim publishes turtlesim/msg/Pose on /turtle1/pose, but /hears expects geometry_msgs/msg/Pose: '
-        'they do not hear each other (@/my.launch.py:5, at 0.00 s)\n  help: use one message type on both sides, or two topics\n'
+        'they do not hear each other (@/hears.py:5, at 0.00 s)\n  help: use one message type on both sides, or two topics\n'
     )
 
 

@@ -1,7 +1,7 @@
 """What all sources of transforms have in common, and the transforming of whole objects by functions registered for types.
 
-Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes and provide theirs for all; what a
-program registers itself belongs to its process alone.
+Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes. What they register holds for each
+process that imports them, as in ROS 2; what a program registers itself belongs to its process alone.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class TypeException(Exception):
 
 
 def provide(table: str, key: Key, function: Callable[..., Any]) -> None:
-    """Register for all processes; for packages of the underlay only."""
+    """Register for each process that imports the package of `function`; for packages of the underlay only."""
     _provided[table][key] = function
 
 
@@ -35,9 +35,14 @@ def _own(table: str) -> dict[Key, Callable[..., Any]]:
     return found
 
 
+def _is_imported(function: Callable[..., Any]) -> bool:
+    """Whether the running program has imported the package of a provided function."""
+    return bool(current_process().has_imported(function.__module__.partition('.')[0]))
+
+
 def _find(table: str, key: Key) -> Callable[..., Any]:
     function = _own(table).get(key) or _provided[table].get(key)
-    if function is None:
+    if function is None or (key not in _own(table) and not _is_imported(function)):
         raise TypeException(f'Type {key} is not loaded or supported')
     return function
 
@@ -47,7 +52,8 @@ class TransformRegistration:
 
     def print_me(self) -> None:
         """Print the registered types and the names of their functions."""
-        shown = {**_provided['transform'], **_own('transform')}
+        provided = {key: function for key, function in _provided['transform'].items() if _is_imported(function)}
+        shown = {**provided, **_own('transform')}
         text = str({key: function.__name__ for key, function in shown.items()})
         current_process().write('stdout', f'{text}\n')
 
