@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.engine.recording import schema
@@ -27,15 +28,19 @@ MOST_BYTES = 1 << 30
 
 def encode(content: dict[str, Any]) -> bytes:
     """The bytes of a recording's content."""
-    header = {'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}}
-    lines = [_line(header), *(_line({part: content[part]}) for part in PARTS)]
-    lines += [_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part)]
-    lines += [_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics']]
-    return ('\n'.join(lines) + '\n').encode('utf-8')
+    return b''.join(lines_of(content))
 
 
-def _line(value: Any) -> str:
-    return json.dumps(value, default=_plain, separators=(',', ':'))
+def lines_of(content: dict[str, Any]) -> Iterator[bytes]:
+    """The same, line by line: a long run need not be in memory twice to be written."""
+    yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
+    yield from (_line({part: content[part]}) for part in PARTS)
+    yield from (_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part))
+    yield from (_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics'])
+
+
+def _line(value: Any) -> bytes:
+    return json.dumps(value, default=_plain, separators=(',', ':')).encode() + b'\n'
 
 
 def _plain(value: Any) -> Any:

@@ -24,6 +24,7 @@ from edulaunch.engine.recording.records import (
     ProcessRecord,
     UnreadArgument,
 )
+from edulaunch.engine.recording.safe_file import write_safely
 from edulaunch.engine.recording.views import Views, view
 from edulaunch.errors import RecordingError
 
@@ -100,17 +101,16 @@ class Recording(Messages, Views):
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a recording file, whole or not at all; what is no regular file (`/dev/stdout`, a pipe) is written to.
 
+        When it cannot be written, an older recording of that name stays as it was.
+
         :raises RecordingError: when it cannot be written.
         """
-        target = os.path.realpath(path)
-        draft = target if os.path.exists(target) and not os.path.isfile(target) else f'{target}.part'
         try:
-            with open(draft, 'wb') as file:
-                file.write(self.to_bytes())
-            if draft != target:
-                os.replace(draft, target)
+            write_safely(path, file_format.lines_of(self._content))
         except OSError as error:
             raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: {error.strerror or error}') from None
+        except MemoryError:
+            raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: this computer has no memory left') from None
 
     def digest(self) -> str:
         """SHA-256 of everything that happened: equal for equal launch file, arguments and seed, on every machine.

@@ -1,0 +1,86 @@
+"""Writes a file whole or not at all: an older file of that name stays until the new one is safe on the disk."""
+
+from __future__ import annotations
+
+import errno
+import glob
+import os
+from collections.abc import Iterable
+from contextlib import suppress
+from typing import BinaryIO
+
+NO_SUCH_CALL = (errno.EINVAL, errno.ENOTSUP)
+"""What some file systems answer to `fsync`: they have no such thing."""
+
+
+def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
+    """Write a file; what is no regular file (`/dev/stdout`, a pipe) is written to directly.
+
+    The lines go into a draft with a name of its own, so that two programs can write the same file at once. The draft takes the
+    name of the file when the disk has it. It goes away when that fails, and the older file stays.
+
+    :raises OSError: when the file cannot be written.
+    """
+    target = os.path.realpath(path)
+    if os.path.exists(target) and not os.path.isfile(target):
+        with open(target, 'wb') as stream:
+            stream.writelines(lines)
+        return
+    remove_drafts(target)
+    draft = f'{_stem(target)}{os.getpid()}-{os.urandom(4).hex()}.part'
+    try:
+        with open(draft, 'xb') as file:
+            with suppress(OSError, ImportError):
+                _lock(file)
+            file.writelines(lines)
+            file.flush()
+            _sync(file.fileno())
+            os.replace(draft, target)
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(draft)
+        raise
+    _sync_folder(os.path.dirname(target))
+
+
+def remove_drafts(path: str | os.PathLike[str]) -> None:
+    """Remove the drafts of a file that programs left behind which were killed. Drafts that somebody writes now stay."""
+    for draft in glob.glob(f'{glob.escape(_stem(os.path.realpath(path)))}*.part'):
+        with suppress(OSError, ImportError), open(draft, 'rb') as file:
+            _lock(file)
+            os.unlink(draft)
+
+
+def _stem(target: str) -> str:
+    """How the names of all drafts of a file begin. File systems take names of 255 bytes."""
+    folder, name = os.path.split(target)
+    return os.path.join(folder, f'.{os.fsdecode(os.fsencode(name)[:200])}.')
+
+
+def _lock(file: BinaryIO) -> None:
+    """Hold a draft until its file is closed.
+
+    :raises OSError: when somebody else holds it, or the file system has no locks.
+    :raises ImportError: when this system has none.
+    """
+    import fcntl
+
+    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def _sync(descriptor: int) -> None:
+    try:
+        os.fsync(descriptor)
+    except OSError as error:
+        if error.errno not in NO_SUCH_CALL:
+            raise
+
+
+def _sync_folder(folder: str) -> None:
+    """Keep the new name over a power cut. The file itself is safe already, and some systems open no folders."""
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
