@@ -32,7 +32,6 @@ from edulaunch.runtime.plugins import package_folders
 from edulaunch.runtime.still_busy import StillBusy
 
 PathLike = str | os.PathLike[str]
-LONGEST_SHUTDOWN_S = 30.0
 TURN_LIMIT_S = 2.0
 
 

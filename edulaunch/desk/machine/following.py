@@ -28,7 +28,6 @@ ANSWER_S = 1.5
 """Seconds that a machine has to answer a signal; then the terminal says where the machine is, and after SIGTERM leaves it."""
 EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
 """Seconds without a first answer after which a terminal says what the guardian knows, says that nobody knows, and gives up."""
-GAVE_UP = 130
 BROKEN_PIPE = 141
 CHUNK = 1 << 16
 

@@ -7,12 +7,10 @@ Reading order: `spec` (what an interface is), `notation` and `parser` (from text
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from edulaunch.engine.interfaces.message import Message
     from edulaunch.engine.interfaces.registry import Registry
-    from edulaunch.engine.interfaces.services import Service
 
 
 def install(registry: Registry | None = None) -> None:
@@ -33,21 +31,3 @@ def current_registry() -> Registry:
     from edulaunch.engine.interfaces.registry import running_registry, underlay_registry
 
     return running_registry() or installed_registry() or underlay_registry()
-
-
-def message_class(type_name: str) -> type[Message]:
-    """The class of 'geometry_msgs/msg/Twist', or of a part such as 'turtlesim/srv/Spawn_Request'.
-
-    :raises InterfaceError: with the nearest name when there is no such type.
-    """
-    cls: type[Any] = current_registry().get(type_name)
-    return cls
-
-
-def service_class(type_name: str) -> type[Service]:
-    """The class of a service such as 'turtlesim/srv/Spawn'.
-
-    :raises InterfaceError: with the nearest name when there is no such type.
-    """
-    cls: type[Any] = current_registry().get(type_name)
-    return cls

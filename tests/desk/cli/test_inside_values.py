@@ -7,14 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.desk.cli.ros2.fill_message import FillError, ValuesError, fill_message, parse_values
-from edulaunch.engine.interfaces import message_class
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.ros.serialization.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 
 
 def filled(type_name: str, text: str) -> object:
-    message = message_class(type_name)()
+    message = current_registry().get(type_name)()
     fill_message(message, parse_values(text))
     return message
 
@@ -25,7 +25,10 @@ def filled(type_name: str, text: str) -> object:
     st.integers(0, 2**32 - 1),
 )
 def test_what_is_printed_can_be_typed_in_again(numbers: list[float], label: str, size: int) -> None:
-    cls, dimension = message_class('std_msgs/msg/Float64MultiArray'), message_class('std_msgs/msg/MultiArrayDimension')
+    cls, dimension = (
+        current_registry().get('std_msgs/msg/Float64MultiArray'),
+        current_registry().get('std_msgs/msg/MultiArrayDimension'),
+    )
     message = cls(data=numbers)
     message.layout.dim = [dimension(label=label, size=size)]
     assert filled(cls.TYPE, message_yaml(message)) == message
@@ -38,10 +41,10 @@ def test_numbers_become_the_type_of_their_field(number: int) -> None:
 
 
 def test_header_auto_and_time_now_are_stamped_when_asked() -> None:
-    message = message_class('sensor_msgs/msg/TimeReference')()
+    message = current_registry().get('sensor_msgs/msg/TimeReference')()
     stamps = fill_message(message, parse_values('{header: auto, time_ref: now}'), stamps=True)
     for stamp in stamps:
-        stamp(message_class('builtin_interfaces/msg/Time')(sec=7))
+        stamp(current_registry().get('builtin_interfaces/msg/Time')(sec=7))
     assert (message.header.stamp.sec, message.time_ref.sec) == (7, 7)
 
 
@@ -83,4 +86,4 @@ def test_csv_is_flat_and_yaml_keeps_the_order_of_fields() -> None:
 
 
 def test_letters_are_shown_as_they_are() -> None:
-    assert message_yaml(message_class('std_msgs/msg/String')(data='grüße \N{TURTLE}')) == 'data: grüße \N{TURTLE}\n'
+    assert message_yaml(current_registry().get('std_msgs/msg/String')(data='grüße \N{TURTLE}')) == 'data: grüße \N{TURTLE}\n'

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from edulaunch.engine.facts import facts_of
-from edulaunch.engine.interfaces import current_registry, install, message_class, service_class
+from edulaunch.engine.interfaces import current_registry, install
 from edulaunch.engine.interfaces.importer import InterfaceFinder, InterfaceModule, PartModule, uninstall
 from edulaunch.engine.interfaces.registry import Registry
 
@@ -71,7 +71,10 @@ def test_classes_are_asked_for_by_type_name(tmp_path, registry, finder):
     (tmp_path / 'p' / 'msg').mkdir(parents=True)
     (tmp_path / 'p' / 'msg' / 'Num.msg').write_text('int64 num')
     install(Registry([tmp_path], base=registry))
-    assert (message_class('p/msg/Num')(num=3).num, service_class('std_srvs/srv/Empty').TYPE) == (3, 'std_srvs/srv/Empty')
+    assert (current_registry().get('p/msg/Num')(num=3).num, current_registry().get('std_srvs/srv/Empty').TYPE) == (
+        3,
+        'std_srvs/srv/Empty',
+    )
 
 
 @pytest.mark.processes

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.engine.interfaces import message_class
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.extras.comparing.observation import Flow, Values, add_messages, is_compared, lines_of, masked, program_of
 
 
@@ -60,12 +60,12 @@ def test_texts_are_a_set() -> None:
 
 
 def test_the_fields_of_a_message_without_its_stamps() -> None:
-    cls = message_class('geometry_msgs/msg/PoseStamped')
+    cls = current_registry().get('geometry_msgs/msg/PoseStamped')
     message = cls()
     message.header.stamp.sec = 1700000000
     message.pose.position.x = 2.0
     flows: dict[str, Flow] = {}
-    add_messages(flows, '/pose', cls.TYPE, [(0.25, cls.to_wire(message))], message_class)
+    add_messages(flows, '/pose', cls.TYPE, [(0.25, cls.to_wire(message))], current_registry().get)
     assert flows['/pose'].times == [0.25]
     assert {path: str(values.range) for path, values in flows['/pose'].fields.items()} == {
         'header.frame_id': "''",
@@ -77,7 +77,7 @@ def test_the_fields_of_a_message_without_its_stamps() -> None:
 
 
 def test_transforms_are_told_apart_by_their_frames() -> None:
-    cls, one = message_class('tf2_msgs/msg/TFMessage'), message_class('geometry_msgs/msg/TransformStamped')
+    cls, one = current_registry().get('tf2_msgs/msg/TFMessage'), current_registry().get('geometry_msgs/msg/TransformStamped')
     messages = []
     for child, x in (('a', 1.0), ('b', 2.0)):
         transform = one(child_frame_id=child)
@@ -85,7 +85,7 @@ def test_transforms_are_told_apart_by_their_frames() -> None:
         transform.transform.translation.x = x
         messages.append(transform)
     flows: dict[str, Flow] = {}
-    add_messages(flows, '/tf', cls.TYPE, [(0.0, cls.to_wire(cls(transforms=messages)))], message_class)
+    add_messages(flows, '/tf', cls.TYPE, [(0.0, cls.to_wire(cls(transforms=messages)))], current_registry().get)
     assert {name: str(flow.fields['transform.translation.x'].range) for name, flow in flows.items()} == {
         'tf world -> a': '1',
         'tf world -> b': '2',
@@ -93,8 +93,8 @@ def test_transforms_are_told_apart_by_their_frames() -> None:
 
 
 def test_messages_in_messages_are_looked_into() -> None:
-    cls, point = message_class('geometry_msgs/msg/Polygon'), message_class('geometry_msgs/msg/Point32')
+    cls, point = current_registry().get('geometry_msgs/msg/Polygon'), current_registry().get('geometry_msgs/msg/Point32')
     flows: dict[str, Flow] = {}
     wire = cls.to_wire(cls(points=[point(x=1.0), point(x=4.0)]))
-    add_messages(flows, '/area', cls.TYPE, [(0.0, wire)], message_class)
+    add_messages(flows, '/area', cls.TYPE, [(0.0, wire)], current_registry().get)
     assert str(flows['/area'].fields['points[].x'].range) == '1 to 4'
