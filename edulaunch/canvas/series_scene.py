@@ -7,9 +7,10 @@ from bisect import bisect_right
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
-from edulaunch.canvas.frames_scene import placed
+from edulaunch.canvas.frames_scene import FrameTracks, placed
 from edulaunch.canvas.worlds import GAP_S
 from edulaunch.engine.recording.absent import NothingToDraw, not_recorded
+from edulaunch.engine.recording.trajectory import moving_things
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.recording import Recording
@@ -97,8 +98,6 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 
 def places_of(recording: Recording, name: str) -> list[Place]:
     """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
-    from edulaunch.engine.recording.trajectory import moving_things
-
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:
         track = recording.trajectory(name)
@@ -111,8 +110,6 @@ def places_of(recording: Recording, name: str) -> list[Place]:
 
 def _frame_places(recording: Recording, name: str) -> list[Place]:
     """The frame in its root, twenty times a second."""
-    from edulaunch.canvas.frames_scene import FrameTracks
-
     tracks = FrameTracks(recording)
     times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
     found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]

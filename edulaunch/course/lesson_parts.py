@@ -13,6 +13,7 @@ import re
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterator, Mapping
 from html import unescape
+from io import BytesIO
 from typing import Any, NamedTuple
 
 from edugrade.reports.markup import element
@@ -198,8 +199,6 @@ def _heading(level: int, html: str, prefix: str) -> str:
 
 def _formula(latex: str) -> str:
     """A formula as a drawing; as it was written where it cannot be drawn."""
-    from io import BytesIO
-
     from matplotlib.mathtext import math_to_image
 
     drawn = BytesIO()

@@ -5,7 +5,11 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from importlib.util import find_spec
 from typing import Any
+
+from edulaunch.course import progress
+from edulaunch.errors import UnusableInput
 
 
 def add_verbs(verbs: Any) -> None:
@@ -141,7 +145,6 @@ def _personal(files: dict[str, bytes], course: str, student: str, secret: str | 
     from edugrade.variant import CourseSecret
 
     from edulaunch.course.copying import personal_files
-    from edulaunch.errors import UnusableInput
 
     if secret is None:
         raise UnusableInput('whose variant it is is chosen by the secret of the course', help='--course-secret-file FILE')
@@ -169,18 +172,14 @@ def _list(arguments: argparse.Namespace) -> int:
 
 
 def _status(arguments: argparse.Namespace) -> int:
-    from edulaunch.course import progress
-
     print(progress())
     return 0
 
 
 def _open(arguments: argparse.Namespace) -> int:
-    from importlib.util import find_spec
     from subprocess import call
 
     from edulaunch.course.lessons import LESSONS, given_course
-    from edulaunch.errors import UnusableInput
 
     folder = given_course(arguments.folder)
     if find_spec('jupyterlab') is None:
@@ -195,7 +194,6 @@ def _open(arguments: argparse.Namespace) -> int:
 def _release(arguments: argparse.Namespace) -> int:
     from edulaunch.course.copying import copy_files, student_files, write_zip
     from edulaunch.course.lessons import given_course
-    from edulaunch.errors import UnusableInput
 
     course, out = given_course(arguments.folder), arguments.out
     files = student_files(course, rubrics=arguments.with_rubrics)
@@ -214,8 +212,6 @@ def _release(arguments: argparse.Namespace) -> int:
 
 
 def _not_into_itself(course: str, target: str) -> None:
-    from edulaunch.errors import UnusableInput
-
     if os.path.realpath(course) == os.path.realpath(target):
         raise UnusableInput(f'{target} is the course itself', help='give another folder')
 
@@ -242,7 +238,6 @@ def _lite(arguments: argparse.Namespace) -> int:
 def _store(arguments: argparse.Namespace) -> int:
     from edulaunch.course.stored import store_outputs
     from edulaunch.engine.nearest import nearest_file
-    from edulaunch.errors import UnusableInput
 
     for notebook in arguments.notebooks:
         if not os.path.isfile(notebook):

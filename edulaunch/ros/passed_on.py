@@ -6,6 +6,7 @@ it needs, late; the other names that it has there are listed in `passed_on.txt` 
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from functools import cache
@@ -35,8 +36,6 @@ def homes_of(module: str) -> dict[str, tuple[str, str]]:
 
 @cache
 def _tables() -> dict[str, dict[str, tuple[str, str]]]:
-    import os
-
     tables: dict[str, dict[str, tuple[str, str]]] = {}
     with open(os.path.join(os.path.dirname(__file__), 'passed_on.txt'), encoding='utf-8') as file:
         for line in file:

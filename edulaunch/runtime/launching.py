@@ -6,6 +6,7 @@ import os
 
 from edulaunch.engine.nearest import nearest_file
 from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import UnusableInput
 from edulaunch.ros.sources.missing import missing_launch_file, missing_package
 from edulaunch.runtime.fittings import help_of_facts
@@ -23,8 +24,6 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
         return _existing_file(first)
     from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
-
-    from edulaunch.engine.processes.current import current_process
 
     process = current_process()
     outer, process.index = process.index, index

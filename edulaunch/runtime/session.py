@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
 from types import TracebackType
 from typing import TextIO
 
@@ -189,8 +190,6 @@ class Session:
 
     def snapshot(self) -> Recording:
         """What happened until now. Later events do not change it, and are kept for the next snapshot."""
-        from copy import deepcopy
-
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Protocol
 
+from edulaunch.engine.interfaces.registry import Registry, underlay_registry
 from edulaunch.engine.packages.absent import absent_kind
 from edulaunch.engine.packages.prefix import Prefix, Underlay, expand_prefixes
 from edulaunch.engine.packages.reading import Contents, PackageWarning, Program, SourceReader
@@ -251,8 +252,6 @@ def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
     Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
     the workspace only when that has types which the underlay lacks.
     """
-    from edulaunch.engine.interfaces.registry import Registry, underlay_registry
-
     shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
     folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}
     own = frozenset(name for name in folders if not shared.has(name) or _adds(folders[name], name, shared))

@@ -12,6 +12,7 @@ from importlib.machinery import SourceFileLoader
 from types import CodeType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from edulaunch.engine.interfaces.importer import InterfaceFinder
 from edulaunch.engine.interfaces.registry import answer_with
 from edulaunch.engine.packages.index import interfaces_of
 from edulaunch.engine.sim.task import running_task
@@ -164,8 +165,6 @@ class Overlay:
     @cached_property
     def finder(self) -> InterfaceFinder:
         """Makes the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so nobody else sees them."""
-        from edulaunch.engine.interfaces.importer import InterfaceFinder
-
         return InterfaceFinder(self.registry)
 
 

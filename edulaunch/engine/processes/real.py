@@ -10,6 +10,7 @@ import codecs
 import errno
 import os
 import queue
+import select
 import subprocess
 import threading
 from codecs import getincrementaldecoder
@@ -231,8 +232,6 @@ class RealInput(Input):
         return False
 
     def _look(self, seconds: float) -> bool:
-        import select
-
         assert self._number is not None
         if self._ended or not select.select([self._number], [], [], seconds)[0]:
             return self._ended
@@ -257,8 +256,6 @@ class RealInput(Input):
 
 def _waitable(file: Any) -> int | None:
     """The file's number, when the operating system can tell whether reading it would wait."""
-    import select
-
     try:
         number: int = file.fileno()
         select.select([number], [], [], 0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.recording.absent import NoMessages
 from edulaunch.engine.recording.records import ServiceCall, TopicRecord
 from edulaunch.errors import InterfaceError, RecordingError, UnusableInput
@@ -115,7 +116,6 @@ class Messages:
     @cached_property
     def _registry(self) -> RecordedTypes:
         """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
-        from edulaunch.engine.interfaces import current_registry
         from edulaunch.engine.recording.recorded_types import RecordedTypes
 
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())

@@ -120,8 +120,6 @@ class _SetupScript:
 
     def _options(self) -> dict[str, Any] | None:
         """The keywords of the setup() call."""
-        import ast
-
         from edulaunch.ros.sources.static_python import StaticPython
 
         try:

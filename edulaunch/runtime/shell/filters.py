@@ -6,6 +6,7 @@ import getopt
 import re
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
+from itertools import groupby
 from typing import Any, Protocol
 
 Lines = tuple[Callable[[str], object], Callable[[], object]]
@@ -181,8 +182,6 @@ def _sort(lines: list[str], options: dict[str, str]) -> list[str]:
 
 
 def _uniq(lines: list[str], options: dict[str, str]) -> list[str]:
-    from itertools import groupby
-
     groups = [(line, len(list(same))) for line, same in groupby(lines)]
     return [f'{count:7} {line}' if '-c' in options else line for line, count in groups]
 

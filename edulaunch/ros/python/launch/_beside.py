@@ -12,6 +12,8 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import SimulationError
+
 from ._engine import is_plain_script
 
 if TYPE_CHECKING:
@@ -83,8 +85,6 @@ def _is_notebook() -> bool:
 
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_company: Callable[[], bool]) -> bool:
     """Run to the end in one go, when nobody else is there; False when somebody is."""
-    from edulaunch.errors import SimulationError
-
     if has_company():
         return False
     try:

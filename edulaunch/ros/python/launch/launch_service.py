@@ -5,6 +5,7 @@ from __future__ import annotations
 import collections.abc
 import signal
 import threading
+import traceback
 from collections.abc import Awaitable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -288,8 +289,6 @@ class LaunchService:
 
     def __report(self, error: Exception) -> None:
         """Say what went wrong, and end the launch; processes that wait for their start are not started."""
-        import traceback
-
         message = f'Caught exception in launch (see debug for traceback): {error}'
         self.__logger.debug(traceback.format_exc())
         note_failure(error, message)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.ros.passed_on import passed_on
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, profile_from_engine, qos_profile_unknown
@@ -156,7 +157,6 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 def _hash_of(type_name: str) -> TypeHash:
     """The hash of a type; none for a type that only another program's workspace has."""
-    from edulaunch.engine.interfaces import current_registry
     from edulaunch.ros.serialization.type_description import type_hash
 
     try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterUninitializedException
 from rclpy.node_parts.core import core_of
@@ -48,7 +49,6 @@ class TypeDescriptionService:
             )
 
     def _answer(self, request: Any, response: Any) -> Any:
-        from edulaunch.engine.interfaces import current_registry
         from edulaunch.ros.serialization.type_description import type_description, type_hash
 
         if not re.fullmatch('RIHS01_[0-9a-f]{64}', request.type_hash):

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
+from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.frame_owner import student_line
 from edulaunch.ros.passed_on import passed_on
 from tf2_ros.transform_broadcaster import as_list
 
@@ -43,9 +45,6 @@ class StaticTransformBroadcaster:
         old = self._sent[new.child_frame_id]
         if (old.header.frame_id, old.transform) == (new.header.frame_id, new.transform):
             return
-        from edulaunch.engine.processes.current import current_process
-        from edulaunch.engine.processes.frame_owner import student_line
-
         frames = {'child': new.child_frame_id, 'parent': new.header.frame_id, 'first_parent': old.header.frame_id}
         current_process().fact('static transform repeated', new.child_frame_id, {**frames, **student_line()})
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 from functools import cached_property
+from traceback import format_exception_only
 from typing import TYPE_CHECKING, Any
 
 from .._engine import running_process
@@ -273,8 +274,6 @@ def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any
 
     ROS 2 shows a traceback of launch instead, in which nothing is the student's.
     """
-    from traceback import format_exception_only
-
     said = ''.join(format_exception_only(error)).rstrip()
     origin = action.origin
     place = '' if origin is None else f'{running_process().index.source_path(origin.file)}:{origin.line}: '

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from launch._bases import ReadOnly
 from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
@@ -40,6 +41,4 @@ class Parameter(Substitution):
                 return str(entry[1])
         if self.__default is not None:
             return perform_substitutions(context, self.__default)
-        from launch.substitutions.substitution_failure import SubstitutionFailure
-
         raise SubstitutionFailure(f"parameter '{name}' not found")
