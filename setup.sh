@@ -43,6 +43,7 @@ if [ ! -e "$stamp" ]; then
     cd "$here"
     "$venv/bin/python" -m pip --disable-pip-version-check install --quiet -c constraints.txt -e "$what"
     cd - >/dev/null
+    "$venv/bin/edulaunch" env --install >/dev/null  # `source .venv/bin/activate` brings completion and ROS's packages, too
     # JupyterLab would ask the network for a newer version of itself, and the student about news.
     mkdir -p "$venv/share/jupyter/lab/settings"
     echo '{"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}' \

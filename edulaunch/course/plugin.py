@@ -4,5 +4,5 @@ from __future__ import annotations
 
 from edulaunch.runtime.plugins import Plugin, Verb
 
-ABOUT = 'Copy the course, see how far you are, or make a course of your own'
+ABOUT = 'copy the course, show your progress, or create a course of your own'
 PLUGIN = Plugin(verbs={'course': Verb(ABOUT, 'edulaunch.course.verb')})

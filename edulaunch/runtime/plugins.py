@@ -61,6 +61,7 @@ class Plugin(NamedTuple):
     :ivar rules: modules with rules of advice, by what they look at: one of `edulaunch.advice.rule.KINDS`.
     :ivar templates: files for a course, for `edulaunch course template NAME`: `module:function`. It is called in the folder of
         the course with the text of requirements.txt and (name, path) of each exercise, and returns the files by path.
+    :ivar parsers: other commands that the Tab key completes, each with the function that returns its parser: `module:function`.
     :ivar functions: functions that the package `edulaunch` offers in the plug-in's place: `module:function`.
     """
 
@@ -72,6 +73,7 @@ class Plugin(NamedTuple):
     packages: tuple[str, ...] = ()
     rules: Mapping[str, str] = NOTHING
     templates: Mapping[str, str] = NOTHING
+    parsers: Mapping[str, str] = NOTHING
     functions: Mapping[str, str] = NOTHING
 
 
@@ -212,6 +214,11 @@ def offered(name: str) -> Any:
     if place is None:
         raise absent(f'edulaunch.{name}') or UnusableInput(f'no plug-in brings edulaunch.{name}')
     return function(place)
+
+
+def parser_of(command: str) -> Any | None:
+    """The parser of another command that a plug-in brings, such as `edugrade`; None when no plug-in brings it."""
+    return next((function(plugin.parsers[command])() for plugin in plugins().values() if command in plugin.parsers), None)
 
 
 def options_of_plugins(command: str) -> Iterator[Any]:

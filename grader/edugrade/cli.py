@@ -27,15 +27,9 @@ if TYPE_CHECKING:
 
 
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
-VERBS = {
-    'course': 'edugrade.course_check:main',
-    'decoys': 'edugrade.decoys.command:main',
-    'schema': 'edugrade.cli:schema_command',
-}
-"""Words that may stand in the place of a path, and their functions; plug-ins bring more."""
 MAYBE_A_VERB = re.compile('[a-z][a-z_-]*')
 FORKING = ('batch', 'doctor')
-"""Those of them that are about submissions of others, which are to be confined."""
+"""Verbs that run submissions of others, which must be confined."""
 
 HEAD = ('submission', 'result', 'checks', 'points')
 TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}  # words, not colours
@@ -89,7 +83,7 @@ def _command(words: list[str]) -> int:
 
 
 def _verb(word: str) -> Callable[[list[str]], int] | None:
-    """The function of a verb; None when there is none of that name.
+    """The function of a verb that a plug-in brings, ours or another; None when there is none of that name.
 
     :raises UnusableInput: when the system lacks what it needs, or it is one of a plug-in that is not installed.
     """
@@ -99,14 +93,14 @@ def _verb(word: str) -> Callable[[list[str]], int] | None:
         from .in_place import NEEDED
 
         raise UnusableInput(f'edugrade {word}: this system cannot confine what others wrote', help=NEEDED)
-    place = VERBS.get(word)
-    if place is None:
-        added = plugins.grading_verbs().get(word)
-        error = plugins.absent(f'edugrade {word}') if added is None else None
-        if error is not None:
-            raise error
-        place = added.function if added is not None else None
-    return plugins.function(place) if place is not None else None
+    verb = plugins.grading_verbs().get(word)
+    if verb is not None:
+        found: Callable[[list[str]], int] = plugins.function(verb.function)
+        return found
+    error = plugins.absent(f'edugrade {word}')
+    if error is not None:
+        raise error
+    return None
 
 
 def schema_command(words: Sequence[str]) -> int:

@@ -12,88 +12,103 @@ from .rubrics.catalogue import exercises
 
 EXAMPLES = """\
 examples:
-  edugrade exercises/circle.launch.py                  grade a launch file; the rubric is found by its name
-  edugrade exercises/large_project                     a package: its launch/large_project.launch.py is launched
-  edugrade exercises/*.launch.py --html report.html    several at once; a page with pictures of the runs
-  edugrade circle.launch.py --json report.json         write the report as data too
-  edugrade my_try.launch.py --rubric circle            a file of another name
-  edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
-  edugrade course                                      whether exercises, solutions and rubrics belong together
-  edugrade decoys                                      what the rubrics of a course pay for names without behaviour
-  edugrade schema                                      the JSON schema of reports
+  edugrade exercises/circle.launch.py                  grade a launch file; its name selects the rubric
+  edugrade exercises/large_project                     grade a package: launch its launch/large_project.launch.py
+  edugrade exercises/*.launch.py --html report.html    grade several files, and write a page with pictures of the runs
+  edugrade circle.launch.py --json report.json         write the report as JSON, too
+  edugrade my_file.launch.py --rubric circle           grade a file that has another name
+  edugrade exercises/circle.launch.py --hint 1         print a hint instead of a report (levels 1 to 3)
+
+commands (edugrade COMMAND --help describes one):
 """
 EXIT_CODES = """
-exit codes (the worst one, of several):
+exit status (the highest, if there are several reports):
   0  all checks passed
-  1  some failed or could not be run
-  2  unusable input: no such file, no rubric for it, or a launch file that cannot be run at all
-  3  the grader broke; that is never the student's fault and gives no mark
+  1  at least one check failed or could not be run
+  2  invalid input: no such file, no rubric for it, or a launch file that does not run at all
+  3  the grader failed; this is never the student's fault, and gives no mark
 """
 
 
 def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     """Parse the command line; ends the program with a usage message when it is wrong."""
+    parser = edugrade_parser()
+    if argv is None or {'-h', '--help'} & set(argv):
+        parser.epilog = _epilog()
+    return parser.parse_args(argv)
+
+
+def edugrade_parser() -> argparse.ArgumentParser:
+    """The parser of `edugrade PATH ...`, without the examples of its help."""
     parser = argparse.ArgumentParser(
         prog='edugrade',
-        description='Grade ROS 2 launch files by what they do when they are launched, in simulation.',
-        epilog=_epilog() if argv is None or {'-h', '--help'} & set(argv) else None,
+        usage='edugrade [OPTION ...] PATH [PATH ...]\n       edugrade COMMAND ...',
+        description='Grade ROS 2 launch files and packages by what they do in simulation.',
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument('--version', action='version', version=f'edugrade {__version__}')
-    parser.add_argument('paths', metavar='PATH', nargs='+', help="a launch file, or a package's folder")
-    parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
-    parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
-    parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
+    parser.add_argument('paths', metavar='PATH', nargs='+', help='a launch file, or the directory of a package')
+    parser.add_argument('--json', metavar='FILE', help='also write the report as JSON')
+    parser.add_argument('--junit', metavar='FILE', help='also write the report as JUnit XML, for CI servers')
+    parser.add_argument('--html', metavar='FILE', help='also write the report as a web page, with pictures and a replay')
     add_common(parser)
     parser.add_argument(
-        '--student', metavar='NAME', default='', help='whose it is: kept in the reports, part of what chooses the runs'
+        '--student',
+        metavar='NAME',
+        default='',
+        help='name of the student; it is stored in the report and helps to select the runs',
     )
     parser.add_argument(
         '--advice',
         type=int,
         choices=(1, 2, 3),
-        help='how much the report gives away: the kind of what is missing, the thing, how it is written '
-        '(default: more with each try and each hint; 1 outside of a course); such a grading is no try',
+        help='how specific the advice is: 1 names the kind of mistake, 2 the missing thing, 3 how to write it '
+        '(default: more specific with each attempt and each hint; 1 outside a course). Does not count as an attempt',
     )
-    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
-    return parser.parse_args(argv)
+    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level instead of grading')
+    return parser
 
 
 def _epilog() -> str:
-    """Examples, those of plug-ins with them, and the exit codes."""
+    """Examples, the commands that plug-ins bring, and the exit codes."""
     from edulaunch.runtime import plugins
 
-    added = (f'  {f"edugrade {verb.example}":<52} {verb.about}\n' for verb in plugins.grading_verbs().values())
+    verbs = sorted(plugins.grading_verbs().items())
+    added = (f'  {verb.example:<50} {verb.about}\n' for _, verb in verbs)
     return ''.join((EXAMPLES, *added, EXIT_CODES))
 
 
 def add_common(parser: argparse.ArgumentParser) -> None:
     """The options that every way of grading has."""
-    parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
+    parser.add_argument('--rubric', metavar='FILE|NAME', help='use this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
-        '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)"
+        '--seed', type=int, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
     )
-    parser.add_argument('--only', metavar='CHECK', help='grade this check only, with those that it needs; a batch keeps the rest')
+    parser.add_argument(
+        '--only', metavar='CHECK', help='grade only this check and those that it depends on; a batch keeps its other results'
+    )
     parser.add_argument(
         '--course-secret-file',
         metavar='FILE',
-        help='choose the runs by this secret and the student, so that nobody can foresee them',
+        help='select the runs from this secret and the name of the student, so that nobody can predict them',
     )
     parser.add_argument(
         '--personal',
         action='store_true',
-        help='the exercises were made for each student (edulaunch course copy --student) with the secret of --course-secret-file',
+        help='each student has a personalised exercise (edulaunch course copy --student), made with the same secret file',
     )
-    parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     parser.add_argument(
-        '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)'
+        '--limit', type=_seconds, default=30.0, metavar='SECONDS', help='longest real time of each run (default: 30)'
+    )
+    parser.add_argument(
+        '--workspace', action='append', default=[], metavar='DIR', help='a workspace with your own packages (repeatable)'
     )
     parser.add_argument(
         '--sandbox',
         choices=('auto', 'require', 'off'),
         default='auto',
-        help='confine runs as far as this system can (default; of a batch: require), run nothing that is not confined, '
-        'or do not confine',
+        help='auto: use as much of the sandbox as this system offers (the default); require: refuse to run without all of it '
+        '(the default of a batch); off: no sandbox',
     )
 
 

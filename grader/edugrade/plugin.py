@@ -1,7 +1,19 @@
-"""What the grader adds to edulaunch: `edulaunch.check`."""
+"""What the grader adds to edulaunch: `edulaunch.check`, completion of `edugrade`, and the verbs that every grader has."""
 
 from __future__ import annotations
 
-from edulaunch.runtime.plugins import Plugin
+from edulaunch.runtime.plugins import GradingVerb, Plugin
 
-PLUGIN = Plugin(functions={'check': 'edugrade.notebook:check'})
+PLUGIN = Plugin(
+    grading={
+        'course': GradingVerb(
+            'edugrade.course_check:main', 'course', 'check that exercises, solutions and rubrics belong together'
+        ),
+        'decoys': GradingVerb(
+            'edugrade.decoys.command:main', 'decoys', 'list points that rubrics pay for names without behaviour'
+        ),
+        'schema': GradingVerb('edugrade.cli:schema_command', 'schema', 'print the JSON schema of reports'),
+    },
+    parsers={'edugrade': 'edugrade.options:edugrade_parser'},
+    functions={'check': 'edugrade.notebook:check'},
+)

@@ -100,7 +100,7 @@ def test_help_shows_examples_and_exit_codes(capsys: pytest.CaptureFixture[str]) 
         main(['--help'])
     text = capsys.readouterr().out
     assert 'edugrade exercises/circle.launch.py' in text
-    assert '3  the grader broke' in text
+    assert '3  the grader failed' in text and 'batch submissions/' in text and '  schema  ' in text
 
 
 @pytest.mark.processes

@@ -35,7 +35,7 @@ def run(words: list[str], installed: dict[str, str], folder: Path) -> subprocess
 
 @pytest.mark.processes
 def test_its_verb_runs_its_world(installed: dict[str, str], tmp_path: Path) -> None:
-    assert '    ferry     Let the ferry cross the river\n' in run(['--help'], installed, tmp_path).stdout
+    assert '  ferry       Let the ferry cross the river\n' in run(['--help'], installed, tmp_path).stdout
     done = run(['ferry', '--speed', '0.5'], installed, tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (0, 'the ferry is at 5.0 m\n', '')
 

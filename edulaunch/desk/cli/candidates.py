@@ -1,4 +1,4 @@
-"""What could stand at the end of an unfinished `edulaunch` or `ros2` command line."""
+"""What could stand at the end of an unfinished `edulaunch`, `edugrade` or `ros2` command line."""
 
 from __future__ import annotations
 
@@ -43,7 +43,10 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
     words = words[1:]
     if command == 'edulaunch' and words[:1] == ['ros2']:
         command, words = 'ros2', words[1:]
-    possible = ros2_words(words, typed) if command == 'ros2' else _possible(words, typed)
+    if command == 'edugrade':
+        possible = _grading_words(words, typed)
+    else:
+        possible = ros2_words(words, typed) if command == 'ros2' else _possible(words, typed)
     found = sorted({word for word in possible if word.startswith(typed)})
     kept = max(typed.rfind(':'), typed.rfind('=')) + 1 if break_words else 0
     return [word[kept:] for word in found]
@@ -100,6 +103,25 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
     if last is not None and last.nargs != 0:
         return _option_values(last, typed)
     return _launch_words(words, options, typed, index) if verb in LAUNCHING else [*_choices(parser), *_paths(typed)]
+
+
+def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
+    """Verbs, options and their values, and paths, behind `edugrade WORDS...`; nothing where the grader is not installed."""
+    from edulaunch.runtime import plugins
+
+    verbs = plugins.grading_verbs()
+    parser = plugins.parser_of('edugrade')
+    if parser is None:
+        return []
+    options = options_of(parser)
+    if words[:1] and words[0] in verbs:
+        return _paths(typed)
+    if typed.startswith('-'):
+        return options
+    last = options.get(words[-1]) if words else None
+    if last is not None and last.nargs != 0:
+        return map(str, _option_values(last, typed))
+    return [*([] if words else verbs), *_paths(typed)]
 
 
 def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:

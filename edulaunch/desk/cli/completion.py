@@ -1,40 +1,12 @@
-"""`edulaunch completion bash|zsh|fish`: the script that lets a shell complete `edulaunch` and `ros2` with the Tab key."""
+"""`edulaunch completion SHELL`: the script that lets a shell complete `edulaunch`, `edugrade` and `ros2` with the Tab key."""
 
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
-SCRIPTS = {
-    'bash': """# Tab completion for bash: put  eval "$(edulaunch completion bash)"  into ~/.bashrc
-_edulaunch() {
-    local IFS=$'\\n'
-    COMPREPLY=($(edulaunch completion bash --line "${COMP_LINE:0:$COMP_POINT}" 2>/dev/null))
-    if [ "${#COMPREPLY[@]}" = 1 ]; then
-        case "${COMPREPLY[0]}" in *=|*/) compopt -o nospace ;; esac
-    fi
-}
-complete -F _edulaunch edulaunch
-complete -p ros2 > /dev/null 2>&1 || complete -F _edulaunch ros2
-""",
-    'fish': """# Tab completion for fish: put  edulaunch completion fish | source  into ~/.config/fish/config.fish
-function __edulaunch
-    edulaunch completion fish --line (commandline --cut-at-cursor | string collect) 2>/dev/null
-end
-complete -c edulaunch -f -a '(__edulaunch)'
-complete -c ros2 -f -a '(__edulaunch)'
-""",
-    'zsh': """# Tab completion for zsh: put  eval "$(edulaunch completion zsh)"  into ~/.zshrc, below compinit
-_edulaunch() {
-    local -a found open
-    found=("${(@f)$(edulaunch completion zsh --line "$LBUFFER" 2>/dev/null)}")
-    open=(${(M)found:#*[=/]})
-    found=(${found:#*[=/]})
-    (( $#open )) && compadd -S '' -- $open
-    (( $#found )) && compadd -- $found
-}
-compdef _edulaunch edulaunch ros2
-""",
-}
+SHELLS = Path(__file__).with_name('shells')
+SCRIPTS = {shell: (SHELLS / f'completion.{shell}').read_text('utf-8') for shell in ('bash', 'fish', 'zsh')}
 
 
 def completion_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,4 +1,4 @@
-"""`edulaunch env`: where ROS's import packages are; with `--shell` what makes them importable in a shell.
+"""`edulaunch env`: where ROS's import packages are; `--install` and `--shell` make them importable in shells.
 
 `edulaunch python node.py`: Python with them, and with the packages of the workspaces here.
 """
@@ -13,32 +13,21 @@ from collections.abc import Mapping
 from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.underlay_place import underlay_prefix, underlay_python
 
-FUNCTIONS = """colcon() {
-    if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
-}
-sudo() { edulaunch env --answer "$@" || command sudo "$@"; }
-apt() { edulaunch env --answer apt "$@" || command apt "$@"; }
-function source {
-    if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
-}
-function . { source "$@"; }
-for name in check_urdf gazebo gz rqt rqt_console rqt_graph rqt_plot rviz2; do
-    command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
-done
-unset name
-"""
-"""The lines of a tutorial that set a computer up, as functions of bash and zsh. They step aside for what is really there."""
-
 
 def env_arguments(parser: argparse.ArgumentParser) -> None:
     """What to print."""
     parser.add_argument(
-        '--shell',
+        '--install',
         action='store_true',
-        help='print what to evaluate in a shell: eval "$(edulaunch env --shell)", then python3 node.py',
+        help='let `source .venv/bin/activate` also set up completion, ROS imports and answers to set-up lines (bash, zsh, fish)',
     )
     parser.add_argument(
-        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help='say whether a line of a tutorial is needed here'
+        '--shell',
+        action='store_true',
+        help='print lines for a shell outside of a virtual environment: eval "$(edulaunch env --shell)"',
+    )
+    parser.add_argument(
+        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help="say whether a tutorial's set-up line is needed here"
     )
 
 
@@ -46,14 +35,27 @@ def env_verb(arguments: argparse.Namespace) -> int:
     """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers; or lines for a shell."""
     if arguments.answer is not None:
         return _answer(arguments.answer)
+    if arguments.install:
+        return _install()
     if not arguments.shell:
         print(underlay_python())
         return 0
     from shlex import quote
 
+    from edulaunch.desk.cli.activation import functions
+
     for name, value in sorted(sourced_environment(os.environ).items()):
         print(f'export {name}={quote(value)}')
-    print(f'if [ -n "$BASH_VERSION$ZSH_VERSION" ]; then eval {quote(FUNCTIONS)}; fi')
+    print(f'if [ -n "$BASH_VERSION$ZSH_VERSION" ]; then eval {quote(functions())}; fi')
+    return 0
+
+
+def _install() -> int:
+    from edulaunch.desk.cli.activation import install_here
+
+    for path in install_here():
+        command = 'config.fish' if path.suffix == '.fish' else '~/.bashrc or ~/.zshrc'
+        print(f'source {path}    # type this in each terminal, or put it into {command} once')
     return 0
 
 

@@ -18,19 +18,20 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.version import __version__
 
 VERBS = {
-    'colcon': 'Say what of building is not needed here',
-    'completion': 'Print the script that completes commands with the Tab key',
-    'doctor': 'Say what is wrong with a launch file, a package or a run, and what to do',
-    'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
-    'explain': 'Show what a launch file would start, and where every value comes from, without starting anything',
-    'launch': 'Run a launch file, as `ros2 launch` does',
-    'machine': 'Look at the machine that the terminals share, pause or stop it',
-    'pkg': 'Make a package, or look for common mistakes in packages',
-    'plan': 'The same as explain; with --json, the plan of a launch file for programs',
-    'python': 'Run Python with rclpy and the packages of the workspace',
-    'recording': 'Look into a recording',
-    'rosdep': 'Name the dependencies of packages that are not here',
-    'view': 'Show the live page of the machine in a browser',
+    'colcon': 'report which build steps are not needed here',
+    'completion': 'print a shell completion script',
+    'doctor': 'find mistakes in a launch file, package or recording, and suggest fixes',
+    'env': 'print the paths that editors and type checkers need, or set up a shell',
+    'explain': 'show what a launch file would start, and where each value comes from',
+    'launch': 'run a launch file, like `ros2 launch`',
+    'machine': 'show, pause, resume or stop the machine that your terminals share',
+    'pkg': 'create a package, or check packages for common mistakes',
+    'plan': 'like explain; with --json, output for other programs',
+    'python': 'run a Python script with rclpy and your workspace available',
+    'recording': 'show or export a recording',
+    'ros2': 'run a ros2 command, even where a real ROS 2 is sourced',
+    'rosdep': 'list dependencies that neither edulaunch nor your workspace provides',
+    'view': 'open the live view of the shared machine in a browser',
 }
 """The built-in verbs; plug-ins bring more."""
 HOMES = {'colcon': 'rosdep', 'plan': 'explain', 'python': 'env', 'view': 'machine'}
@@ -40,11 +41,16 @@ VERBATIM = ('colcon', 'python')
 EXAMPLES = """examples:
   edulaunch launch turtlesim multisim.launch.py --for 5
   edulaunch launch solutions/circle.launch.py circle_radius:=0.8 --fast --for 60 --record circle.rec
-  edulaunch launch solutions/circle.launch.py -s
+  edulaunch explain solutions/circle.launch.py
   edulaunch recording info circle.rec
-  edulaunch ros2 topic list    (any command of ros2, also where a real ROS 2 is sourced)
 
-exit codes: 0 all went well, 1 the launch failed, 2 the input cannot be used, 130 interrupted"""
+exit status: 0 success, 1 the launch failed, 2 invalid input, 130 interrupted"""
+NEXT_STEPS = """What would you like to do next?
+  ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py    start two turtles; then type `edulaunch view` in a second terminal
+  edulaunch course copy my_course                        copy the lessons; then type `edulaunch course open my_course`
+  edulaunch explain FILE.launch.py                       show what a launch file of yours would start
+`edulaunch --help` lists all commands."""
+"""What `edulaunch` prints without words."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -71,8 +77,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     if others:
         arguments.rest += others  # launch arguments may stand behind options too
     if arguments.verb is None:
-        parser.print_help()
-        return 2
+        print(NEXT_STEPS)
+        return 0
     try:
         code = load(arguments.verb)[1](arguments)
         sys.stdout.flush()
@@ -145,16 +151,20 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
     :raises UnusableInput: for a verb of one of our own plug-ins that is not installed.
     """
     wanted = words[0] if words else None
+    known = VERBS if wanted in VERBS else all_verbs()
+    listed = ''.join(f'  {verb:<11} {about}\n' for verb, about in known.items())
     parser = _Parser(
         prog='edulaunch',
-        description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
-        epilog=EXAMPLES,
+        usage='%(prog)s [-h] [--version] COMMAND ...',
+        description='Run ROS 2 launch files, tf2 and turtlesim in a deterministic simulation.',
+        epilog=f'commands:\n{listed}\n{EXAMPLES}',
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument('--version', action='version', version=f'edulaunch {__version__}')
-    verbs = parser.add_subparsers(dest='verb', metavar='VERB')
-    for verb, text in (VERBS if wanted in VERBS else all_verbs()).items():
-        sub = verbs.add_parser(verb, help=text, description=text + '.', formatter_class=argparse.RawDescriptionHelpFormatter)
+    verbs = parser.add_subparsers(dest='verb', metavar='COMMAND', prog='edulaunch', help=argparse.SUPPRESS)
+    for verb, text in known.items():
+        about = f'{text[:1].upper()}{text[1:]}.'
+        sub = verbs.add_parser(verb, help=text, description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
         if verb == wanted:
             load(verb)[0](sub)
             add_plugin_options(verb, sub, words[1:])

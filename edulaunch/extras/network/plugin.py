@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edulaunch.runtime.plugins import Plugin, Verb
 
-ABOUT = 'Join the machine to a real ROS 2 network, let it leave, or install the real rclpy'
+ABOUT = 'connect the machine to a real ROS 2 network, or install real rclpy'
 PLUGIN = Plugin(
     needs=('edulaunch.extras.native',),
     verbs={'network': Verb(ABOUT, 'edulaunch.extras.network.verb')},

@@ -10,26 +10,28 @@ PLUGIN = Plugin(
         'batch': GradingVerb(
             'edugrade.classes.batch.command:main',
             'batch submissions/ --csv marks.csv',
-            'a class; --resume goes on where it was stopped',
+            'grade a class; --resume continues an interrupted batch',
         ),
         'classroom': GradingVerb(
-            'edugrade.classes.export.classroom:main', 'classroom circle', 'autograding for GitHub Classroom'
+            'edugrade.classes.export.classroom:main', 'classroom circle', 'write the autograding files for GitHub Classroom'
         ),
-        'doctor': GradingVerb('edugrade.classes.doctor:main', 'doctor', 'what a submission on this machine is kept from'),
+        'doctor': GradingVerb(
+            'edugrade.classes.doctor:main', 'doctor', 'show what the sandbox of this computer keeps from a submission'
+        ),
         'export': GradingVerb(
             'edugrade.classes.export.platforms:main',
             'export moodle submissions.results --out m.csv',
-            'marks for Moodle or Canvas',
+            'write marks for Moodle or Canvas',
         ),
         'gradescope': GradingVerb(
-            'edugrade.classes.export.gradescope:main', 'gradescope build circle', 'an autograder for Gradescope'
+            'edugrade.classes.export.gradescope:main', 'gradescope build circle', 'build an autograder for Gradescope'
         ),
         'sign': GradingVerb('edugrade.classes.verify:sign_command', 'sign report.json --key key.pem', 'sign a report'),
         'similar': GradingVerb(
-            'edugrade.classes.similar:main', 'similar submissions.results', 'who has code in common, side by side'
+            'edugrade.classes.similar:main', 'similar submissions.results', 'show submissions that share code, side by side'
         ),
         'verify': GradingVerb(
-            'edugrade.classes.verify:main', 'verify report.json', 'make a mark again, and say whether it holds'
+            'edugrade.classes.verify:main', 'verify report.json', 'grade again, and report whether the mark is the same'
         ),
     },
 )

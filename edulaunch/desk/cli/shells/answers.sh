@@ -1,0 +1,14 @@
+# Functions of bash and zsh that answer a tutorial's set-up lines. They step aside for programs that exist.
+colcon() {
+    if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
+}
+sudo() { edulaunch env --answer "$@" || command sudo "$@"; }
+apt() { edulaunch env --answer apt "$@" || command apt "$@"; }
+function source {
+    if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
+}
+function . { source "$@"; }
+for name in @WINDOWS@; do
+    command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
+done
+unset name
