@@ -53,6 +53,14 @@ def type_of_value(value: Any) -> int:
     raise TypeError(f"The given value is not one of the allowed types '{value}'.")
 
 
+def precedence(value: Any) -> int:
+    """Which of several values counts that one node has for one parameter: the last of those with the lowest number."""
+    try:
+        return type_of_value(value) or STRING_ARRAY + 1
+    except TypeError:
+        return STRING_ARRAY + 1
+
+
 def value_fits(value: Any, number: int) -> bool:
     """Whether `value` may stand in a parameter of type `number`."""
     if number == NOT_SET:

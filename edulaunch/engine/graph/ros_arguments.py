@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from edulaunch.engine.facts import facts_of, with_facts, with_facts_of
 from edulaunch.engine.graph.names import RemapRule, absolute_namespace
 from edulaunch.engine.graph.parameter_files import Entry, ParameterFileError, read_parameter_file, read_value
-from edulaunch.engine.graph.parameters import pattern_matches
+from edulaunch.engine.graph.parameters import pattern_matches, precedence
 from edulaunch.engine.graph.rule_reader import (
     END,
     NAMESPACE,
@@ -229,7 +229,14 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
     except (RuleError, ParameterFileError) as error:
         raise _refused_parameter(flag, text, error) from None
     pattern = absolute_namespace(node_name) if node_name else '/**'
-    result.parameters.setdefault(pattern, {})[name] = override
+    _keep(result.parameters.setdefault(pattern, {}), name, override)
+
+
+def _keep(values: dict[str, Override], name: str, override: Override) -> None:
+    """Add a value; rcl keeps one of each type, and of those rclpy takes the first type: a bool before a number before a text."""
+    kept = values.get(name)
+    if kept is None or precedence(override.value) <= precedence(kept.value):
+        values[name] = override
 
 
 def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[str], Sequence[Entry]]) -> None:
@@ -246,7 +253,7 @@ def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[
     base = path.replace('\\', '/').rpartition('/')[2]
     for entry in entries:
         override = Override(entry.value, f'{base} line {entry.line}')
-        result.parameters.setdefault(entry.pattern, {})[entry.name] = override
+        _keep(result.parameters.setdefault(entry.pattern, {}), entry.name, override)
 
 
 def _near_file(path: str) -> str | None:

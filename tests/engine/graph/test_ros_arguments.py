@@ -183,3 +183,22 @@ def test_plain_rules_read_at_one_look_are_what_the_reader_reads_lexeme_by_lexeme
     monkeypatch.setattr(ros_arguments, '_PLAIN_RULE', re.compile('(?!)'))
     assert quickly == [read(rule) for rule in rules]
     assert sum(isinstance(rule, RemapRule) for rule in quickly) > 100
+
+
+@pytest.mark.parametrize(
+    ('texts', 'value'),
+    [
+        (['a:=off', 'a:=2'], False),
+        (['a:=2', 'a:=off'], False),
+        (['a:=2.5', 'a:=1'], 1),
+        (['a:=1', 'a:=x'], 1),
+        (['a:=1', 'a:=3'], 3),
+        (['a:=[1,2]', 'a:=x'], 'x'),
+        (['a:=[x]', 'a:=[1]'], [1]),
+        (['m:a:=x', 'a:=1'], 1),
+        (['a:=1', 'm:a:=x'], 'x'),
+    ],
+)
+def test_of_several_values_the_type_decides_before_the_order_as_with_the_real_rclpy(texts: list[str], value: object) -> None:
+    parsed = parse_ros_arguments(['--ros-args', *(word for text in texts for word in ('-p', text))])
+    assert parsed.overrides_for('/m')['a'].value == value

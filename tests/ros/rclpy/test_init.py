@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -297,6 +298,32 @@ def test_the_options_of_signal_handlers_are_flags() -> None:
             SignalHandlerOptions.ALL,
         )
     ] == [0, 1, 2, 3]
+    assert list(SignalHandlerOptions.__members__) == ['ALL', 'NO', 'SIGINT', 'SIGTERM']
+    assert int(SignalHandlerOptions.ALL) == 3
+    with pytest.raises(TypeError, match="^'pybind11_type' object is not iterable$"):
+        list(SignalHandlerOptions)
+    with pytest.raises(TypeError, match="^object of type 'pybind11_type' has no len"):
+        len(SignalHandlerOptions)
+    assert SignalHandlerOptions
+
+
+def test_a_module_that_jazzy_does_not_have_is_not_here() -> None:
+    with pytest.raises(ModuleNotFoundError, match="No module named 'rclpy.handle'"):
+        import_module('rclpy.handle')
+
+
+def test_a_star_import_of_lifecycle_leaves_the_short_names_alone() -> None:
+    import rclpy.lifecycle
+
+    assert sorted(rclpy.lifecycle.__all__) == [
+        'LifecycleNode',
+        'LifecycleNodeMixin',
+        'LifecyclePublisher',
+        'LifecycleState',
+        'ManagedEntity',
+        'SimpleManagedEntity',
+    ]
+    assert rclpy.lifecycle.Node is rclpy.lifecycle.LifecycleNode
 
 
 def test_on_shutdown_of_a_context_that_has_ended_calls_at_once(world: World) -> None:

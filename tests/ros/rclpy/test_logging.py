@@ -122,6 +122,7 @@ def test_misuse_is_refused(ros: Ros, world: World) -> None:
         for call in (
             lambda: [logger.log('x', severity) for severity in (20, 30)],
             lambda: [logger.info('x', once=once) for once in (True, False)],
+            lambda: [logger.info('x', throttle_duration_sec=seconds) for seconds in (1.0, 1.0, 2.0)],
             lambda: logger.info('x', onse=True),
             lambda: logger.info(5),
             lambda: get_logger(''),
@@ -134,6 +135,7 @@ def test_misuse_is_refused(ros: Ros, world: World) -> None:
     assert ros(body) == [
         'ValueError: Logger severity cannot be changed between calls.',
         'ValueError: Requested logging filters cannot be changed betw',
+        'ValueError: Logging filter parameters cannot be changed betw',
         'TypeError: parameter "onse" is not one of the recognized log',
         'TypeError: rclpy_logging_rcutils_log(): incompatible functio',
         'ValueError: Logger name must not be empty.',

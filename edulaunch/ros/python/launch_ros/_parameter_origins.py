@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from launch.substitutions.launch_configuration import LaunchConfiguration
 
-from edulaunch.engine.graph.parameters import pattern_matches
+from edulaunch.engine.graph.parameters import pattern_matches, precedence
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.parameter_files import Entry
@@ -84,13 +84,13 @@ class Given(NamedTuple):
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
     """What means the node of that name, in rcl's order: of two for one parameter the later one counts.
 
-    All that stands under one pattern comes where that pattern was met first.
+    All that stands under one pattern comes where that pattern was met first; there a type counts before the order does.
     """
     ranks: dict[str, int] = {}
     for one in given:
         ranks.setdefault(one.pattern, len(ranks))
     meant = {pattern for pattern in ranks if pattern_matches(pattern, full_name)}
-    return sorted((one for one in given if one.pattern in meant), key=lambda one: ranks[one.pattern])
+    return sorted((one for one in given if one.pattern in meant), key=lambda one: (ranks[one.pattern], -precedence(one.value)))
 
 
 class ParameterOrigins(Mapping[str, str]):

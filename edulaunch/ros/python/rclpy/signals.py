@@ -4,22 +4,36 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
-from enum import IntEnum
+from enum import Enum, EnumMeta
+from typing import NoReturn
 
 from edulaunch.ros.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
 
-class SignalHandlerOptions(IntEnum):
+class _Pybind11Type(EnumMeta):
+    """The class of ROS 2's enumerations in C++, which have members but are no collections."""
+
+    def __iter__(cls) -> NoReturn:
+        raise TypeError("'pybind11_type' object is not iterable")
+
+    def __len__(cls) -> NoReturn:
+        raise TypeError("object of type 'pybind11_type' has no len()")
+
+
+class SignalHandlerOptions(Enum, metaclass=_Pybind11Type):
     """Which signals rclpy handles."""
 
+    ALL = 3
     NO = 0
     SIGINT = 1
     SIGTERM = 2
-    ALL = 3
 
-    def __str__(self) -> str:
-        return f'SignalHandlerOptions.{self.name}'
+    def __int__(self) -> int:
+        return self.value
+
+    def __index__(self) -> int:
+        return self.value
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:

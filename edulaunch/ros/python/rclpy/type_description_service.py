@@ -55,12 +55,13 @@ class TypeDescriptionService:
             response.failure_reason = 'Failed to parse type hash'
             return response
         registry = current_registry()
-        known = {end.type_name for end in core_of(self._node).entry.endpoints}
-        if request.type_name not in known or request.type_hash != type_hash(request.type_name, registry.spec):
+        in_use = sorted({end.type_name for end in core_of(self._node).entry.endpoints})
+        found = [name for name in in_use if type_hash(name, registry.spec) == request.type_hash]
+        if not found:
             response.failure_reason = 'Type not currently in use by this node'
             return response
         spec_of = registry.spec
-        description = type_description(request.type_name, spec_of)
+        description = type_description(found[0], spec_of)  # by its hash alone, as rcl finds it
         target = response.type_description
         target.type_description = _individual(description['type_description'])
         target.referenced_type_descriptions = [_individual(one) for one in description['referenced_type_descriptions']]

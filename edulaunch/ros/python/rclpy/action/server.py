@@ -128,15 +128,15 @@ class ActionServer(Waitable):
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         """Say what to do with accepted goals; None executes them."""
-        self._handle_accepted_callback = _callable(handle_accepted_callback, default_handle_accepted_callback, 'handle accepted')
+        self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
         """Say which goals to accept; None accepts all."""
-        self._goal_callback = _callable(goal_callback, default_goal_callback, 'goal')
+        self._goal_callback = goal_callback or default_goal_callback
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
         """Say which requests to cancel to accept; None rejects all."""
-        self._cancel_callback = _callable(cancel_callback, default_cancel_callback, 'cancel')
+        self._cancel_callback = cancel_callback or default_cancel_callback
 
     def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
         """Say how goals are worked on. Raises TypeError unless it is callable."""
@@ -307,12 +307,6 @@ class ActionServer(Waitable):
             goal.destroy()
         for endpoint in (self._goal_service, self._cancel_service, self._result_service, self._feedback, self._status):
             endpoint.destroy()
-
-
-def _callable(callback: Any, default: Any, kind: str) -> Any:
-    if callback is not None and not callable(callback):
-        raise TypeError(f'Failed to register {kind} callback: not callable')
-    return callback or default
 
 
 __getattr__ = passed_on(__name__)

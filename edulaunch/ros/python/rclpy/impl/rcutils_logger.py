@@ -42,16 +42,17 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
 class CallSite:
     """What one place in a program that logs remembers between its calls."""
 
-    __slots__ = ('name', 'severity', 'filters', 'skipped', 'logged', 'next_ns')
+    __slots__ = ('name', 'severity', 'filters', 'settings', 'skipped', 'logged', 'last_ns')
 
-    def __init__(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
+    def __init__(self, name: str, severity: int, filters: tuple[str, ...], options: dict[str, Any]) -> None:
         self.name = name
         self.severity = severity
         self.filters = filters
+        self.settings = _settings(filters, options)
         self.skipped = self.logged = False
-        self.next_ns = 0
+        self.last_ns = 0
 
-    def check(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
+    def check(self, name: str, severity: int, filters: tuple[str, ...], options: dict[str, Any]) -> None:
         """Refuse a call that differs from the first one at this place. Raises ValueError."""
         if severity != self.severity:
             raise ValueError('Logger severity cannot be changed between calls.')
@@ -59,6 +60,8 @@ class CallSite:
             raise ValueError('Logger name cannot be changed between calls.')
         if filters != self.filters:
             raise ValueError('Requested logging filters cannot be changed between calls.')
+        if filters and _settings(filters, options) != self.settings:
+            raise ValueError('Logging filter parameters cannot be changed between calls.')
 
     def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
         """Whether this call's message is to be written. Filters are asked in order, until one says no."""
@@ -74,10 +77,15 @@ class CallSite:
         source = options.get('throttle_time_source_type')
         if isinstance(source, Clock):
             now_ns = source.now_ns()
-        if self.next_ns and now_ns < self.next_ns:
+        if now_ns < self.last_ns + options['throttle_duration_sec'] * 1e9:
             return False
-        self.next_ns = now_ns + int(options['throttle_duration_sec'] * 1e9)
+        self.last_ns = now_ns
         return True
+
+
+def _settings(filters: tuple[str, ...], options: dict[str, Any]) -> list[Any]:
+    """What a call gives to its filters; a place may not change it between calls."""
+    return [options.get(parameter) for name in filters for parameter in _FILTERS[name]]
 
 
 DEBUG, INFO, WARN, ERROR, FATAL = 10, 20, 30, 40, 50
@@ -160,9 +168,9 @@ class RcutilsLogger:
         filters = filters_of(options) if options else ()
         site = self.contexts.get(place)
         if site is None:
-            site = self.contexts[place] = CallSite(name, severity, filters)
+            site = self.contexts[place] = CallSite(name, severity, filters, options)
         else:
-            site.check(name, severity, filters)
+            site.check(name, severity, filters, options)
         if filters and not site.lets_through(options, state.process.sim.now_ns):
             return False
         if not isinstance(message, str):
