@@ -27,12 +27,14 @@ class Scenario(NamedTuple):
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
     :param duration_s: simulated seconds.
     :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
+    :param is_interrupted: whether launch gets Ctrl-C at the end, after what is recorded, and the bags that are written are read.
     """
 
     name: str
     arguments: Mapping[str, str] = MappingProxyType({})
     duration_s: float = 20.0
     seed: int = 0
+    is_interrupted: bool = False
 
     @property
     def command(self) -> str:
@@ -61,6 +63,7 @@ class Outcome(NamedTuple):
     sandbox: Mapping[str, str] = MappingProxyType({})  # which layers of confinement held: 'held', or why not
     detail: str = ''  # for the course author: a traceback of the engine, or what the program printed
     refused: tuple[str, ...] = ()  # names of the system calls that it tried and may not make
+    bags: Sequence[Mapping[str, Any]] = ()  # what the bags hold that it wrote; see `sandbox.bags`
 
 
 Found = TypeVar('Found')
@@ -71,6 +74,7 @@ class Evidence(Mapping[str, 'Recording']):
 
     :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
     :ivar names: what the cells of a notebook have defined, of the names that the rubric of a turn looks at.
+    :ivar bags: what the bags of each scenario hold that is interrupted, by its name.
     """
 
     def __init__(
@@ -79,9 +83,11 @@ class Evidence(Mapping[str, 'Recording']):
         recordings: Mapping[str, Recording],
         source: Source,
         names: Mapping[str, Any] = MappingProxyType({}),
+        bags: Mapping[str, Sequence[Mapping[str, Any]]] = MappingProxyType({}),
     ) -> None:
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
+        self.bags = dict(bags)
         self.source = source
         self.names = names
         self._found: dict[Hashable, Any] = {}
@@ -97,7 +103,8 @@ class Evidence(Mapping[str, 'Recording']):
 
     def only(self, names: Sequence[str]) -> Evidence:
         """The same for some of the scenarios."""
-        return Evidence(self._scenarios, {name: self[name] for name in self if name in names}, self.source, self.names)
+        recordings = {name: self[name] for name in self if name in names}
+        return Evidence(self._scenarios, recordings, self.source, self.names, self.bags)
 
     @property
     def first(self) -> Recording:

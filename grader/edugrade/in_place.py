@@ -11,12 +11,18 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
 
 from .evidence import Outcome, Scenario
 from .job import Limits, Ticket, environment
 from .submission import Submission
+
+if TYPE_CHECKING:
+    from collections import Counter
+
+    from edulaunch.runtime.session import Session
 
 STATE = {'the submission': 'this system cannot: only grade your own files here'}
 """What is told of the layers of confinement."""
@@ -76,12 +82,36 @@ def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> O
         with _folder() as home, Session(seed=scenario.seed, workspaces=workspaces, env=environment(home)) as session:
             session.launch(submission.file, None, dict(scenario.arguments))
             session.run(scenario.duration_s)
-            return come_to(scenario, session.recording())
+            outcome = come_to(scenario, session.recording())
+            return outcome._replace(bags=_bags(session, outcome, home)) if scenario.is_interrupted else outcome
     except UnusableInput as error:
         return Outcome(scenario, 'unusable', text=error.message, try_=error.help or None)
     except Exception as error:
         text = f'the simulation itself broke: {type(error).__name__}: {error}'
         return Outcome(scenario, 'broke', text=text, detail=traceback.format_exc())
+
+
+def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]:
+    """What the bags hold that are written when launch gets Ctrl-C."""
+    import collections
+
+    from edulaunch.engine.interfaces import current_registry
+    from edulaunch.ros.serialization.cdr import encode
+
+    from .sandbox.bags import written_bags
+
+    def published(topic: str) -> Counter[bytes]:
+        recording, registry = outcome.recording, current_registry()
+        found: Counter[bytes] = collections.Counter()
+        for column in recording.rows('topics') if recording else ():
+            if column['topic'] == topic:
+                found.update(encode(registry.get(column['type']), wire) for wire in column['messages'])
+        return found
+
+    end_ns = session.sim.now_ns
+    session.interrupt()
+    session.run(2.0)
+    return written_bags(home, end_ns, published)
 
 
 @contextmanager

@@ -81,6 +81,7 @@ class Job:
             'arguments': dict(self.scenario.arguments),
             'duration_s': self.scenario.duration_s,
             'seed': self.scenario.seed,
+            'is_interrupted': self.scenario.is_interrupted,
             'workspaces': self.workspaces,
             'home': self.home,
             'environment': environment(self.home),

@@ -37,7 +37,7 @@ def judge(
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
     recordings = {outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording}
-    evidence = Evidence(scenarios, recordings, source, names)
+    evidence = Evidence(scenarios, recordings, source, names, {outcome.scenario.name: outcome.bags for outcome in outcomes})
     for check in checks:
         blocker = _blocker(check, results)
         result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)

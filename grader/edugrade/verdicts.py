@@ -219,22 +219,23 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
     """The outcome that these bytes stand for; None when they are no recording of this scenario.
 
-    :param content: a line of JSON, the provenance of the rows; then the recording.
+    :param content: a line of JSON, the provenance of the rows and what each bag holds; then the recording.
     """
     from edulaunch.engine.recording import Recording as Known
     from edulaunch.runtime.link.provenance import attach
 
     try:
-        provenance, _, rest = content.partition(b'\n')
+        line, _, rest = content.partition(b'\n')
+        owners, programs, *bags = json.loads(line)
         recording = Known.from_bytes(rest)
-        attach(recording, json.loads(provenance))
+        attach(recording, [owners, programs])
         if recording.seed != scenario.seed or recording.launch.arguments != dict(scenario.arguments):
             return None
     except OSError as error:
         return Outcome(scenario, 'broke', text=f'the recording could not be read: {error}', try_=REPORT_IT)
     except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
         return None
-    return come_to(scenario, recording)
+    return come_to(scenario, recording)._replace(bags=bags)
 
 
 def come_to(scenario: Scenario, recording: Recording) -> Outcome:

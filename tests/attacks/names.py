@@ -51,6 +51,23 @@ def empty(name: str, *words: str, namespace: str = '', setup: str = '') -> str:
 
 
 SUBSCRIBE = 'from std_msgs.msg import String\nnode.create_subscription(String, {topic}, print, 10)'
+HEAR_THE_TURTLE = """
+from geometry_msgs.msg import Twist
+from turtlesim.msg import Pose
+for name, kind in (('pose', Pose), ('cmd_vel', Twist)):
+    node.create_subscription(kind, f'/{sys.argv[1]}/turtle1/{name}', bool, 10)
+"""
+MADE_UP = """
+import sys
+from pathlib import Path
+from rosbags.rosbag2 import Writer
+with Writer(Path('my_drive'), version=9) as writer:
+    for name, kind, size in (('pose', 'turtlesim/msg/Pose', 20), ('cmd_vel', 'geometry_msgs/msg/Twist', 48)):
+        topic = f'/{sys.argv[1]}/turtle1/{name}'
+        connection = writer.add_connection(topic, kind, msgdef='float32 x', rihs01='RIHS01_' + 64 * '0')
+        for number in range(400):
+            writer.write(connection, 1_700_000_000_000_000_000 + number, bytes([0, 1, 0, 0]) + bytes(size))
+"""
 TALKER = "Node(package='demo_nodes_py', executable='talker', namespace={!r})"
 TWIN = """
 import subprocess
@@ -169,6 +186,31 @@ NAMES: dict[str, Attack] = {
             "Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace=LaunchConfiguration('robot'))",
             "Node(package='turtlesim', executable='draw_square', namespace=LaunchConfiguration('robot'))",
             arguments={'robot': 'red'},
+        ),
+    ),
+    'black_box: a recorder of something else beside a node that hears the topics': Attack(
+        'black_box',
+        6,
+        launch(
+            "Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace=LaunchConfiguration('robot'))",
+            "ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'my_drive', '/rosout'])",
+            empty('rosbag2_recorder', "LaunchConfiguration('robot')", setup=HEAR_THE_TURTLE),
+            "TimerAction(period=0.0, actions=[Node(package='turtlesim', executable='draw_square', "
+            "namespace=LaunchConfiguration('robot'))])",
+            arguments={'robot': 'red'},
+        ),
+    ),
+    'black_box: a bag of made-up messages': Attack(
+        'black_box',
+        6,
+        launch(
+            "Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace=LaunchConfiguration('robot'))",
+            "ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'other', '/rosout'])",
+            "ExecuteProcess(cmd=['python3', written(MADE_UP), LaunchConfiguration('robot')])",
+            "TimerAction(period=0.0, actions=[Node(package='turtlesim', executable='draw_square', "
+            "namespace=LaunchConfiguration('robot'))])",
+            arguments={'robot': 'red'},
+            head=f'MADE_UP = {MADE_UP!r}\n',
         ),
     ),
     'lost_carrot: driven by hand beside a listener that does nothing': Attack(

@@ -5,6 +5,7 @@ others, and reads nothing of the student's but frames.
 from __future__ import annotations
 
 import socket
+from collections import Counter
 from collections.abc import Callable, Sized
 from typing import Any
 
@@ -167,6 +168,20 @@ class Trusted:
             self.half.checked(self._describe)
         self.recorder.stop()
         return self.recorder.content()
+
+    def go_on(self, duration_s: float) -> None:
+        """Let more simulated time pass, after `run`. Nothing of it is recorded."""
+        with streams_of_programs():
+            self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
+
+    def published_bytes(self, topic: str) -> Counter[bytes]:
+        """Return how often each message of a stock type was published on a topic, as CDR bytes."""
+        found: Counter[bytes] = Counter()
+        for (name, kind), flat in self.recorder.columns.items():
+            if name == topic:
+                cls = self.messages.type(kind)
+                found.update(self.messages.packed(cls, wire)[1:] for wire in flat[2::3])
+        return found
 
     def _describe(self) -> None:
         """Ask the other half what it knows of what was launched. It may say what it likes: nothing here depends on it."""

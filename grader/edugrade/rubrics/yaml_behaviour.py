@@ -16,6 +16,7 @@ from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
 LEAST_LINES = 3
+FOUND_AFTER_S = 0.5  # a recorder that polls has found a topic by then
 SENT_WITH_S = 0.05  # a line may come this long before or after the message that it counts
 
 
@@ -120,6 +121,27 @@ def _links(text: str) -> dict[str, str]:
         return {}
     ends = [tuple(joint.find(end) for end in ('child', 'parent')) for joint in joints]
     return {child.get('link', ''): parent.get('link', '') for child, parent in ends if child is not None and parent is not None}
+
+
+@kind('A bag holds what was published on {topic}', 'topic')
+def bag(run: Evidence, wanted: Wanted) -> None:
+    """Launch gets Ctrl-C at the end, and a bag that was written has the messages of a topic as they were published."""
+    for one in wanted.of_each(run):
+        topic, bags = one.text('topic'), run.bags[one.scenario]
+        require_topic(one.run, one.scenario, topic, try_=wanted.try_)
+        times = [time_s for time_s, _ in one.recording.messages(topic)]
+        late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
+        thing = f'a bag with the messages of {topic}, when launched with {one.words},'
+        if not bags:
+            raise Missing(thing, seen='no bag is written when launch is interrupted', **one.told)
+        counts = [each['topics'][topic] for each in bags if topic in each['topics']]
+        if not counts:
+            known = sorted({name for each in bags for name in each['topics']})
+            raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.told)
+        count, known = max(counts, key=lambda each: each[1])
+        if not len(late) <= known == count:
+            seen = f'{count} messages in the bag, {known} of which were published'
+            raise Mismatch(f'what the bag holds of {topic}', f'{len(times)} messages as they were published', seen, **one.told)
 
 
 @kind('The launch file runs {words}', 'words')

@@ -71,7 +71,7 @@ def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Sc
 
 
 def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
-    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed'))
+    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt'))
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
     name = str(_value(parts['name'], problem))
@@ -79,7 +79,12 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     arguments = {key: _argument(value, problem) for key, value in given.items()}
     duration = _number(parts['duration'], problem) if 'duration' in parts else (lambda random: 20.0)
     seed = int(_value(parts['seed'], problem)) if 'seed' in parts else 0
-    return lambda random: Scenario(name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed)
+    is_interrupted = _value(parts['interrupt'], problem) if 'interrupt' in parts else False
+    if not isinstance(is_interrupted, bool):
+        raise problem(parts['interrupt'], f'interrupt is {is_interrupted!r}, and true or false is expected')
+    return lambda random: Scenario(
+        name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed, is_interrupted
+    )
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:

@@ -7,7 +7,7 @@ that reads anything of the submission.
 letter content
 ====== ===========================================================================
 C      JSON: which layers of confinement hold; then one of
-R      what this half recorded: a line of JSON (the provenance of its rows), then the recording's bytes
+R      what this half recorded: a line of JSON (the provenance of its rows, and what the bags hold), then the recording's bytes
 U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
 S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other half sent nonsense),
        'broken' (it says that edulaunch broke in it)
@@ -27,11 +27,14 @@ from contextlib import suppress
 from types import FrameType
 from typing import Any, NoReturn
 
+from . import bags
+
 HEADER_BYTES = 9
 LONGEST_WORDS = 64_000
 LATER_S = 0.4  # than the confined half's own alarm, which knows where the program was
 PATIENCE_S = 0.5  # with a half that has closed its end, until it has ended
 ITS_WORDS = b'US'
+INTERRUPTED_S = 2.0  # of simulated time, for programs to end after Ctrl-C
 
 
 class TrustedHalf:
@@ -90,7 +93,21 @@ class TrustedHalf:
             raise
         except Exception as error:  # only what the other half told of itself can be of the wrong kind
             self._on_fatal(error)
-        return json.dumps(trusted.recorder.provenance.as_data()).encode() + b'\n' + recording
+        provenance = trusted.recorder.provenance.as_data()
+        found = self._bags_after_interrupt(trusted) if self._job['is_interrupted'] else []
+        return json.dumps([*provenance, *found]).encode() + b'\n' + recording
+
+    def _bags_after_interrupt(self, trusted: Any) -> list[dict[str, Any]]:
+        """Let time go on while launch and its programs end, which does not count, and read the bags that they have written."""
+
+        def over(error: Exception) -> NoReturn:
+            raise error
+
+        published, end_ns = trusted.published_bytes, trusted.sim.now_ns
+        trusted.half.fatal = over
+        with suppress(Exception):
+            trusted.go_on(INTERRUPTED_S)
+        return bags.written_bags(self._job['home'], end_ns, published)
 
     def _on_fatal(self, error: Exception) -> NoReturn:
         from edulaunch.runtime.link.half import Gone, TooMuch
