@@ -157,7 +157,10 @@ def _lint(arguments: argparse.Namespace) -> int:
     from edulaunch.course.lesson_form import lesson_problems
     from edulaunch.course.lessons import given_course
 
-    problems = list(lesson_problems(given_course(arguments.folder)))
+    try:
+        problems = list(lesson_problems(given_course(arguments.folder)))
+    except UnusableInput:  # of the manifest, of which the check says all that is wrong
+        problems = []
     for problem in problems:
         print(f'course: {problem}')
     sys.stdout.flush()  # edugrade's processes write too

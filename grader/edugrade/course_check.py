@@ -7,24 +7,40 @@ its own, and lessons/ if there are any. The program prints what is wrong, one li
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from tempfile import TemporaryDirectory
 
 from edulaunch.errors import UnusableInput
 
-from .course import LEVELS, MANIFEST, Exercise, read_course
+from .course import LEVELS, MANIFEST, Exercise, read_course, read_toml
+from .faults import raise_fault
 from .files import files_below
 from .grading import grade, plan_work
 from .rubrics.catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
+from .rubrics.yaml_lint import points_for_names
 from .submission import Submission
 from .variant import CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 SHORTEST_HINT = 40
 MOST_GAPS = 3
+NEEDED = {'file', 'title', 'points'}
+KEYS: tuple[tuple[str, type, str], ...] = (
+    ('file', str, 'a path'),
+    ('title', str, 'a text'),
+    ('points', int, 'a whole number'),
+    ('lesson', str, 'the name of a notebook'),
+    ('hints', list, 'a list of texts'),
+    ('why', str, 'a text'),
+    ('check_points', dict, 'a table of points'),
+    ('variants', list, 'a list of lists'),
+)
+"""Of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
 LONGEST_GAP = 10  # lines that a solution adds or changes, on average for each gap
 _BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml', 'my_variant.toml')
@@ -34,22 +50,64 @@ MOST_STUDENTS, TRIES = 2, 400
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Check the course in a folder. Returns the exit code."""
-    words = list(sys.argv[1:] if argv is None else argv)
-    quick = '--quick' in words
-    folder = next((word for word in words if not word.startswith('-')), '.')
-    try:
-        places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
-        course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
-        problems = [*check_files(folder, course), *check_entries(folder, course)]
-        if not quick and not problems:
-            problems = [*check_runs(folder, course), *check_variants(folder, course)]
-    except UnusableInput as error:
-        problems, course = [str(error)], []
+    options = _parser().parse_args(argv)
+    folder: str = options.folder
+    places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
+    manifest = next((place for place in places if os.path.isfile(place)), places[1])
+    course: list[Exercise] = []
+    problems = list(listed(check_manifest(manifest)))
+    if not problems:
+        course = read_course(manifest)
+        problems = [*listed(check_files(folder, course)), *listed(check_entries(folder, course))]
+    if not options.quick and not problems:
+        problems = [*listed(check_runs(folder, course)), *listed(check_variants(folder, course))]
     for problem in problems:
         print(f'course: {problem}')
     if not problems:
         print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points: in order')
     return 1 if problems else 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
+    )
+    parser.add_argument('folder', nargs='?', default='.', metavar='FOLDER', help='of the course (default: the current one)')
+    parser.add_argument('--quick', action='store_true', help='launch nothing')
+    return parser
+
+
+def listed(found: Iterator[str]) -> Iterator[str]:
+    """Yield what a check finds; what keeps it from going on is one more problem, and never a traceback."""
+    try:
+        yield from found
+    except UnusableInput as error:
+        yield str(error)
+    except Exception as error:
+        raise_fault(error)
+        yield f'this could not be checked to its end: {type(error).__name__}: {error}'
+
+
+def check_manifest(path: str) -> Iterator[str]:
+    """Every entry of the manifest has what it needs, of the right types; all that is wrong is named."""
+    try:
+        entries = read_toml(path).get('exercise')
+    except (OSError, ValueError) as error:
+        yield f'the manifest {path} cannot be read: {error}'
+        return
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        yield f'the manifest {path} has no exercises: write [[exercise]] before each of them'
+        return
+    for number, entry in enumerate(entries, 1):
+        name = entry.get('file', f'the exercise number {number}')
+        for key, kind, words in KEYS:
+            if key not in entry and key in NEEDED:
+                yield f'{name} has no {key} in {MANIFEST}'
+            elif key in entry and (not isinstance(entry[key], kind) or isinstance(entry[key], bool)):
+                yield f'{name}: {key} is {entry[key]!r} in {MANIFEST}, and {words} is expected'
+    yield from (
+        f'{path} names {file} twice' for file, count in Counter(str(entry.get('file')) for entry in entries).items() if count > 1
+    )
 
 
 def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
@@ -74,17 +132,21 @@ def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     """Titles, points, hints, lessons and gaps are as they should be."""
     rubrics = _rubrics(folder)
     for item in course:
-        if item.name in rubrics:
-            yield from _against_the_rubric(item, rubrics[item.name])
-        if len(item.hints) != LEVELS or any(len(hint) < SHORTEST_HINT for hint in item.hints):
-            yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
-        if not item.why and course_rubrics(folder) is None:
-            yield f'{item.name} does not say why it matters on a robot: why = "..." in {MANIFEST}'
-        yield from _variants(folder, item, rubrics.get(item.name))
-        lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
-        if item.lesson and os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
-            yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
-        yield from _gaps(folder, item)
+        yield from listed(_entry(folder, item, rubrics))
+        yield from listed(_gaps(folder, item))
+
+
+def _entry(folder: str, item: Exercise, rubrics: dict[str, str]) -> Iterator[str]:
+    if item.name in rubrics:
+        yield from listed(_against_the_rubric(item, rubrics[item.name]))
+    if len(item.hints) != LEVELS or any(len(hint) < SHORTEST_HINT for hint in item.hints):
+        yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
+    if not item.why and course_rubrics(folder) is None:
+        yield f'{item.name} does not say why it matters on a robot: why = "..." in {MANIFEST}'
+    yield from _variants(folder, item, rubrics.get(item.name))
+    lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
+    if item.lesson and os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
+        yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
 
 
 def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
@@ -171,6 +233,8 @@ def _against_the_rubric(item: Exercise, file: str) -> Iterator[str]:
         yield f'{item.name} has {item.points} points in {MANIFEST}, but its checks add up to {points}'
     if len(rubric.scenarios(0)) < 2:
         yield f'{item.name} is run only once: one set of arguments is easily guessed'
+    if file.endswith('.yaml'):
+        yield from (f'the rubric of {item.name}, {problem}' for problem in points_for_names(file))
 
 
 def _gaps(folder: str, item: Exercise) -> Iterator[str]:

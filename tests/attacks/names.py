@@ -188,6 +188,16 @@ NAMES: dict[str, Attack] = {
             arguments={'robot': 'red'},
         ),
     ),
+    'rooms: the exercise in XML, solved in Python': Attack(
+        'rooms',
+        1,
+        launch(
+            "Node(package='demo_nodes_py', executable='talker', namespace='hall')",
+            "Node(package='demo_nodes_py', executable='listener', namespace=LaunchConfiguration('room'), "
+            "remappings=[('chatter', '/hall/chatter')])",
+            arguments={'room': 'kitchen'},
+        ),
+    ),
     'black_box: a recorder of something else beside a node that hears the topics': Attack(
         'black_box',
         6,

@@ -12,6 +12,7 @@ from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
 from ..shortened import last_lines, readable
+from ..source import is_shipped
 from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
@@ -142,6 +143,19 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         if not len(late) <= known == count:
             seen = f'{count} messages in the bag, {known} of which were published'
             raise Mismatch(f'what the bag holds of {topic}', f'{len(times)} messages as they were published', seen, **one.told)
+
+
+@kind('The launch file is written in {format}', 'format')
+def written_in(run: Evidence, wanted: Wanted) -> None:
+    """The file itself is of this format, and what it starts stands in files of this format; stock files may be of any."""
+    ending = f'.{str(wanted["format"]).lower()}'
+    for one in wanted.of_each(run):
+        started = [process.file for process in one.recording.processes if process.file]
+        files = [run.source.file, *one.recording.includes, *started]
+        other = next((file for file in files if not file.endswith(ending) and not is_shipped(file)), None)
+        if other is not None:
+            seen = os.path.basename(other)
+            raise Mismatch('the format of the launch file', f'a file that ends in .launch{ending}', seen, **one.told)
 
 
 @kind('The launch file runs {words}', 'words')

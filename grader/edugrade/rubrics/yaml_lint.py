@@ -1,0 +1,40 @@
+"""What a rubric in YAML should not do although it can be read: give points for a name that any node may have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import yaml
+
+NAMED = ('ends', 'hears', 'logs', 'nodes', 'starts')
+"""Kinds of checks that look a node up by its name, and take `package`."""
+
+
+def points_for_names(file: str) -> Iterator[str]:
+    """Yield a sentence for each check of a rubric that gives points for a node of a name without a package.
+
+    A check that needs a `command` check is none of them: a command of `ros2` has no package.
+
+    :param file: the path of a rubric that can be read.
+    """
+    with open(file, encoding='utf-8') as stream:
+        root = yaml.compose(stream, yaml.SafeLoader)
+    commands: set[str] = set()
+    for node in _part(root, 'checks').value:
+        check = _plain(node)
+        kind = next((name for name in check if name in (*NAMED, 'command')), None)
+        is_command = kind == 'command' or not commands.isdisjoint(check.get('needs') or ())
+        if is_command:
+            commands.add(str(check.get('name')))
+        elif kind and check.get('points') and not check[kind].get('package'):
+            line = node.start_mark.line + 1
+            yield f'line {line}: {kind} gives points for a name that any node may have: add package: NAME to it'
+
+
+def _part(node: Any, name: str) -> Any:
+    return next(value for key, value in node.value if key.value == name)
+
+
+def _plain(node: Any) -> Any:
+    return yaml.SafeLoader('').construct_object(node, deep=True)
