@@ -308,3 +308,17 @@ def test_commands_of_ros2_answer_and_programs_that_a_file_starts_itself_end_at_o
     assert found['error'] is None
     (said,) = [item['msg'] for item in found['items'] if item['kind'] == 'log']
     assert (said.startswith('0 ros /'), said.endswith('/ros\n')) == (True, True)
+
+
+def test_a_composable_node_may_have_parameters_of_an_assumed_package(plan: Plan) -> None:
+    found = plan(
+        """
+    from launch_ros.actions import LoadComposableNodes
+    from launch_ros.descriptions import ComposableNode
+    from ament_index_python.packages import get_package_share_directory as share
+    return [LoadComposableNodes(target_container='/c', composable_node_descriptions=[
+        ComposableNode(package='nowhere', plugin='n::A', name='a', parameters=[share('nowhere') + '/a.yaml', {'x': 1}])])]
+""",
+        assume_packages=True,
+    )
+    assert found['error'] is None

@@ -83,3 +83,10 @@ def test_every_exported_name_is_there() -> None:
 def test_what_is_not_here_is_told_with_what_to_use(module: str, name: str, instead: str) -> None:
     with pytest.raises(ImportError, match=rf"(?s)^cannot import name '{name}' from '{module}'\n  help: .*{instead}"):
         exec(f'from {module} import {name}')
+
+
+def test_the_old_tools_say_what_to_use_instead() -> None:
+    with pytest.raises(ImportError, match='help: it is not part of edulaunch: write generate_test_description and'):
+        from launch_testing.legacy import LaunchTestService  # type: ignore[attr-defined]  # noqa: F401
+    with pytest.raises(ImportError, match='ReadyToTest'):
+        launch_testing.ReadyAggregator  # noqa: B018

@@ -171,3 +171,15 @@ def test_base_handler_has_formats_by_logger_too() -> None:
     logger = launch.logging.get_logger('special')
     handler.setFormatterFor(logger, logging.Formatter('<%(message)s>'))
     assert handler.format(logger.makeRecord('special', logging.INFO, 'f', 1, 'x', (), None)) == '<x>'
+
+
+def test_the_configuration_goes_back_to_the_beginning(capsys: Any, tmp_path: Path) -> None:
+    get_logger('before')
+    launch_config.set_screen_format('default_with_timestamp')
+    launch_config.level = logging.ERROR
+    launch_config.log_dir = str(tmp_path)
+    launch_config.reset()
+    get_logger('after').info('text')
+    assert capsys.readouterr().out == '[INFO] [after]: text\n'
+    assert launch_config.level == logging.INFO
+    assert not launch_config.log_dir.startswith(str(tmp_path))

@@ -211,3 +211,21 @@ JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="arm"/></jo
 def test_links_that_do_not_hang_together_refuse_the_description(body: str, text: str) -> None:
     with pytest.raises(ValueError, match=text):
         read_joints(f'<robot name="r">{body}</robot>')
+
+
+def test_xacro_keeps_comments_and_ends_with_one_newline(tmp_path: Path) -> None:
+    file = tmp_path / 'arm.urdf.xacro'
+    file.write_text(f'<!-- of the student -->\n{ARM}<!-- the end -->\n')
+    (tmp_path / 'arm.launch.py').write_text(
+        f"""
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import Command
+def generate_launch_description():
+    return LaunchDescription([LogInfo(msg=['got:', Command(['xacro ', {str(file)!r}]), 'over'])])
+"""
+    )
+    recording = edulaunch.run(tmp_path / 'arm.launch.py', duration_s=1.0)
+    text = '\n'.join(line.text for line in recording.output)
+    assert '?>\n<!-- of the student -->\n<robot' in text
+    assert '</robot>\n<!-- the end -->\nover' in text

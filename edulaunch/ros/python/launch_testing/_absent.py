@@ -11,6 +11,9 @@ ABSENT = {
         'ReadyAggregator': 'put ReadyToTest behind what comes last, in an event handler',
     },
     'actions': dict.fromkeys(('GTest', 'PyTest', 'Test'), _EXIT_CODE),
+    'legacy': dict.fromkeys(
+        ('LaunchTestService', 'output'), f'write generate_test_description and a unittest class, and {_RUNNING}'
+    ),
     'tools': {
         **dict.fromkeys(('basic_output_filter', 'expect_output', 'expected_output_from_file', 'output'), _OUTPUT),
         **dict.fromkeys(('launch_process', 'ProcessProxy', 'process'), _PROCESS),

@@ -127,6 +127,10 @@ def _work() -> None:
 main = program(_work)
 
 
+BANNER = 4
+"""So many comments of its own the library puts before a description."""
+
+
 def run_xacro() -> int:
     """The program xacro: prints a robot description with its macros filled in by the library of that name.
 
@@ -137,14 +141,14 @@ def run_xacro() -> int:
     options, file = xacro.process_args(sys.argv[1:])
     try:
         document = xacro.process_file(file, **vars(options))
-        while document.firstChild is not document.documentElement:
-            document.removeChild(document.firstChild)  # a comment with the path of the file, which is another on each machine
+        for _ in range(BANNER):  # comments with the path of the file, which is another on each machine
+            document.removeChild(document.firstChild)
         text = document.toprettyxml(indent='  ')
     except Exception as error:  # the file may raise anything: its expressions are Python
         print(f'error: {error}\nwhen processing file: {file}', file=sys.stderr)
         return 2
     if options.output is None:
-        print(text)
+        print(text, end='')
         return 0
     with open(options.output, 'w', encoding='utf-8') as out:
         out.write(text)

@@ -1,6 +1,4 @@
-"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first
-used.
-"""
+"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first used."""
 
 from __future__ import annotations
 
@@ -8,29 +6,42 @@ import sys
 from importlib import import_module
 from typing import Any
 
-_NAMES = {
-    'tf2_py': (
-        'BufferCore ConnectivityException ExtrapolationException InvalidArgumentException LookupException TimeoutException '
-        'TransformException'
-    ),
-    'tf2_ros.buffer': 'Buffer',
-    'tf2_ros.buffer_client': 'BufferClient',
-    'tf2_ros.buffer_interface': (
-        'BufferInterface ConvertRegistration NotImplementedException Stamped TransformRegistration TypeException convert'
-    ),
-    'tf2_ros.static_transform_broadcaster': 'StaticTransformBroadcaster',
-    'tf2_ros.transform_broadcaster': 'TransformBroadcaster',
-    'tf2_ros.transform_listener': 'TransformListener',
+_HOMES = {
+    'BufferCore': 'tf2_py',
+    'ConnectivityException': 'tf2_py',
+    'ExtrapolationException': 'tf2_py',
+    'InvalidArgumentException': 'tf2_py',
+    'LookupException': 'tf2_py',
+    'TimeoutException': 'tf2_py',
+    'TransformException': 'tf2_py',
+    'Buffer': 'tf2_ros.buffer',
+    'BufferClient': 'tf2_ros.buffer_client',
+    'BufferInterface': 'tf2_ros.buffer_interface',
+    'ConvertRegistration': 'tf2_ros.buffer_interface',
+    'NotImplementedException': 'tf2_ros.buffer_interface',
+    'Stamped': 'tf2_ros.buffer_interface',
+    'TransformRegistration': 'tf2_ros.buffer_interface',
+    'TypeException': 'tf2_ros.buffer_interface',
+    'convert': 'tf2_ros.buffer_interface',
+    'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
+    'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
+    'TransformListener': 'tf2_ros.transform_listener',
 }
-"""Module -> the names that are taken from it, with blanks between."""
-_EXPORTS = {name: module for module, names in _NAMES.items() for name in names.split()}
-_MODULES = [module.partition('.')[2] for module in _NAMES if module.startswith('tf2_ros.')]
-__all__ = sorted(_EXPORTS)  # noqa: PLE0605
+"""Name -> the module that defines it."""
+_MODULES = (
+    'buffer',
+    'buffer_client',
+    'buffer_interface',
+    'static_transform_broadcaster',
+    'transform_broadcaster',
+    'transform_listener',
+)
+__all__ = sorted(_HOMES)  # noqa: PLE0605
 
 
 def __getattr__(name: str) -> Any:
-    if name in _EXPORTS:
-        value = getattr(import_module(_EXPORTS[name]), name)
+    if name in _HOMES:
+        value = getattr(import_module(_HOMES[name]), name)
     elif name in _MODULES:
         value = import_module(f'tf2_ros.{name}')
     else:

@@ -88,12 +88,17 @@ class LaunchConfig:
 
     def __init__(self, root: logging.Logger) -> None:
         self._root = root
+        self.dry = False
+        """Whether nothing is to be left behind: a plan writes no log files."""
+        self.reset()
+
+    def reset(self) -> None:
+        """Go back to the formats, level and places of the beginning. Loggers keep the handlers that they have."""
         self._log_dir: str | None = None
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None
         self.log_handler_factory: Callable[[str], Any] | None = None
-        self.dry = False
-        """Whether nothing is to be left behind: a plan writes no log files."""
+        self.level = logging.INFO
         self._silent_handlers: dict[str, Any] = {}
         self._screen_formatter: logging.Formatter
         self._log_formatter: logging.Formatter

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import inside
+from launch._engine import assumptions, inside
 
 from edulaunch.engine.facts import with_facts
 
@@ -48,6 +48,9 @@ def to_parameters_list(
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     from launch.utilities.yaml_reader import read
 
+    assumed = assumptions()
+    if assumed is not None and assumed.lacks_file(str(path)):
+        return {}
     with open(inside(path), encoding='utf-8') as file:
         content = read(file.read())
     if content is None:

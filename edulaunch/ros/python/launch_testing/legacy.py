@@ -1,0 +1,10 @@
+"""ROS 2's tools of the years before launch test files: whoever asks for one learns what to use instead."""
+
+from typing import TYPE_CHECKING
+
+from launch._late import late_names
+
+from ._absent import ABSENT
+
+if not TYPE_CHECKING:
+    __all__, __getattr__, __dir__ = late_names(__name__, {}, absent=ABSENT['legacy'])
