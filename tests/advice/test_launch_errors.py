@@ -36,6 +36,7 @@ MISTAKES = {
     "x = ExecuteProcess(cmd=['ls'], outptu='screen')": 'ExecuteProcess has no argument outptu=; write output=',
     "from launch_ros.actions import Node\nx = Node(package='a', executable='b', parameters={'a': 1})": 'parameters= cannot be of type dict; put it into a list: parameters=[...]',
     "from launch_ros.actions import Node\nx = Node(package='a', executable='b', node_name='c')": 'Node has no argument node_name=; write name=',
+    "from launch.launch_description_sources import PythonLaunchDescriptionSource\nx = IncludeLaunchDescription(PythonLaunchDescriptionSource('a.launch.py', launch_arguments=[]))": 'PythonLaunchDescriptionSource has no argument launch_arguments=; choose one of these: launch_file_path=',
     "x = LogInfo('hello')": 'LogInfo got its arguments without names; write the name: LogInfo(msg=...)',
     "x = LogInfo(msg=['a', 3])": "a value of type int stands where a text is expected; write '3'",
     "import pathlib\nfrom launch_ros.actions import SetParametersFromFile\nx = SetParametersFromFile(filename=pathlib.Path('a.yaml'))": 'a value of type PosixPath stands where a text is expected; write filename=str(...), so that the path becomes a text',

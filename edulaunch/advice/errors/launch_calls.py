@@ -44,9 +44,11 @@ def keyword(failure: Failure) -> Iterator[Finding]:
     cls = class_named(said[1]) if said is not None else None
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
     if said is not None and known and failure.process is None:
+        action = failure.facts.get('class') or said[1]
+        if said[2] in known and cls is not None:  # it stands inside of the parentheses of what is handed to that action
+            action, known = said[1], keywords_of(cls)
         old = OLD_KEYWORDS.get(said[2])
         near = old if old in known else nearest(said[2], known)
-        action = failure.facts.get('class') or said[1]
         yield speak(failure, action=action, keyword=said[2], near=near, known=[f'{name}=' for name in known])
 
 

@@ -21,7 +21,7 @@ SHARE = 0.25
 FEWEST, SHORTEST_S = 5, 0.5
 """So many messages in so long a time make a rate: fewer may be what a busy computer was late with."""
 MISSING = 'missing'
-_NOT_THERE = (MISSING, 'none', 'still running')
+NOT_THERE = (MISSING, 'none', 'still running')
 _CHANCE = (
     'rcl_shutdown already called',
     'Failed to publish log message to rosout',
@@ -65,7 +65,7 @@ def differences(simulated: Sequence[Observation], real: Observation) -> list[Dif
 def _about(difference: Difference) -> tuple[object, ...]:
     """What makes it the same difference in two simulations."""
     kind, name, simulated, real, lacks = difference
-    return difference if kind == 'output' else (kind, name, lacks, simulated in _NOT_THERE, real in _NOT_THERE)
+    return difference if kind == 'output' else (kind, name, lacks, simulated in NOT_THERE, real in NOT_THERE)
 
 
 def by_chance(simulated: Sequence[Observation]) -> set[tuple[str, ...]]:

@@ -9,6 +9,7 @@ import os
 import queue
 import random
 import signal
+import socket
 import subprocess
 import tempfile
 import threading
@@ -46,6 +47,8 @@ END_S = 15.0
 LOOK_EVERY_S = 0.5
 DOMAINS = range(70, 100)
 """ROS_DOMAIN_IDs that are safe on every system and that few people use."""
+FIRST_PORT, PORTS_OF_DOMAIN, MOST_PROGRAMS = 7400, 250, 100
+"""The ports of DDS: the first one of a domain is for multicast, and each program has two from the tenth on."""
 _OBSERVER = Executable('entry_point', '', 'observer', 'observer', module='edulaunch.extras.native.observer', function='main')
 IsEnough = Callable[[Observation], bool]
 
@@ -96,16 +99,36 @@ def _run(session: Session, seconds: float) -> None:
 
 @contextmanager
 def _domain() -> Iterator[int]:
-    """A domain that no other comparison of this computer uses meanwhile."""
+    """A domain in which nobody is, and that no other comparison of this computer uses meanwhile."""
     for number in random.SystemRandom().sample(DOMAINS, len(DOMAINS)):
         with open(os.path.join(tempfile.gettempdir(), f'edulaunch-{os.getuid()}-domain-{number}'), 'w') as lock:
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
                 continue
-            yield number
-            return
-    raise EdulaunchError(f'{len(DOMAINS)} comparisons run already.', help='wait until some are through')
+            if is_empty(number):
+                yield number
+                return
+    first, last = DOMAINS[0], DOMAINS[-1]
+    raise EdulaunchError(
+        f'none of the domains {first} to {last} is empty on this computer.',
+        help='wait until other comparisons are through, or end the programs with such a ROS_DOMAIN_ID',
+    )
+
+
+def is_empty(domain: int) -> bool:
+    """Whether no program of this computer is in a domain: each of them has one of its ports."""
+    first = FIRST_PORT + PORTS_OF_DOMAIN * domain
+    return all(map(_is_free, (first, *range(first + 10, first + 10 + 2 * MOST_PROGRAMS))))
+
+
+def _is_free(port: int) -> bool:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as trial:
+        try:
+            trial.bind(('', port))
+        except OSError:
+            return False
+    return True
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from edulaunch.extras.comparing.apart import apart
+from edulaunch.extras.comparing.deciding import informs, is_pace
 from edulaunch.extras.comparing.differing import Difference, by_chance, differences, not_up, subject
 from edulaunch.extras.comparing.for_real import run_for_real
 from edulaunch.extras.comparing.observation import Observation
@@ -21,11 +22,12 @@ OTHER_SEEDS = (1, 2)
 
 
 class Pair(NamedTuple):
-    """What differs between the two worlds, what may be left out since it depends on random numbers, who is left out since Ctrl-C
-    came before they were up, and what was seen in each.
+    """What differs between the two worlds, what differs only by how fast the computer is, what may be left out since it depends
+    on random numbers, who is left out since Ctrl-C came before they were up, and what was seen in each.
     """
 
     found: list[Difference]
+    slow: list[Difference]
     chance: list[Difference]
     not_up: set[str]
     simulated: Observation
@@ -52,26 +54,30 @@ def compare(
     workspaces = [os.path.abspath(folder) for folder in workspaces]
     simulated = [apart(simulate, *what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
     goals = [each.until_asked() for each in simulated]
-    is_enough = lambda seen: all(map(is_known, differences(goals, seen)))  # noqa: E731
+    is_enough = lambda seen: all(is_known(each) or is_pace(each) for each in differences(goals, seen))  # noqa: E731
     real = apart(run_for_real, *what, seconds, workspaces, is_enough, PATIENCE_S)
+    late = delays(simulated[0], real)
+
+    def counts(difference: Difference) -> bool:
+        return not is_known(difference) and not informs(difference, simulated[0], real, max(late.values(), default=0.0))
+
     found = differences(simulated, real)
-    for late in _lates(simulated[0], real):
-        if not all(map(is_known, found)):
-            simulated.append(apart(simulate, *what, real.asked_s, workspaces, late, real.start_s))
+    for each_late in _lates(simulated[0], late):
+        if any(map(counts, found)):
+            simulated.append(apart(simulate, *what, real.asked_s, workspaces, each_late, real.start_s))
             found = differences(simulated, real)
     chance: list[Difference] = []
-    if not all(map(is_known, found)):
-        late = delays(simulated[0], real)
+    if any(map(counts, found)):
         others = [apart(simulate, *what, real.asked_s, workspaces, late, real.start_s, seed) for seed in OTHER_SEEDS]
         subjects = by_chance([simulated[2], *others])
         chance = [each for each in found if subject(each) in subjects]
         found = [each for each in differences([*simulated, *others], real) if subject(each) not in subjects]
-    return Pair(found, chance, not_up(simulated[0], real), simulated[0], real)
+    slow = [each for each in found if not is_known(each) and not counts(each)]
+    return Pair([each for each in found if each not in slow], slow, chance, not_up(simulated[0], real), simulated[0], real)
 
 
-def _lates(simulated: Observation, real: Observation) -> Iterator[dict[str, float]]:
+def _lates(simulated: Observation, late: dict[str, float]) -> Iterator[dict[str, float]]:
     """Who may have been how late: all programs; those with nodes alone, where a command waited for them; or any one alone."""
-    late = delays(simulated, real)
     yield late
     yield {name: late_s for name, late_s in late.items() if simulated.programs[name].nodes}
     for name in sorted(late)[:MOST_ORDERS]:

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from edulaunch.engine.graph.qos import QoS
+from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.index import interfaces_of
 from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.host_face import OnExit, OnOutput
 from edulaunch.engine.processes.process import Process
+from edulaunch.engine.processes.real import RealProcess
+from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.recorder import Recorder
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
@@ -35,10 +40,58 @@ END_S = 15.0
 """After Ctrl-C."""
 
 
+class RealProgram:
+    """A program of this computer that a simulation started: what it wrote and when it ended, in simulated seconds.
+
+    :ivar written: by stream, (when, text).
+    """
+
+    def __init__(self, host: Host, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+        self.name = spec.name
+        self.written: dict[str, list[tuple[float, str]]] = {}
+        self.ended_s: float | None = None
+        self.returncode: int | None = None
+        self._host, self._on_output, self._on_exit = host, on_output, on_exit
+        self.started_s = self._now_s()
+
+    def _now_s(self) -> float:
+        return (self._host.sim.now_ns - self._host.sim.start_ns) / 1e9
+
+    def hear(self, stream: str, text: str) -> None:
+        """It wrote something."""
+        self.written.setdefault(stream, []).append((self._now_s(), text))
+        if self._on_output is not None:
+            self._on_output(stream, text)
+
+    def end(self, returncode: int) -> None:
+        """It ended."""
+        self.returncode, self.ended_s = returncode, self._now_s()
+        if self._on_exit is not None:
+            self._on_exit(returncode)
+
+
 class LateHost(Host):
-    """A host whose programs take their time to come up: `delays_s`, by launch name, as it was for real."""
+    """A host whose programs take their time to come up: `delays_s`, by launch name, as it was for real. It notes what programs of
+    this computer do, which stand in no recording.
+    """
 
     delays_s: Mapping[str, float] = {}
+
+    @cached_property
+    def of_computer(self) -> list[RealProgram]:
+        """The programs of this computer that were started, in order."""
+        return []
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Process | RealProcess:
+        """See `Host.start`."""
+        if self.known_command(spec, index) is not None:
+            return super().start(spec, on_output, on_exit, index=index)
+        program = RealProgram(self, spec, on_output, on_exit)
+        started = super().start(spec, program.hear, program.end, index=index)
+        self.of_computer.append(program)
+        return started
 
     def begin(self, process: Process) -> None:
         """See `Host.begin`."""
@@ -101,7 +154,15 @@ def simulate(
             raise KeyboardInterrupt
         recording = session.recording()
         gone = [session.recorder.gone_s.get(row[4], END_S + seconds) for row in session.recorder.endpoints]
-        return observe(recording, gone, seconds, interfaces_of(session.index)[1].get)
+        seen = observe(recording, gone, seconds, interfaces_of(session.index)[1].get)
+        return with_programs(seen, session.host.of_computer)
+
+
+def with_programs(seen: Observation, programs: Sequence[RealProgram]) -> Observation:
+    """The same, and what programs of this computer did."""
+    lines = [line for each in programs for pieces in each.written.values() for line in lines_of(program_of(each.name), pieces)]
+    known = {each.name: Program(each.started_s, each.ended_s, each.returncode) for each in programs}
+    return seen._replace(lines=[*seen.lines, *lines], programs={**seen.programs, **known})
 
 
 def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class_of: ClassOf) -> Observation:

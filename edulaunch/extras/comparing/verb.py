@@ -93,21 +93,15 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
     path, file, given = split_words(words[0], list(words[1:]))
     workspaces = list(workspaces_of_command(arguments.workspace, path))
     print(f'{" ".join(words)}: in simulation, then for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
-    found, chance, not_up, simulated, real = compare(
+    found, slow, chance, not_up, simulated, real = compare(
         path, file, given, arguments.seconds, workspaces, lambda each: reason(known, words, each) is not None
     )
     found, explained = split(known, words, found)
     if arguments.json:
-        _print_json(found, explained, simulated, real)
+        _print_json(found, slow, explained, simulated, real)
     else:
-        _print_table(found)
-        for each in explained:
-            print(f'known: {each.why}')
-        if chance:
-            print('left out: what differs between simulations of different random numbers, too: ' + _subjects(chance))
-        for name in sorted(not_up):
-            print(f'left out: what {name} said, and its exit code: it was stopped before it was up')
-        print(f'compared, in simulation/for real: {counts(simulated, real)}')
+        print(report(found, slow, explained, chance, not_up))
+        print(f'Compared, in simulation/for real: {counts(simulated, real)}.')
     return 1 if found else 0
 
 
@@ -174,19 +168,47 @@ def _subjects(found: Sequence[Difference]) -> str:
     return ', '.join(dict.fromkeys(f'{each.kind} {each.name}' for each in found))
 
 
-def _print_json(found: Sequence[Difference], explained: Sequence[Known], simulated: Observation, real: Observation) -> None:
+def _print_json(
+    found: Sequence[Difference], slow: Sequence[Difference], explained: Sequence[Known], simulated: Observation, real: Observation
+) -> None:
     import json
 
     sizes = {'simulated': _sizes(simulated), 'real': _sizes(real)}
-    rows = {'differences': [each._asdict() for each in found], 'known': [each._asdict() for each in explained]}
+    rows = {
+        'differences': [each._asdict() for each in found],
+        'by_speed': [each._asdict() for each in slow],
+        'known': [each._asdict() for each in explained],
+    }
     print(json.dumps({'equal': not found, **rows, 'compared': sizes}, indent=1))
 
 
-def _print_table(found: list[Difference]) -> None:
+def report(
+    found: Sequence[Difference],
+    slow: Sequence[Difference],
+    explained: Sequence[Known],
+    chance: Sequence[Difference],
+    not_up: set[str],
+) -> str:
+    """What one comparison found: the verdict first, then what differs, then what does not count and why."""
     from edulaunch.canvas.table import TextTable
 
-    heads = ('differs', 'of', 'in simulation', 'for real')
-    print(TextTable('differences', heads, _narrow([each[:4] for each in found])) if found else 'nothing differs')
+    lines = ['The real run shows nothing that differs from the simulation.']
+    if found:
+        heads = ('differs', 'of', 'in simulation', 'for real')
+        things = '1 thing' if len(found) == 1 else f'{len(found)} things'
+        lines = [
+            f'The real run differs from the simulation in {things}:',
+            str(TextTable('differences', heads, _narrow([each[:4] for each in found]))),
+        ]
+    if slow:
+        lines.append('These depend on how fast this computer is, and do not count:')
+        lines += [f'  {kind} {name}: {here} in simulation, {there} for real' for kind, name, here, there, _ in slow]
+    if explained:
+        lines += ['These differences are known:', *(f'  {each.why}' for each in explained)]
+    if chance:
+        lines.append(f'These differ between simulations of other random numbers, too: {_subjects(chance)}.')
+    lines += [f'{name} was stopped before it was up: its output and exit code do not count.' for name in sorted(not_up)]
+    return '\n'.join(lines)
 
 
 def counts(simulated: Observation, real: Observation) -> str:

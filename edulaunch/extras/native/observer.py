@@ -26,6 +26,8 @@ from edulaunch.engine.interfaces.importer import installed_registry
 from edulaunch.errors import InterfaceError
 
 NAME = '_edulaunch_observer'
+UNCLAIMED = '_NODE_NAME_UNKNOWN_'
+"""What ROS 2 calls the node of an endpoint until that node has made itself known."""
 LOOK_EVERY_S = 0.25
 LOOK_AT_ALL_EVERY_S = 1.0
 """So often also the ends of nodes are asked for when no node and no topic has come: asking costs."""
@@ -85,7 +87,7 @@ class Observer:
     def _note(self, kind: str, topic: str, infos: Iterable[Any], now: float) -> None:
         for info in infos:
             full = f'{info.node_namespace.rstrip("/")}/{info.node_name}'
-            if info.node_name != NAME:
+            if info.node_name not in (NAME, UNCLAIMED):
                 qos = f'{info.qos_profile.reliability.name} {info.qos_profile.durability.name}'.lower()
                 self.ends.setdefault((kind, topic, info.topic_type, full, qos), now)
 

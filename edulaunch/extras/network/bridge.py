@@ -12,7 +12,7 @@ from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
 from edulaunch.engine.graph.services import ServiceClient
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
-from edulaunch.extras.network.far import FarPublisher, Nowhere, is_far
+from edulaunch.extras.network.far import FarPublisher, Nowhere, is_far, named
 from edulaunch.extras.network.link import (
     PUBLISHER,
     SERVICE,
@@ -263,7 +263,7 @@ class Bridge:
         ahead_ns = source_ns - self._wall_ns()
         if not source_ns or abs(ahead_ns) <= CLOCKS_DIFFER_NS or (ahead_ns < 0 and publisher.qos.durability == TRANSIENT_LOCAL):
             return
-        node, seconds = publisher.node.fully_qualified_name, abs(ahead_ns) / 10**9
+        node, seconds = named(publisher.node), abs(ahead_ns) / 10**9
         what = f"the clock of {node} is {seconds:.0f} s ahead of this computer's"
         if ahead_ns < 0:
             what = f'what {node} says on {publisher.topic_name} is {seconds:.0f} s old: its clock is behind, or the way is slow'

@@ -99,6 +99,11 @@ def is_far(node: NodeEntry) -> bool:
     return isinstance(node.process, Network)
 
 
+def named(node: NodeEntry) -> str:
+    """The name of a node for a sentence; endpoints that no node has claimed belong to one without a name."""
+    return 'a node that has not told its name' if node.name == UNKNOWN_NAME else node.fully_qualified_name
+
+
 def join(end: Any) -> None:
     """Let an endpoint that is far away be seen here, and meet its counterparts here."""
     graph = end.graph

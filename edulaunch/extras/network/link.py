@@ -128,10 +128,12 @@ class Trouble(NamedTuple):
     """Something that the user has to know: what was dropped, or what this link cannot do.
 
     :ivar key: the same trouble has the same key; it is told once, and counted.
+    :ivar about: the name in `text` that it is about: troubles that differ in that name alone are one line of a status.
     """
 
     key: str
     text: str
+    about: str = ''
 
 
 Event = Message | Request | Response | GraphChanged | Trouble

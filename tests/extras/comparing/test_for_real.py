@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import socket
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from edulaunch.extras.comparing.for_real import is_empty
 from edulaunch.extras.native.environment import Environment
 
 pytestmark = pytest.mark.real
@@ -17,7 +19,10 @@ Run = Callable[..., subprocess.CompletedProcess[str]]
 
 def test_a_talker_and_a_listener_are_the_same_in_both_worlds(real: Environment, edulaunch: Run) -> None:
     done = edulaunch('compare', 'demo_nodes_cpp', 'talker_listener_launch.py')
-    assert (done.returncode, done.stdout.splitlines()[0]) == (0, 'nothing differs'), done.stdout + done.stderr
+    assert (done.returncode, done.stdout.splitlines()[0]) == (
+        0,
+        'The real run shows nothing that differs from the simulation.',
+    ), done.stdout + done.stderr
     assert 'nodes 2/2, endpoints 22/22, parameters 12/12, topics and frames 1/1' in done.stdout
 
 
@@ -58,7 +63,8 @@ def test_what_differs_is_told_and_is_an_exit_code(real: Environment, edulaunch: 
     assert done.returncode == 1
     assert found[('parameter', 'world of /cheater')] == ("'simulated'", "'real'")
     assert found[('publisher', '/extra of /cheater')] == ('missing', 'std_msgs/msg/String')
-    assert found[('rate of messages', '/number')][0] == '5 Hz'
+    rates = {(row['kind'], row['name']): row['simulated'] for row in json.loads(done.stdout)['by_speed']}
+    assert rates[('rate of messages', '/number')] == '5 Hz'
     assert found[('values in messages', '/number data')] == ('8', '7')
     assert found[('messages', '/extra')][0] == 'none'
     assert ('output', 'cheater') in found
@@ -87,3 +93,14 @@ def test_without_the_real_rclpy_it_says_how_to_get_it(edulaunch: Run, monkeypatc
     done = edulaunch('compare', 'turtlesim', 'multisim.launch.py')
     assert done.returncode == 2
     assert 'the real rclpy is not installed.' in done.stderr
+
+
+def test_a_domain_in_which_somebody_is_is_not_taken() -> None:
+    domain = 69
+    assert is_empty(domain)
+    for port in (7400 + 250 * domain, 7410 + 250 * domain + 3):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as somebody:
+            somebody.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            somebody.bind(('127.0.0.1', port))
+            assert not is_empty(domain)
+    assert is_empty(domain)

@@ -49,3 +49,11 @@ def test_a_publisher_that_was_there_only_briefly_need_not_be_found(tmp_path: Pat
     made = {end.name: row for end, row in seen.ends.items() if end.kind == 'publisher' and end.type == 'std_msgs/msg/String'}
     usual = 'reliable volatile'
     assert made == {'/brief': (usual, BRIEFLY), '/lasting': (usual, 0.0), '/twice': (usual, 0.0), '/last': (usual, 5.0)}
+
+
+def test_programs_of_this_computer_are_seen(tmp_path: Path) -> None:
+    file = tmp_path / 'x.launch.xml'
+    file.write_text('<launch><executable cmd="expr 6 + 1" name="seven"/><executable cmd="false" name="false"/></launch>')
+    seen = simulate(str(file), None, {}, 3.0, [])
+    assert [(line.process, line.text) for line in seen.lines] == [('seven', '#')]
+    assert seen.codes == {'seven': [0], 'false': [1]}

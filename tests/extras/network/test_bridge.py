@@ -8,6 +8,7 @@ import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.extras.network.far import named
 from edulaunch.extras.network.link import FarEndpoint, FarNode, Interface, Settings
 from edulaunch.extras.network.settings import chooser
 from tests.extras.network.places import PUBLISHER, STRING, Air, MemoryLink, cls_of, text, turns
@@ -326,3 +327,9 @@ def test_the_clock_of_another_computer_is_told_when_it_is_far_off(
         turns(here)
     assert [line.partition('\n')[0] for line in here.said] == ([] if told is None else [told])
     assert len(here.heard) == 2
+
+
+def test_an_endpoint_that_no_node_has_claimed_is_named_in_words(place: Places) -> None:
+    unknown = place().bridge.mirror.unknown()
+    assert unknown.fully_qualified_name == '_NODE_NAMESPACE_UNKNOWN_/_NODE_NAME_UNKNOWN_'
+    assert named(unknown) == 'a node that has not told its name'

@@ -55,4 +55,4 @@ class ServicePeers:
             return None
         self._told.add((kind, name))
         who = 'a real node has a client of' if kind == SERVICE else 'a real node has'
-        return Trouble(f'{kind} {name}', f'{who} the service {name}: calls of it do not cross\n  help: {HELP}')
+        return Trouble(f'{kind} {name}', f'{who} the service {name}: calls of it do not cross\n  help: {HELP}', name)

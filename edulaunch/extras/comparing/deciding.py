@@ -1,0 +1,89 @@
+"""Which differences decide, and which only inform since they depend on how fast the computer is.
+
+A busy computer starts programs late, repeats things less often, and has not done everything when the time is up. So these inform:
+rates, lines that only say that somebody waits or that a transform is not there yet, and what the real run lacks but may still
+have done later. What the real run lacks decides once it is overdue: see :func:`is_overdue`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+from edulaunch.extras.comparing.differing import MISSING, NOT_THERE, Difference
+from edulaunch.extras.comparing.observation import Observation, program_of
+
+SLOWNESS = 2.0
+"""A real run may need so many times as long as the simulation."""
+SPARE_S = 5.0
+"""And so much more, beside the time that its programs needed to come up."""
+_WAITING = re.compile(r'\b(still )?wait(s|ing)?\b', re.IGNORECASE)
+_NOT_YET = re.compile(r'extrapolation|does not exist|not part of the same tree|[Cc]ould not (find a connection|transform)')
+"""What tf2 says before a transform has come."""
+
+
+def is_pace(difference: Difference) -> bool:
+    """Whether it says how often something happened, or that somebody waited, and nothing else."""
+    kind, _, here, there, _ = difference
+    if kind != 'output':
+        return kind.startswith('rate of ')
+    return bool(_WAITING.search(here if there == MISSING else there) or (here == MISSING and _NOT_YET.search(there)))
+
+
+def informs(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
+    """Whether a difference says only how fast the computer is.
+
+    :param late_s: how much later than in simulation the last program came up for real, in seconds.
+    """
+    if is_pace(difference):
+        return True
+    if difference.lacks:
+        return not _has_as_many(difference, simulated, real)
+    return difference.real in NOT_THERE and not is_overdue(difference, simulated, real, late_s)
+
+
+def is_overdue(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
+    """Whether the real run had time enough for what it lacks, or its program has gone past it."""
+    if difference.kind == 'output' and _is_past(difference.name, difference.simulated, simulated, real):
+        return True
+    first_s = _first_s(difference, simulated)
+    return first_s is not None and SLOWNESS * first_s + late_s + SPARE_S <= real.asked_s
+
+
+def _is_past(process: str, text: str, simulated: Observation, real: Observation) -> bool:
+    """Whether the program repeated something for real more often than it had done in simulation when it wrote that line."""
+    said = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
+    texts = [line.text for line in said]
+    if text not in texts:
+        return False
+    before = Counter(texts[: texts.index(text)])
+    after = Counter(line.text for line in real.lines if line.process == process and not _WAITING.search(line.text))
+    return any(after[each] > count + 1 for each, count in before.items()) or any(
+        after[each] for each in texts[texts.index(text) + 1 :] if each != text and each not in before
+    )
+
+
+def _has_as_many(difference: Difference, simulated: Observation, real: Observation) -> bool:
+    """Whether as many messages were heard for real as the simulation showed until Ctrl-C."""
+    topic = difference.name.rpartition(' ')[0]
+    names = (f'tf {topic}', topic)
+    here, there = (next((seen.flows[name].times for name in names if name in seen.flows), []) for seen in (simulated, real))
+    return len(there) >= sum(time_s <= simulated.asked_s for time_s in here)
+
+
+def _first_s(difference: Difference, simulated: Observation) -> float | None:
+    """When the simulation showed first what the real run lacks; None when nobody knows."""
+    kind, name, text, *_ = difference
+    if kind == 'output':
+        times = [line.time_s for line in simulated.lines if (line.process, line.text) == (name, text)]
+    elif kind == 'exit code':
+        times = [each.ended_s for key, each in simulated.programs.items() if program_of(key) == name and each.ended_s is not None]
+    elif kind in ('messages', 'transform'):
+        times = simulated.flows[name].times if name in simulated.flows else []
+    elif kind == 'node':
+        times = [simulated.nodes[name]] if name in simulated.nodes else []
+    elif kind == 'parameter':
+        return 0.0
+    else:
+        times = [when for end, (_, when) in simulated.ends.items() if (end.kind, f'{end.name} of {end.node}') == (kind, name)]
+    return min(times, default=None)
