@@ -329,7 +329,7 @@ def test_the_clock_of_another_computer_is_told_when_it_is_far_off(
     assert len(here.heard) == 2
 
 
-def test_an_endpoint_that_no_node_has_claimed_is_named_in_words(place: Places) -> None:
+def test_an_endpoint_that_no_node_has_claimed_is_named_in_words(place: Any) -> None:
     unknown = place().bridge.mirror.unknown()
     assert unknown.fully_qualified_name == '_NODE_NAMESPACE_UNKNOWN_/_NODE_NAME_UNKNOWN_'
     assert named(unknown) == 'a node that has not told its name'
