@@ -38,6 +38,7 @@ from edulaunch.extras.comparing.observation import (
 )
 from edulaunch.extras.native.command import command
 from edulaunch.extras.native.host import NativeHost
+from edulaunch.extras.native.loopback import confined
 from edulaunch.extras.network.native_session import NativeSession
 from edulaunch.ros.serialization.cdr import decode
 from edulaunch.runtime.session import Session
@@ -140,7 +141,9 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
     assert isinstance(session.host, NativeHost)
     words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)
     pipes: dict[str, Any] = {'stdin': subprocess.PIPE, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE}
-    with subprocess.Popen([*words, 'observer'], env=session.host.env, text=True, start_new_session=True, **pipes) as child:
+    with subprocess.Popen(
+        [*words, 'observer'], env=confined(session.host.env), text=True, start_new_session=True, **pipes
+    ) as child:
         assert child.stdin is not None and child.stdout is not None and child.stderr is not None
         tell, lines = child.stdin, iter(child.stdout.readline, '')
         answers: queue.SimpleQueue[str] = queue.SimpleQueue()

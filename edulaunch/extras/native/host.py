@@ -19,6 +19,7 @@ from edulaunch.engine.processes.real import RealProcess
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native.command import HOME, command
 from edulaunch.extras.native.environment import Environment, needed
+from edulaunch.extras.native.loopback import confined
 
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 ROS2 = Program('ros2', '', 'ros2', 'ros2')
@@ -95,7 +96,7 @@ class NativeHost(Host):
         return real
 
     def _environment(self, spec: ProcessSpec, index: Index) -> dict[str, str]:
-        environment = dict(self.env if spec.env is None else spec.env)
+        environment = confined(self.env if spec.env is None else spec.env)
         environment['PATH'] = os.pathsep.join([self.commands(spec, index), environment.get('PATH', os.defpath)])
         return environment
 

@@ -15,6 +15,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.errors import UnusableInput
 from edulaunch.extras.native.command import command, interface_layers
 from edulaunch.extras.native.environment import needed
+from edulaunch.extras.native.loopback import is_alone
 from edulaunch.extras.network import rclpy_wire as wire
 from edulaunch.extras.network.link import (
     MARK,
@@ -39,7 +40,7 @@ AT_ONCE = 1 << 20
 """Bytes that are taken in one turn of the machine."""
 AGAIN = '\n  help: edulaunch network off, then on again'
 RENEW = 'what it complains of is in the log of the machine; edulaunch network install makes its environment anew'
-_PROFILE = os.path.join(os.path.dirname(__file__), 'rclpy_side.xml')
+_PROFILE, _LOOPBACK_PROFILE = (os.path.join(os.path.dirname(__file__), f'rclpy_side{end}.xml') for end in ('', '_loopback'))
 """Fast DDS's settings of the side process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.network.rclpy_side', function='main')
 
@@ -70,6 +71,8 @@ class RclpyLink:
         env = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'ROS_'))}
         env.update(ROS_DOMAIN_ID=str(settings.domain), ROS_AUTOMATIC_DISCOVERY_RANGE=settings.discovery_range)
         env.update(ROS_STATIC_PEERS=';'.join(settings.static_peers), FASTRTPS_DEFAULT_PROFILES_FILE=_PROFILE)
+        if is_alone(env):
+            env['FASTRTPS_DEFAULT_PROFILES_FILE'] = _LOOPBACK_PROFILE
         words = command(environment, _SIDE, ProcessSpec((), 'link'), Index())
         self._socket, theirs = self._sockets = list(socket.socketpair())
         number = theirs.fileno()

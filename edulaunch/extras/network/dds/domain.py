@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import socket
+from contextlib import suppress
 from html import escape
 
 from cyclonedds.core import DDSException
@@ -31,13 +34,32 @@ def join(settings: Settings) -> None:
     """
     number, text = settings.domain, configuration(settings)
     if number not in _joined:
+        before = _open_files()
         try:
             _joined[number] = _Joined(number, text)
+            if is_on_loopback(settings):
+                _keep_on_loopback(_open_files() - before)
         except DDSException as error:
             raise LinkError(f'cannot join domain {number}: {error}') from None
     if _joined[number].text != text:
         raise LinkError(f'this program is in domain {number} already, with other settings')
     _joined[number].links += 1
+
+
+def _open_files() -> set[int]:
+    """The numbers of this program's open files, where the system tells."""
+    try:
+        return set(map(int, os.listdir('/proc/self/fd')))
+    except OSError:
+        return set()
+
+
+def _keep_on_loopback(files: set[int]) -> None:
+    """Take nothing from other devices: Cyclone DDS binds what it hears with to all addresses, and has no setting for it."""
+    for number in files:
+        with suppress(OSError), socket.socket(fileno=os.dup(number)) as ear:
+            if ear.family == socket.AF_INET and ear.type == socket.SOCK_DGRAM:
+                ear.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, b'lo')
 
 
 def leave(number: int) -> None:
@@ -49,13 +71,18 @@ def leave(number: int) -> None:
         del _joined[number]
 
 
+def is_on_loopback(settings: Settings) -> bool:
+    """Whether this computer alone is meant."""
+    return settings.discovery_range == 'OFF' or (settings.discovery_range == 'LOCALHOST' and not settings.static_peers)
+
+
 def configuration(settings: Settings) -> str:
     """Cyclone DDS's configuration: loopback alone, or the computer's network.
 
     On the loopback multicast is used too (it does not leave it): that is where programs without settings of their own call.
     """
     peers = [] if settings.discovery_range == 'OFF' else list(settings.static_peers)
-    on_loopback = settings.discovery_range != 'SUBNET' and not peers
+    on_loopback = is_on_loopback(settings)
     multicast = settings.discovery_range == 'SUBNET' or (on_loopback and settings.discovery_range != 'OFF')
     if settings.discovery_range == 'LOCALHOST':
         peers.insert(0, LOCALHOST)

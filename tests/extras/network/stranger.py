@@ -1,0 +1,122 @@
+"""A stranger on another computer, run by `unshare -rnm`: he names us in ROS_STATIC_PEERS, listens to /chatter and speaks on it. Prints a
+line of JSON: what he saw of us, and what we heard of him.
+
+The arguments: who we are (cyclonedds, rclpy, real or compare), and a discovery range.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import select
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from typing import Any
+
+from edulaunch.engine.graph.qos import QoS
+from edulaunch.extras.comparing.for_real import DOMAINS
+from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Link, Message
+from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.settings import settings_of
+from tests.extras.network.cable import Cable, card
+from tests.extras.network.places import STRING, text, words_in
+from tests.extras.network.two_computers import ADDRESSES, interface
+
+LAUNCH = ('demo_nodes_cpp', 'talker_listener_launch.py')
+LASTS_S, LONGEST_S = 10.0, 60.0
+DOMAIN = DOMAINS[0]
+STRANGE, OURS = 'strange', 'ours'
+
+
+class Voice:
+    """Somebody who speaks and listens on /chatter."""
+
+    def __init__(self, link: Link, words: str) -> None:
+        self.link, self.words = link, words
+        node = link.add_node('/', words)
+        self._mouth = link.add(node, PUBLISHER, '/chatter', interface(STRING), QoS())
+        link.add(node, SUBSCRIPTION, '/chatter', interface(STRING), QoS())
+        self.heard = 0
+        self.nodes: set[str] = set()
+
+    def turn(self) -> None:
+        self.link.publish(self._mouth, text(self.words))
+        self.link.flush()
+        select.select([self.link], [], [], 0.05)
+        for event in self.link.take():
+            self.heard += isinstance(event, Message) and words_in(event.cdr) != self.words
+        self.nodes |= {node.name for node in self.link.graph().nodes}
+
+
+def joined(kind: str, env: dict[str, str]) -> Link:
+    link = make_link(kind)
+    link.open(settings_of({'ROS_DOMAIN_ID': str(DOMAIN), **env}))
+    return link
+
+
+def far(kind: str) -> None:
+    """The stranger, until he is asked what he saw."""
+    subprocess.run(['mount', '-t', 'tmpfs', 'none', '/dev/shm'], check=True)  # another computer shares no memory with us
+    with socket.socket(fileno=0) as near:
+        socket.send_fds(near, [b'.'], [card('far', ADDRESSES[1])])
+        near.recv(1)
+        voice = Voice(joined(kind, {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST', 'ROS_STATIC_PEERS': ADDRESSES[0]}), STRANGE)
+        while not select.select([near], [], [], 0.0)[0]:
+            voice.turn()
+        near.send(json.dumps({'heard': voice.heard, 'nodes': sorted(voice.nodes - {STRANGE})}).encode())
+
+
+def of_link(kind: str, wide: str) -> dict[str, Any]:
+    """We are a machine on a link."""
+    link = joined(kind, {'ROS_AUTOMATIC_DISCOVERY_RANGE': wide})
+    voice, end_s = Voice(link, OURS), time.monotonic() + (LONGEST_S if wide == 'SUBNET' else LASTS_S)
+    while time.monotonic() < end_s and not (wide == 'SUBNET' and voice.heard > 5):
+        voice.turn()
+    link.close()
+    return {'driven': voice.heard > 0, 'code': 0}
+
+
+def of_program(kind: str, wide: str) -> dict[str, Any]:
+    """We are `launch --real` or `compare`, which takes the one domain that is free."""
+    words = (
+        ['launch', '--real', *LAUNCH, '--for', str(LASTS_S)] if kind == 'real' else ['compare', *LAUNCH, '--for', '5', '--json']
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        taken = [open(f'{folder}/edulaunch-{os.getuid()}-domain-{number}', 'w') for number in DOMAINS if number != DOMAIN]  # noqa: SIM115
+        for each in taken:
+            fcntl.flock(each, fcntl.LOCK_EX)
+        env = {**os.environ, 'ROS_DOMAIN_ID': str(DOMAIN), 'ROS_AUTOMATIC_DISCOVERY_RANGE': wide, 'TMPDIR': folder}
+        command = [sys.executable, '-m', 'edulaunch', *words]
+        done = subprocess.run(command, env=env, capture_output=True, text=True, timeout=120, check=False)
+        for each in taken:
+            each.close()
+    return {'driven': STRANGE in done.stdout + done.stderr, 'code': done.returncode}
+
+
+def main(kind: str, wide: str) -> None:
+    stranger = 'cyclonedds' if kind == 'cyclonedds' else 'rclpy'
+    if os.environ.get('FAR'):
+        far(stranger)
+        return
+    ours, theirs = socket.socketpair()
+    words = ['unshare', '-nm', sys.executable, '-m', 'tests.extras.network.stranger', *sys.argv[1:]]
+    other = subprocess.Popen(words, env={**os.environ, 'FAR': '1'}, stdin=theirs)
+    theirs.close()
+    try:
+        _, [far_end], _, _ = socket.recv_fds(ours, 1, 1)
+        Cable((card('near', ADDRESSES[0]), far_end), 0, 0).start()
+        ours.send(b'.')
+        found = (of_program if kind in ('real', 'compare') else of_link)(kind, wide)
+        ours.send(b'?')
+        print(json.dumps({**found, **json.loads(ours.recv(1 << 16))}))
+    finally:
+        other.kill()
+        other.wait()
+
+
+if __name__ == '__main__':
+    main(sys.argv[1], sys.argv[2])
