@@ -30,6 +30,25 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
     return [folded[close] for close in get_close_matches(_folded(name), list(folded), n=most, cutoff=0.6)]
 
 
+def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
+    """The known name that `name` is but for a slip of the fingers; None when they differ by more than a fifth of the letters.
+
+    For names of packages, modules and programs, where `vision_msgs` and `visualization_msgs` are two things.
+    """
+    most = max(2, len(name) // 5)
+    return next((near for near in nearest_few(name, names, 3) if _edits(_folded(name), _folded(near)) <= most), None)
+
+
+def _edits(one: str, other: str) -> int:
+    """Letters to insert, to remove or to replace until one text is the other."""
+    row = list(range(len(other) + 1))
+    for count, letter in enumerate(one, 1):
+        before, row[0] = row[0], count
+        for place, wanted in enumerate(other, 1):
+            before, row[place] = row[place], min(row[place] + 1, row[place - 1] + 1, before + (letter != wanted))
+    return row[-1]
+
+
 def nearest_file(name: str, names: Iterable[str]) -> str | None:
     """The same for names of files, by what stands before their endings: two are not alike because both end in `.launch.py`."""
     files = sorted(file for file in names if _stem(file))

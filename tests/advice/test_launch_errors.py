@@ -22,7 +22,7 @@ MISTAKES = {
     'from launch.actions import IfCondition': 'launch.actions has no IfCondition; write: from launch.conditions import IfCondition',
     'from launch.actions import DeclareLaunchArgumnt': 'launch.actions has no DeclareLaunchArgumnt; write: from launch.actions import DeclareLaunchArgument',
     'from nav2_common.launch import RewrittenYaml': 'the module nav2_common (Navigation 2) is not part of edulaunch; try this launch file on a machine that has nav2_common',
-    'import qqq_zzz.parts': 'there is no module qqq_zzz; go to its workspace, or name that with --workspace DIR; if it is not yours, try: pip install qqq_zzz',
+    'import qqq_zzz.parts': 'there is no module qqq_zzz; go to the workspace with this module, or name that with --workspace DIR',
     'from launch.action_s import LogInfo': 'there is no module launch.action_s; write: from launch.actions import ...',
     'import launch\nx = launch.actions.LogInf': 'launch.actions has no LogInf; write: from launch.actions import LogInfo',
     'from .other import x': 'a launch file belongs to no package, so an import with a leading dot finds nothing; put the shared code into your Python package, and write: from my_package.module import ...',

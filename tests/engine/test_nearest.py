@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.engine.nearest import nearest, nearest_few, nearest_file
+from edulaunch.engine.nearest import nearest, nearest_few, nearest_file, nearest_spelling
 
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 
@@ -49,3 +49,11 @@ def test_several_that_are_close_come_with_the_nearest_first_and_one_that_is_mean
 def test_files_are_alike_by_their_names_and_not_by_their_endings(name: str, expected: str | None) -> None:
     files = ['top.launch.py', 'colour.launch.py', 'two.launch.py', 'two.launch.xml', 'notes.txt', '.hidden.launch.py']
     assert nearest_file(name, files) == expected
+
+
+@pytest.mark.parametrize(
+    ('name', 'expected'),
+    [('vision_msgs', None), ('sensor_msg', 'sensor_msgs'), ('Sensor-Msgs', 'sensor_msgs'), ('sensors_launch', None)],
+)
+def test_a_misspelt_package_is_near_and_another_one_is_not(name: str, expected: str | None) -> None:
+    assert nearest_spelling(name, ['sensor_msgs', 'visualization_msgs']) == expected

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from edulaunch.advice.errors.about import about, speak
 from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_in, nearest_anywhere
 from edulaunch.advice.rule import Failure, Finding, rule
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.packages.absent import absent_module_kind
 
 
@@ -24,7 +24,21 @@ from edulaunch.engine.packages.absent import absent_module_kind
 )
 def no_generate(failure: Failure) -> Iterator[Finding]:
     """The function that every Python launch file has."""
-    if 'does not contain the required function' in failure.message:
+    if 'does not contain the required function' in failure.message and failure.facts.get('about') != 'launch.test-description':
+        yield speak(failure)
+
+
+@rule(
+    'launch.test-description',
+    what='this file describes a launch test: it has generate_test_description(), and no generate_launch_description()',
+    why='`ros2 launch` starts launch files only',
+    do='run it with: launch_test {file}',
+    level='info',
+    hides=('launch.no-generate', 'launch.fails'),
+)
+def test_description(failure: Failure) -> Iterator[Finding]:
+    """The function that every launch test has."""
+    if failure.facts.get('about') == 'launch.test-description':
         yield speak(failure)
 
 
@@ -172,7 +186,7 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
         'write: from {near} import ...',
         'move {file_beside} into your Python package, and import it from there',
         'try this launch file on a machine that has {absent}',
-        'go to its workspace, or name that with --workspace DIR; if it is not yours, try: pip install {module}',
+        'go to the workspace with this module, or name that with --workspace DIR',
     ),
     level='error',
 )
@@ -183,8 +197,16 @@ def no_module(failure: Failure) -> Iterator[Finding]:
         return
     top = said[1].partition('.')[0]
     kind, beside = absent_module_kind(top), failure.facts.get('file_beside')
-    near = None if kind or beside else nearest(said[1], MODULES)
+    near = None if kind or beside else misspelt(said[1])
     yield speak(failure, wanted_module=said[1], module=top, absent=top if kind else None, belongs_to=kind, near=near)
+
+
+def misspelt(module: str) -> str | None:
+    """The module of launch or ament_index_python that was meant; `launch_utils` is another package's."""
+    near = nearest_spelling(module, MODULES)
+    top = module.partition('.')[0]
+    tops = {one.partition('.')[0] for one in MODULES}
+    return near if near is not None and (top in tops and near.startswith(top) or nearest_spelling(top, tops)) else None
 
 
 @rule(

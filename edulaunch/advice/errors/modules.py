@@ -19,7 +19,10 @@ ABSENT_PACKAGE = about(
 UNKNOWN_MODULE = about(
     'programs.unknown-module',
     what='there is no module {module}',
-    do=('write {near}', 'go to its workspace, if it is yours; if it is not, try: pip install {module}'),
+    do=(
+        'write {near}',
+        'go to its workspace, if it is yours; a Python package from elsewhere has to be installed in this environment',
+    ),
 )
 UNKNOWN_INTERFACES = about(
     'messages.unknown-package',

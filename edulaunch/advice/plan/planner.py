@@ -216,11 +216,12 @@ class Planner:
         from launch._failure import failure_data, launch_origin
 
         if self._error is None:
-            origin = launch_origin(error)
+            origin, data = launch_origin(error), failure_data(error)
             self._error = {
                 'type': type(error).__name__,
                 'text': str(error),
-                'help': view('help_of')(failure_data(error)),
+                'facts': data['facts'],
+                'help': view('help_of')(data),
                 'origin': None if origin is None else str(origin),
                 'stage': 'visit' if self._items else 'load',
             }

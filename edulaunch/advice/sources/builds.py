@@ -149,7 +149,8 @@ def _calls(statement: ast.stmt) -> bool:
 def _scripts(source: Source) -> Iterator[tuple[str, str]]:
     """(file, text) of the Python files of a CMake package that can be read."""
     if source.is_readable and not source.package.is_python:
-        yield from ((path, read_text(path)) for path in source.package.python_files)
+        package = source.package
+        yield from ((path, read_text(path)) for path in package.python_files if not package.is_test(path))
 
 
 def _programs(source: Source) -> set[str]:

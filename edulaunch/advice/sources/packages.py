@@ -66,7 +66,8 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
 
 
 def _not_installed(source: Source) -> Iterator[str]:
-    if source.is_readable:
+    is_certain = not any(warning.about == 'unknown' for warning in source.package.contents.warnings)
+    if source.is_readable and is_certain:
         installed = source.installed
         yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
 
@@ -118,15 +119,19 @@ def hides_python(source: Source) -> Iterator[Finding]:
 
 
 FROM_OTHERS = {
-    'launch_xml': 'launch',
-    'launch_yaml': 'launch',
-    'action_msgs': 'rclpy',
-    'builtin_interfaces': 'rclpy',
-    'unique_identifier_msgs': 'rclpy',
-    'rcl_interfaces': 'rclpy',
-    'ros2launch': 'launch',
+    'launch': ('launch_ros', 'launch_testing', 'launch_testing_ros', 'launch_xml', 'launch_yaml', 'ros2launch'),
+    'launch_ros': ('launch_testing_ros', 'ros2launch'),
+    'launch_xml': ('launch', 'launch_ros', 'ros2launch'),
+    'launch_yaml': ('launch', 'launch_ros', 'ros2launch'),
+    'action_msgs': ('rclpy',),
+    'builtin_interfaces': ('rclpy',),
+    'unique_identifier_msgs': ('rclpy',),
+    'rcl_interfaces': ('rclpy',),
+    'ros2launch': ('launch', 'launch_ros'),
 }
 """Packages that come with another one, so that nobody misses them in a package.xml."""
+OF_LAUNCH = frozenset(('launch', 'launch_ros', 'launch_xml', 'launch_yaml'))
+"""What `ros2launch` brings: one entry is enough for all of them."""
 SAME = {'tf2_ros': ('tf2_ros', 'tf2_ros_py'), 'tf_transformations': ('tf_transformations', 'python3-transforms3d')}
 _LAUNCHED = re.compile(r"""package\s*=\s*["'](\w+)["']""")
 _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
@@ -139,7 +144,10 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
         '{dependency} is {how} here, but package.xml does not name it',
     ),
     why='rosdep installs what package.xml names: on another machine it is missing',
-    do='add <exec_depend>{dependency}</exec_depend> to package.xml',
+    do=(
+        'add <exec_depend>{bringer}</exec_depend> to package.xml: it brings launch and launch_ros',
+        'add <exec_depend>{dependency}</exec_depend> to package.xml',
+    ),
     lesson='07_packages',
 )
 def dependency_missing(source: Source) -> Iterator[Finding]:
@@ -149,17 +157,18 @@ def dependency_missing(source: Source) -> Iterator[Finding]:
     known = source.around.packages()
     told: set[str] = {package.name}
     for name, file, line, how in _uses(package):
-        if name in told or name not in known or declared & {name, *SAME.get(name, ())} or FROM_OTHERS.get(name) in declared:
+        if name in told or name not in known or declared & {name, *SAME.get(name, ()), *FROM_OTHERS.get(name, ())}:
             continue
-        told.add(name)
+        is_of_launch = name in OF_LAUNCH
+        told |= OF_LAUNCH if is_of_launch else {name}
         tags = [f'<{one.tag}>' for one in package.dependencies if one.name == name]
-        yield found('dependency', name, file=file, line=line, how=how, tags=tags)
+        yield found('dependency', name, file=file, line=line, how=how, tags=tags, bringer='ros2launch' if is_of_launch else None)
 
 
 def _uses(package: SourcePackage) -> Iterator[tuple[str, str, int, str]]:
     """(package, file, line, 'imported' or 'launched') in order of files and lines."""
     for path in package.python_files:
-        tree = parsed(path)
+        tree = None if package.is_test(path) else parsed(path)
         if tree is None:
             continue
         for node in ast.walk(tree):

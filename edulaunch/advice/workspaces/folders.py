@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -78,4 +79,34 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
 def build_file(workspace: Workspace) -> Iterator[Finding]:
     """What reading package.xml, setup.py, setup.cfg and CMakeLists.txt has noticed, in the words of the room that reads them."""
     for warning in workspace.around.warnings:
+        if not warning.about:
+            where = {'file': warning.file, 'line': warning.line or None}
+            yield found('file', os.path.basename(warning.file), said=warning.sentence, **where)
+
+
+@rule(
+    'packages.build-unknown',
+    what='{file} {said}',
+    why='edulaunch does not run CMake, so it leaves this line out',
+    do='nothing has to be changed: a build knows the value',
+    level='info',
+)
+def build_unknown(workspace: Workspace) -> Iterator[Finding]:
+    """One for each build file."""
+    first = {warning.file: warning for warning in reversed(workspace.around.warnings) if warning.about == 'unknown'}
+    for warning in first.values():
         yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, said=warning.sentence)
+
+
+@rule(
+    'packages.same-name',
+    what='two packages have the name {package}: {file} here stands beside the one in {other}/, which is used',
+    why='colcon builds no workspace in which two packages have one name',
+    do='go with cd to the workspace that you mean; in one workspace, give one of the two another <name>',
+)
+def same_name(workspace: Workspace) -> Iterator[Finding]:
+    """Of the one that is left out."""
+    for warning in workspace.around.warnings:
+        said = re.match(r"there is a package '(.*)' in (.*)/ already", warning.sentence) if warning.about == 'same name' else None
+        if said is not None:
+            yield found('file', os.path.basename(warning.file), file=warning.file, package=said[1], other=said[2])

@@ -139,8 +139,9 @@ class Index:
         place = self._place(package)
         if place is None:
             return []
-        native = [name for name in self.native_executables(package) if self._stand_in(place, package, name)]
-        return sorted({*place.executables(package), *native})
+        others = self._places[self._places.index(place) + 1 :] if isinstance(place, Workspace) else []
+        built_in = [name for other in others if package in other.packages() for name in other.executables(package)]
+        return sorted({*place.executables(package), *(name for name in built_in if self._stand_in(place, package, name))})
 
     def find_executable(self, package: str, executable: str) -> str | None:
         """`<prefix>/lib/<package>/<executable>` when the package has it; an entry point needs no file."""
@@ -181,11 +182,11 @@ class Index:
             return None
         for place in self._places:
             if place.path == prefix and package in place.packages():
-                return (
-                    place.program(package, executable)
-                    or self._stand_in(place, package, executable)
-                    or self._native(package, executable, path)
-                )
+                own = place.program(package, executable)
+                stand_in = None if own is not None else self._stand_in(place, package, executable)
+                if isinstance(place, Workspace) and stand_in is not None:
+                    self._note_stand_in(place, package, executable)
+                return own or stand_in or self._native(package, executable, path)
         kind = self.absent(package) if prefix == self._underlay else None
         return None if kind is None else Program('absent', package, executable, path, file=kind)
 
@@ -196,19 +197,18 @@ class Index:
 
     def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
         """The built-in program for one that a workspace would build from C++."""
-        if not isinstance(place, Workspace) or executable not in place.contents(package).native:
+        if not isinstance(place, Workspace) or place.contents(package).entry_points:
             return None
         for other in self._places[self._places.index(place) + 1 :]:
             program = other.program(package, executable) if package in other.packages() else None
             if program is not None:
-                self._note_stand_in(place, package, executable)
                 return program._replace(path=os.path.join(place.path, 'lib', package, executable))
         return None
 
     def _note_stand_in(self, place: Workspace, package: str, executable: str) -> None:
         file = os.path.join(place.package_folder(package), 'CMakeLists.txt')
         sentence = f'{executable} is built from C++, which does not run here; the built-in {package} has it and is used'
-        warning = PackageWarning(file, place.contents(package).native[executable], sentence)
+        warning = PackageWarning(file, place.contents(package).native.get(executable, 0), sentence, 'stand-in')
         if warning not in self._warnings:
             self._warnings.append(warning)
 

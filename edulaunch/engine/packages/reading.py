@@ -12,12 +12,15 @@ from typing import NamedTuple, Protocol
 class PackageWarning(NamedTuple):
     """Something in a package that a build would reject, or that cannot be known without running it.
 
-    `line` counts from 1; 0 means the file as a whole.
+    `line` counts from 1; 0 means the file as a whole. `about` is 'unknown' where nothing is wrong and only a
+    build knows a value, 'same name' for one of two packages,
+    'stand-in' where a built-in program is used, '' for anything else.
     """
 
     file: str
     line: int
     sentence: str
+    about: str = ''
 
     def __str__(self) -> str:
         place = f'{self.file}:{self.line}' if self.line else self.file

@@ -267,5 +267,6 @@ class Workspace:
                     os.path.join(manifest.folder, 'package.xml'),
                     0,
                     f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
+                    'same name',
                 )
             )

@@ -14,6 +14,8 @@ from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
 from edulaunch.ros.sources.cmake_text import Command, commands, expand
 
 _INTERFACES = ('.msg', '.srv', '.action')
+_MADE = '/made-by-the-build'
+"""Stands for the build folder: what is installed from there is made by the build, and is not in the sources."""
 _MARKERS = 'share/ament_index/resource_index/packages'
 _WORDS = frozenset(
     (
@@ -59,11 +61,13 @@ class _CMakeLists:
         self.file = os.path.join(manifest.folder, 'CMakeLists.txt')
         self.contents = Contents()
         self.built: dict[str, int] = {}
+        self.output_names: dict[str, str] = {}
         self.functions: dict[str, tuple[tuple[str, ...], list[Command]]] = {}
         self.variables: dict[str, list[str]] = {
             'PROJECT_NAME': [manifest.name],
             'CMAKE_PROJECT_NAME': [manifest.name],
             'CMAKE_INSTALL_PREFIX': [''],
+            **dict.fromkeys(('CMAKE_CURRENT_BINARY_DIR', 'CMAKE_BINARY_DIR', 'PROJECT_BINARY_DIR'), [_MADE]),
             'PYTHON_INSTALL_DIR': ['lib/python3/site-packages'],
             'CMAKE_INSTALL_LIBDIR': ['lib'],
             'CMAKE_INSTALL_BINDIR': ['bin'],
@@ -94,7 +98,9 @@ class _CMakeLists:
             command = todo[position]
             position += 1
             if command.name == 'if' and 'BUILD_TESTING' in command.words:
-                position = _end(todo, position, 'if')
+                end = _end(todo, position, 'if')
+                self._follow_tests(todo[position:end])
+                position = end
             elif command.name == 'foreach':
                 end = _end(todo, position, 'foreach')
                 self._repeat(command, todo[position : end - 1])
@@ -108,6 +114,15 @@ class _CMakeLists:
             else:
                 self._obey(command)
 
+    def _follow_tests(self, todo: list[Command]) -> None:
+        """Only the programs of tests count: launch tests start them. Whatever else is there, no build of the package needs it."""
+        for command in todo:
+            words = expand(command, self.variables, lambda name: None)
+            if command.name in _TEST_PROGRAMS and words:
+                self.built[words[0]] = command.line
+            elif command.name == 'install' and words[:1] == ['TARGETS']:
+                self._install(command.line, words)
+
     def _obey(self, command: Command) -> None:
         if command.name not in _COMMANDS:
             return
@@ -117,7 +132,8 @@ class _CMakeLists:
             self.variables.pop((words or [''])[0], None)  # what is made of an unknown value is unknown
             return
         if unknown:
-            self.warn(command.line, f'uses ${{{unknown[0]}}}, whose value is not known without running CMake')
+            sentence = f'uses ${{{unknown[0]}}}, whose value is not known without running CMake'
+            self.contents.warnings.append(PackageWarning(self.file, command.line, sentence, 'unknown'))
         getattr(self, f'_{command.name}')(command.line, words)
 
     def _call(self, command: Command) -> None:
@@ -184,6 +200,18 @@ class _CMakeLists:
         self._add_executable(line, words)
         self._native(words[:1])
 
+    def _rclcpp_components_register_node(self, line: int, words: list[str]) -> None:
+        if 'EXECUTABLE' in words[:-1]:
+            self.contents.native[words[words.index('EXECUTABLE') + 1]] = line
+
+    def _set_target_properties(self, line: int, words: list[str]) -> None:
+        if 'OUTPUT_NAME' in words[:-1] and 'PROPERTIES' in words:
+            name = words[words.index('OUTPUT_NAME') + 1]
+            self.output_names.update(dict.fromkeys(words[: words.index('PROPERTIES')], name))
+            for target in words[: words.index('PROPERTIES')]:
+                if target in self.contents.native:
+                    self.contents.native[name] = self.contents.native.pop(target)
+
     def _ament_auto_package(self, line: int, words: list[str]) -> None:
         if 'INSTALL_TO_SHARE' in words:
             self._directories(line, words[words.index('INSTALL_TO_SHARE') + 1 :], f'share/{self.package}', [])
@@ -224,9 +252,11 @@ class _CMakeLists:
     def _native(self, targets: list[str]) -> None:
         for name in targets:
             if name in self.built:
-                self.contents.native[name] = self.built[name]
+                self.contents.native[self.output_names.get(name, name)] = self.built[name]
 
     def _file_at(self, line: int, item: str, destination: str, name: str = '', program: bool = False) -> None:
+        if item.startswith(_MADE):
+            return
         path = os.path.normpath(os.path.join(self.folder, item))
         if not os.path.isfile(path):
             self.warn(line, f'{os.path.relpath(path, self.folder)} is not there, so the package does not build')
@@ -242,6 +272,8 @@ class _CMakeLists:
     def _directories(self, line: int, items: list[str], destination: str, rest: list[str]) -> None:
         for item in items:
             top = os.path.normpath(os.path.join(self.folder, item))
+            if item.startswith(_MADE):
+                continue
             if not os.path.isdir(top):
                 self.warn(line, f'there is no folder {os.path.relpath(top, self.folder)}/ to install')
                 continue
@@ -265,9 +297,14 @@ _COMMANDS = frozenset(
         'ament_auto_add_executable',
         'ament_auto_package',
         'ament_python_install_package',
+        'rclcpp_components_register_node',
         'rosidl_generate_interfaces',
         'install',
+        'set_target_properties',
     )
+)
+_TEST_PROGRAMS = frozenset(
+    ('add_executable', 'ament_add_gtest', 'ament_add_gmock', 'ament_add_gtest_executable', 'ament_add_gmock_executable')
 )
 
 

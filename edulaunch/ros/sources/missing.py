@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest_spelling
 from edulaunch.engine.packages.reading import find_packages, read_manifest
 from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
 
@@ -40,7 +40,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
     kind = index.absent(package)
     if kind is not None:
         return {'about': 'packages.absent-package', 'package': package, 'belongs_to': kind}
-    near = nearest(package, index.packages())
+    near = nearest_spelling(package, index.packages())
     if near is None and same:
         return _why_no_package(*same[0])
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
@@ -115,7 +115,7 @@ def _not_installed(package: SourcePackage, path: str) -> Facts:
 def missing_executable(index: Index, package: str, executable: str) -> Facts:
     """Of an executable that a package does not have: the nearest, or that its source is there and no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
-    near = nearest(executable, names)
+    near = nearest_spelling(executable, names)
     return _not_built(index, package, executable) or {
         'about': 'packages.no-executable',
         'package': package,

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 from collections.abc import Iterator
 from fnmatch import fnmatch
 from functools import cached_property
@@ -96,13 +97,19 @@ class SourcePackage:
         """A path below the package's folder."""
         return os.path.relpath(path, self.folder)
 
+    def is_test(self, path: str) -> bool:
+        """Whether a file stands in a folder of tests, or is called like a test."""
+        *folders, name = self.relative(path).split(os.sep)
+        return not {'test', 'tests'}.isdisjoint(folders) or name.startswith('test_') or name.endswith('_test.py')
+
     def is_launch_file(self, path: str) -> bool:
         """Whether this is a launch file: by its name, or by its folder. The description of a launch test is none: pytest and
         launch_test read it where it lies.
         """
         name = os.path.basename(path)
-        is_in_tests = self.relative(path).split(os.sep)[0] in ('test', 'tests')
-        if is_in_tests or name.endswith('.py') and 'generate_test_description' in read_text(path):
+        if self.is_test(path) or name.endswith('.launch') and _OF_ROS_1.search(read_text(path)):
+            return False
+        if name.endswith('.py') and 'generate_test_description' in read_text(path):
             return False
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
@@ -112,6 +119,10 @@ class SourcePackage:
             and not name.startswith('__')
             and 'generate_launch_description' in read_text(path)
         )
+
+
+_OF_ROS_1 = re.compile(r'\$\(find |<node[^>]*\btype\s*=')
+"""What only a launch file of ROS 1 has."""
 
 
 def source_packages(index: Index) -> list[SourcePackage]:

@@ -95,7 +95,7 @@ def test_files_that_are_no_python(robo: Any) -> None:
 
 def test_the_same_package_twice(robo: Any) -> None:
     robo.manifest('robo', 'ament_python', folder='old/robo')
-    assert any("there is a package 'robo' in" in line for line in said(robo.folder))
+    assert any('two packages have the name robo' in line for line in said(robo.folder))
 
 
 def test_build_output_in_a_repository(robo: Any) -> None:

@@ -168,7 +168,7 @@ def test_built_in_programs_stand_in_for_those_that_a_workspace_would_build_from_
     )
     index = Index(workspaces=[workspace.path], read_source=read_source)
     path = index.find_executable('turtlesim', 'turtlesim_node')
-    assert path is not None and path.startswith(index.search_paths()[0]) and index.executables('turtlesim') == ['turtlesim_node']
+    assert path is not None and path.startswith(index.search_paths()[0]) and 'turtlesim_node' in index.executables('turtlesim')
     program = index.find_program(path)
     assert program is not None and program.path == path and program.kind == 'entry_point'
     assert [str(warning) for warning in index.warnings] == [

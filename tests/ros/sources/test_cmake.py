@@ -124,3 +124,32 @@ def test_native_executables_are_known_but_not_offered(workspace: Any) -> None:
 def test_what_cannot_be_built_is_a_warning_with_its_line(workspace: Any, line: str, sentence: str) -> None:
     workspace.cmake_package('robo', f'project(robo)\n{line}\n', FILES)
     assert workspace.warnings('robo') == [f'robo/CMakeLists.txt:2: {sentence}']
+
+
+def test_programs_have_the_names_under_which_they_are_built(workspace: Any) -> None:
+    workspace.cmake_package(
+        'robo',
+        'project(robo)\n'
+        'add_executable(drive_target drive.cpp)\n'
+        'set_target_properties(drive_target PROPERTIES OUTPUT_NAME drive)\n'
+        'install(TARGETS drive_target DESTINATION lib/robo)\n'
+        'rclcpp_components_register_node(parts PLUGIN "robo::Eye" EXECUTABLE eye)\n'
+        'if(BUILD_TESTING)\n'
+        '  ament_add_gtest(test_drive test_drive.cpp)\n'
+        '  install(TARGETS test_drive DESTINATION lib/robo)\n'
+        'endif()\n',
+    )
+    assert sorted(workspace.index().native_executables('robo')) == ['drive', 'eye', 'test_drive']
+
+
+def test_what_the_build_makes_is_not_looked_for_in_the_sources(workspace: Any) -> None:
+    workspace.cmake_package(
+        'robo',
+        'project(robo)\n'
+        'configure_file(a.launch.py.in ${CMAKE_CURRENT_BINARY_DIR}/a.launch.py)\n'
+        'install(FILES ${CMAKE_CURRENT_BINARY_DIR}/a.launch.py DESTINATION share/robo/launch)\n'
+        'install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/maps DESTINATION share/robo)\n',
+    )
+    index = workspace.index()
+    index.contents('robo')
+    assert index.warnings == ()

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 
 GENERATE = 'generate_launch_description'
+TEST = 'generate_test_description'
 
 
 class InvalidPythonLaunchFileError(Exception):
@@ -51,9 +52,9 @@ def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
 
     error: Any = InvalidPythonLaunchFileError(f"launch file at '{path}' does not contain the required function '{GENERATE}()'")
     functions = {name: value for name, value in vars(module).items() if isinstance(value, FunctionType)}
-    near = nearest(GENERATE, functions)
+    near = TEST if TEST in functions else nearest(GENERATE, functions)
     if near is not None:
         code = functions[near].__code__
         error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno
-        with_facts(error, 'launch.no-generate', near=near)
+        with_facts(error, 'launch.test-description' if near == TEST else 'launch.no-generate', near=near)
     return error  # type: ignore[no-any-return]
