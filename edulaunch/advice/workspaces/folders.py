@@ -80,8 +80,8 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     """What reading package.xml, setup.py, setup.cfg and CMakeLists.txt has noticed, in the words of the room that reads them."""
     for warning in workspace.around.warnings:
         if not warning.about:
-            where = {'file': warning.file, 'line': warning.line or None}
-            yield found('file', os.path.basename(warning.file), said=warning.sentence, **where)
+            name, line = os.path.basename(warning.file), warning.line or None
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence)
 
 
 @rule(
