@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -29,6 +30,12 @@ def fresh(code: str) -> str:
 def test_all_names_are_there_sorted_and_few() -> None:
     assert edulaunch.__all__ == sorted(edulaunch.__all__) and len(edulaunch.__all__) <= 20
     assert all(getattr(edulaunch, name) is not None for name in edulaunch.__all__)
+
+
+def test_the_page_on_the_public_interface_names_exactly_these_and_each_has_a_docstring() -> None:
+    page = (ROOT / 'docs' / 'public_api.md').read_text('utf-8')
+    assert sorted(re.findall(r'^\| `edulaunch\.(\w+)` \|', page, re.M)) == edulaunch.__all__
+    assert [name for name in edulaunch.__all__ if not (getattr(edulaunch, name).__doc__ or '').strip()] == []
 
 
 @pytest.mark.processes
