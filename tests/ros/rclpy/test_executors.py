@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 import rclpy
@@ -289,3 +290,38 @@ def test_a_node_that_moves_takes_what_is_ready_along(ros: Ros, world: World) -> 
             second.spin_once(timeout_sec=0)
 
     assert ros(body) == ['a', 'b', 'c']
+
+
+def test_an_executor_of_ones_own_may_change_what_spins_once(ros: Ros, world: World) -> None:
+    class Counting(SingleThreadedExecutor):
+        def _spin_once_impl(self, timeout_sec: Any = None, wait_condition: Any = lambda: False) -> None:
+            world.say(timeout_sec)
+            super()._spin_once_impl(timeout_sec, wait_condition)
+
+    def body() -> None:
+        node, executor, future = Node('n'), Counting(), Future()
+        executor.add_node(node)
+        node.create_timer(0.5, lambda: future.set_result(1))
+        executor.spin_once(timeout_sec=0.1)
+        executor.spin_once_until_future_complete(future, timeout_sec=1.0)
+        world.say(future.result())
+        executor.create_task(rclpy.shutdown)
+        executor.spin()
+
+    assert ros(body) == [0.1, 1.0, 1, None]
+
+
+def test_a_subclass_may_use_names_that_ros_2_does_not_have(ros: Ros, world: World) -> None:
+    class Answer(Future):
+        source = 'camera'
+
+    class Marked(SingleThreadedExecutor):
+        turn_mark = 'mine'
+
+    def body() -> None:
+        node, executor, answer = Node('n'), Marked(), Answer()
+        node.create_timer(0.5, lambda: answer.set_result(answer.done()))
+        rclpy.spin_until_future_complete(node, answer, executor)
+        world.say((answer.result(), answer.source, executor.turn_mark))
+
+    assert ros(body) == [(False, 'camera', 'mine')]

@@ -219,3 +219,24 @@ def test_others_do_not_know_the_history_of_an_endpoint(ros: Ros, world: World) -
         world.say((info.qos_profile.history.name, info.qos_profile.depth, '  History (Depth): UNKNOWN' in str(info).splitlines()))
 
     assert ros(body) == [('UNKNOWN', 0, True)]
+
+
+def test_names_that_are_not_demangled_are_those_of_dds(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n', enable_rosout=False, start_parameter_services=False)
+        node.create_publisher(String, 'chatter', 10)
+        node.create_subscription(String, 'heard', print, 10)
+        names = dict(node.get_topic_names_and_types(no_demangle=True))
+        world.say(names['rt/chatter'])
+        world.say(names['rq/n/get_type_descriptionRequest'])
+        world.say(next(iter(names)))
+        world.say(sorted(dict(node.get_publisher_names_and_types_by_node('n', '/', no_demangle=True))))
+        world.say(node.get_subscriber_names_and_types_by_node('n', '/', no_demangle=True)[1])
+
+    assert ros(body) == [
+        ['std_msgs::msg::dds_::String_'],
+        ['type_description_interfaces::srv::dds_::GetTypeDescription_Request_'],
+        'ros_discovery_info',
+        ['rr/n/get_type_descriptionReply', 'rt/chatter', 'rt/parameter_events'],
+        ('rt/heard', ['std_msgs::msg::dds_::String_']),
+    ]

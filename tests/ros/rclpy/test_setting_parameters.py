@@ -7,7 +7,14 @@ from typing import Any
 
 import pytest
 import rclpy
-from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
+from rcl_interfaces.msg import (
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+    ParameterEvent,
+    ParameterValue,
+    SetParametersResult,
+)
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -27,6 +34,7 @@ def test_misuse_has_the_texts_of_rclpy(ros: Ros, world: World) -> None:
             (node.undeclare_parameter, 'fixed'),
             (node.set_parameters, [Parameter('q', value=1)]),
             (node.declare_parameter, 'n', None, ParameterDescriptor()),
+            (node.declare_parameter, 'v', ParameterValue()),
             (node.declare_parameter, '', 1),
         ):
             world.say(raised(call, *arguments))
@@ -37,6 +45,7 @@ def test_misuse_has_the_texts_of_rclpy(ros: Ros, world: World) -> None:
         "ParameterUninitializedException: The parameter 'typed' is not initialized: typed",
         'ParameterImmutableException: Attempted to modify read-only parameter: fixed',
         'ParameterNotDeclaredException: Invalid access to undeclared parameter(s): []',
+        'ValueError: Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET',
         'ValueError: Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET',
         'InvalidParameterException: Invalid parameter name: ',
     ]

@@ -164,7 +164,9 @@ def spin_until_future_complete(
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
     try:
-        source = getattr(future, 'source', None)
+        from rclpy.task import source_of
+
+        source = source_of(future)
         if timeout_sec is None and source is not None and source.ready_list.executor is None:
             from rclpy.impl.facts import note_foreign_future
 
@@ -188,8 +190,9 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor.spinner is not None and executor.note_nested_spin():
         from rclpy.impl.facts import note_spin, note_wait
+        from rclpy.task import source_of
 
-        source = None if future is None or future.ended else getattr(future, 'source', None)
+        source = None if future is None or future.ended else source_of(future)
         if source is not None and not source.callback_group.can_execute(source):
             note_wait(function, source)
         else:

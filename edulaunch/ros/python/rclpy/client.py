@@ -9,7 +9,7 @@ from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.entity import CLIENT, Entity, ReadyList, ServiceEnd, check_alive, check_endpoint
 from rclpy.impl.refusals import invalid_handle
-from rclpy.task import Future
+from rclpy.task import Future, future_answer
 from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
@@ -142,8 +142,7 @@ class Client(ServiceEnd, Asker):
         sequence = impl.send(self.srv_type.Request.to_wire(request))
         if impl.lost and not self._lost_noted:
             self._note_lost_request()
-        future = Future()
-        future.source = self
+        future = future_answer(self)
         future.add_done_callback(self.remove_pending_request)
         self._pending_requests[sequence] = future
         if self._introspection is not None:

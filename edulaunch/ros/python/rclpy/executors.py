@@ -130,16 +130,11 @@ class MultiThreadedExecutor(Executor):
         running = self._running.get(current_task())
         return None if running is None else running[0]
 
-    def turn_mark(self) -> Any:
-        return self._running.get(current_task())
-
-    def cannot_serve(self, entity: Entity) -> bool:
-        running = self.running_entity()
-        return (
-            running is not None
-            and running.callback_group is entity.callback_group
-            and not entity.callback_group.can_execute(entity)
-        )
+    def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
+        turn = self._running.get(current_task())
+        if turn is None or turn[0].callback_group is not entity.callback_group or entity.callback_group.can_execute(entity):
+            return None
+        return turn
 
 
 __getattr__ = passed_on(__name__)

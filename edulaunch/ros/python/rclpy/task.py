@@ -37,8 +37,6 @@ class Future:
     """The outcome of something that goes on: a service call, a goal, a task.
 
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
-
-    :ivar source: the client whose answer it waits for, if any.
     """
 
     # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
@@ -50,7 +48,7 @@ class Future:
     _unfetched: _UnfetchedException | None = None
     _executor: ExecutorProtocol | None = None
     _awaiting: tuple[ExecutorProtocol, ...] = ()
-    source: Any = None
+    _source: Any = None  # the client whose answer it waits for
     _looks: tuple[Any, int, int] = (None, 0, 0)
 
     def __init__(self, *, executor: ExecutorProtocol | None = None) -> None:
@@ -87,18 +85,19 @@ class Future:
         """Whether there is a result or an exception. Looking again and again lets simulated time pass."""
         if not self._done:
             current_task().poll()
-            if self.source is not None:
-                self._count_look(self.source)
+            if self._source is not None:
+                self._count_look(self._source)
         return self._done
 
     def _count_look(self, source: Any) -> None:
         """Note a deadlock when one callback keeps looking at a future that cannot be done before that callback ends."""
         executor = source.ready_list.executor
-        if executor is None or not executor.cannot_serve(source):
+        turn = None if executor is None else executor.cannot_serve(source)
+        if turn is None:
             return
         from rclpy.impl.facts import POLLS, note_wait
 
-        turn, now = executor.turn_mark(), current_task().sim.now_ns
+        now = current_task().sim.now_ns
         last_turn, looks, last_ns = self._looks
         looks = looks + (now > last_ns) if turn == last_turn else 0
         self._looks = turn, looks, now
@@ -249,8 +248,8 @@ class Task(Future):
             return
         if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
             awaited.wake_when_done(self._executor)
-            if self._entity is not None and awaited.source is not None:
-                self._note_deadlock(self._entity, awaited.source)
+            if self._entity is not None and awaited._source is not None:
+                self._note_deadlock(self._entity, awaited._source)
 
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
         """A callback that waits keeps its group: a client of the same group gets no answer."""
@@ -273,6 +272,21 @@ class Task(Future):
         super().cancel()
         if self._running is not None and not self._executing:
             self._running.close()
+
+
+def future_answer(source: Any) -> Future:
+    """A future for what a client waits for.
+
+    :param source: the client.
+    """
+    future = Future()
+    future._source = source
+    return future
+
+
+def source_of(future: Any) -> Any:
+    """The client whose answer a future waits for, None when it waits for something else."""
+    return getattr(future, '_source', None)
 
 
 _COROUTINE_FLAG = 0x80

@@ -16,7 +16,7 @@ from rclpy.impl.new_end_checks import checked_action_name
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
-from rclpy.task import Future, await_or_execute
+from rclpy.task import Future, await_or_execute, future_answer
 from rclpy.type_support import check_is_valid_action_type, wrong_class
 from rclpy.waitable import Waitable
 
@@ -235,8 +235,7 @@ class ActionClient(Asker, Waitable):
         return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
-        future = Future()
-        future.source = self
+        future = future_answer(self)
         self._pending[kind, sequence] = future
         return future
 

@@ -218,9 +218,12 @@ class Executor(Waiting):
         self._nested_noted = True
         return True
 
-    def cannot_serve(self, entity: Entity) -> bool:
-        """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""
-        return self.spinner is current_task()
+    def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
+        """Not None when the code that runs now, by waiting, keeps this entity from ever being executed.
+
+        :returns: something that stays equal while one callback of the running thread goes on.
+        """
+        return (self._seen_ns,) if self.spinner is current_task() else None
 
     def running_entity(self) -> Entity | None:
         """The entity whose callback the running thread executes, where its group tells."""
@@ -233,10 +236,6 @@ class Executor(Waiting):
         ]
         return next((entity for entity in entities if entity.callback_group.busy_with is entity), None)
 
-    def turn_mark(self) -> Any:
-        """Something that stays equal while one callback of the running thread goes on."""
-        return self._seen_ns
-
     def spin(self) -> None:
         """Execute callbacks until ROS 2 or the executor is shut down.
 
@@ -244,7 +243,7 @@ class Executor(Waiting):
         :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
         """
         context = self._context
-        if type(self).spin_once is Executor.spin_once:
+        if type(self).spin_once is Executor.spin_once and type(self)._spin_once_impl is Executor._spin_once_impl:
             self._spin(-1, lambda: not context.alive, (-1, never), once=False)
             return
         while context.alive and not self._is_shutdown:  # an executor of one's own
@@ -252,10 +251,19 @@ class Executor(Waiting):
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
-        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        self._spin_once_impl(timeout_sec)
+
+    def _spin_once_impl(
+        self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = never
+    ) -> None:
+        """What both kinds of `spin_once` do, for executors of one's own that change it.
+
+        :param wait_condition: ends the wait when it holds.
+        """
+        timeout_ns = _nanoseconds(timeout_sec)
         if not timeout_ns:
             current_task().poll()
-        self._spin(timeout_ns, never, (timeout_ns, never), once=True)
+        self._spin(timeout_ns, wait_condition, (timeout_ns, wait_condition), once=True)
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
@@ -264,8 +272,7 @@ class Executor(Waiting):
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Execute one callback, unless the future is done before."""
-        over = self._is_over(future)
-        self._spin(_nanoseconds(timeout_sec), over, over, once=True)
+        self._spin_once_impl(timeout_sec, self._is_over(future))
 
     def _is_over(self, future: Future) -> Callable[[], bool]:
         """The condition of a wait for a future, which wakes this executor when it is done."""

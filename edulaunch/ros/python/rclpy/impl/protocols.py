@@ -30,11 +30,8 @@ class ExecutorProtocol(Protocol):
     def running_entity(self) -> Any:
         """The entity whose callback runs, None between callbacks."""
 
-    def cannot_serve(self, source: Any) -> bool:
-        """Whether the callback that runs now shuts this entity out."""
-
-    def turn_mark(self) -> Any:
-        """Something that changes with each callback."""
+    def cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
+        """Not None when the callback that runs now shuts this entity out; changes with each callback."""
 
     def get_nodes(self) -> Any:
         """The nodes that it spins."""

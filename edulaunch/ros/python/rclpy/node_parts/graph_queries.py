@@ -10,12 +10,11 @@ from edulaunch.engine.nearest import nearest
 from edulaunch.engine.sim.task import current_task
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
 from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.dds_names import DISCOVERY, READS, WRITES, Directions, NamesAndTypes, dds_names_and_types
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.graph import Graph
     from rclpy.topic_endpoint_info import TopicEndpointInfo
-
-NamesAndTypes = list[tuple[str, list[str]]]
 
 
 class NodeGraphQueries:
@@ -24,8 +23,11 @@ class NodeGraphQueries:
     _rclpy: NodeCore
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """All topics with their types."""
+        """All topics with their types; with `no_demangle` as DDS has them, those of services among them."""
         graph = _looked_at(self._rclpy, 'failed to get topic names and types')
+        if no_demangle:
+            ends = (graph.publishers, graph.subscriptions, graph.services, graph.clients)
+            return [DISCOVERY, *dds_names_and_types([end for table in ends for end in _all(table)], WRITES | READS)]
         return names_and_types([*_all(graph.publishers), *_all(graph.subscriptions)], 'topic_name')
 
     def get_service_names_and_types(self) -> NamesAndTypes:
@@ -35,14 +37,20 @@ class NodeGraphQueries:
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """The topics that a node publishes. Raises NodeNameNonExistentError for an unknown node."""
-        return _by_node(self._rclpy, node_name, node_namespace, 'publisher', 'topic_name')
+        """The topics that a node publishes, with `no_demangle` as DDS has them.
+
+        :raises NodeNameNonExistentError: for an unknown node.
+        """
+        return _topics_by_node(self._rclpy, node_name, node_namespace, 'publisher', WRITES if no_demangle else None)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """The topics that a node subscribes to. Raises NodeNameNonExistentError for an unknown node."""
-        return _by_node(self._rclpy, node_name, node_namespace, 'subscription', 'topic_name')
+        """The topics that a node subscribes to, with `no_demangle` as DDS has them.
+
+        :raises NodeNameNonExistentError: for an unknown node.
+        """
+        return _topics_by_node(self._rclpy, node_name, node_namespace, 'subscription', READS if no_demangle else None)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """The services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
@@ -131,6 +139,18 @@ def _looked_at(core: NodeCore, what: str) -> Graph:
 
 
 def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
+    ends = [end for node in _nodes(core, name, namespace, kind) for end in node.endpoints if end.kind == kind]
+    return names_and_types(ends, attribute)
+
+
+def _topics_by_node(core: NodeCore, name: str, namespace: str, kind: str, directions: Directions | None) -> NamesAndTypes:
+    if directions is None:
+        return _by_node(core, name, namespace, kind, 'topic_name')
+    return dds_names_and_types([end for node in _nodes(core, name, namespace, kind) for end in node.endpoints], directions)
+
+
+def _nodes(core: NodeCore, name: str, namespace: str, kind: str) -> list[Any]:
+    """The nodes of that name. Raises NodeNameNonExistentError when there is none."""
     namespace = namespace or '/'
     what = _KINDS.get(kind, kind)
     graph = _looked_at(core, f'failed to get {what} names and types')
@@ -146,7 +166,7 @@ def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: st
             node=wanted,
             near=nearest(wanted, [node.fully_qualified_name for node in graph.nodes]),
         )
-    return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
+    return nodes
 
 
 def _count(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> int:

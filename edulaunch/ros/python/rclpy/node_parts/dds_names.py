@@ -1,0 +1,32 @@
+"""The names under which DDS has the topics and services of ROS 2, for who asks not to have them translated back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+NamesAndTypes = list[tuple[str, list[str]]]
+Directions = frozenset[tuple[str, str]]
+"""Pairs of an endpoint's kind, and what it sends or hears: 'topic', 'request' or 'reply'."""
+
+WRITES: Directions = frozenset((('publisher', 'topic'), ('client', 'request'), ('service', 'reply')))
+READS: Directions = frozenset((('subscription', 'topic'), ('service', 'request'), ('client', 'reply')))
+DISCOVERY = ('ros_discovery_info', ['rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_'])
+"""The topic by which the participants of ROS 2 know one another's nodes."""
+_FORMS = {'topic': ('rt', '', ''), 'request': ('rq', 'Request', '_Request'), 'reply': ('rr', 'Reply', '_Response')}
+"""What is sent -> what stands before the name, behind the name, and behind the type."""
+
+
+def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> NamesAndTypes:
+    """(name, sorted types) as in DDS of what endpoints send or hear, sorted by name: `rt/chatter`, `pkg::msg::dds_::String_`.
+
+    :param directions: which of it counts.
+    """
+    found: dict[str, set[str]] = {}
+    for end in endpoints:
+        for kind, what in directions:
+            if kind == end.kind:
+                before, behind, part = _FORMS[what]
+                package, folder, name = end.type_name.split('/')
+                found.setdefault(f'{before}{end.name}{behind}', set()).add(f'{package}::{folder}::dds_::{name}{part}_')
+    return [(name, sorted(types)) for name, types in sorted(found.items())]
