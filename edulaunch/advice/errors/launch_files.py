@@ -118,6 +118,11 @@ BUILT_BEFORE = about(
     what='{package} is read from {prefix}, and what was written since its build is not in there',
     do='build it again: colcon build --packages-select {package}',
 )
+MADE_BY_BUILD = about(
+    'packages.made-by-build',
+    what='a build makes {made} from {template}, and edulaunch does not run CMake',
+    do='try this launch file where the package is built',
+)
 NO_SETUP_CFG = about(
     'packages.no-setup-cfg',
     what='setup.cfg does not put executables into lib/{package}, where ROS 2 looks for them',

@@ -15,7 +15,14 @@ if TYPE_CHECKING:
 _PACKAGE = re.compile(r"package '([\w-]+)' not found")
 _MODULE = re.compile(r"No module named '([\w.]+)'")
 _ARGUMENT = re.compile(r"missing required argument '(.*?)' .*given: \[\]", re.DOTALL)
-_ABOUT = (None, 'packages.unknown', 'packages.absent-package', 'packages.absent-file', 'packages.absent-module')
+_ABOUT = (
+    None,
+    'packages.unknown',
+    'packages.absent-package',
+    'packages.absent-file',
+    'packages.absent-module',
+    'packages.made-by-build',
+)
 """What an error is about when the thing belongs to others."""
 
 
@@ -26,6 +33,7 @@ _ABOUT = (None, 'packages.unknown', 'packages.absent-package', 'packages.absent-
         'this launch file needs the package {package}, which is not in this workspace',
         'this launch file needs the module {module} ({belongs_to}), which edulaunch does not have',
         'this launch file needs the module {module}, which is not in this workspace',
+        'this launch file needs {made}, which a build makes from {template}',
     ),
     why='a file that cannot be read to its end cannot be checked either',
     do='name the workspace that has it with --workspace DIR, or try the file on a machine where it is installed',
@@ -37,6 +45,9 @@ def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     if error is None or facts.get('about') not in _ABOUT or facts.get('near') or facts.get('file_beside'):
+        return
+    if facts.get('about') == 'packages.made-by-build':
+        yield found('file', rehearsal.plan['file'], **_place(error), made=facts['made'], template=facts['template'])
         return
     package = facts.get('package') or _first(_PACKAGE, error['text'])
     module = None if package else facts.get('module') or _first(_MODULE, error['text'])

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 
 Facts = dict[str, Any]
+_WRITTEN = frozenset(('build', 'install', 'log', 'logs'))
+"""Folders that colcon and programs write: no package is looked for in them."""
 LOOKED_AT = 500
 """Folders below the current one in which a package is looked for that no workspace has: others wait meanwhile."""
 
@@ -67,7 +69,7 @@ def _elsewhere_below(package: str, workspaces: list[str], here: str) -> str | No
 def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]]:
     """Each folder of that name, with its files."""
     for folder, folders, files in os.walk(workspace):
-        folders[:] = sorted(inner for inner in folders if not inner.startswith('.'))
+        folders[:] = sorted(inner for inner in folders if not inner.startswith('.') and inner.lower() not in _WRITTEN)
         if os.path.basename(folder) == name:
             yield folder, files
 
@@ -151,6 +153,8 @@ def installed_file(index: Index, path: str) -> Facts:
         return {}
     found = source_package(index, package)
     source = None if found is None else os.path.join(found.folder, name)
+    if source is not None and os.path.isfile(f'{source}.in'):
+        return {'about': 'packages.made-by-build', 'template': f'{name}.in', 'made': name}
     if found is None or source is None or not os.path.isfile(source):
         return _built(index, package)
     if found.contents.broken is not None:
