@@ -27,6 +27,7 @@ from edulaunch.ros.sources import read_source
 from edulaunch.ros.sourcing import source
 from edulaunch.runtime.excerpt import Excerpt
 from edulaunch.runtime.fittings import command_set, hint_of
+from edulaunch.runtime.keeping import advice_or_why_not, run_kept
 from edulaunch.runtime.launch_process import LaunchRun, describe
 from edulaunch.runtime.launching import find_launch_file
 from edulaunch.runtime.plugins import package_folders
@@ -148,8 +149,12 @@ class Session:
             else:
                 Pacer(self.sim, speed).run(until, lambda: self.is_over or interruption.came)
         if interruption.came:
-            self.recorder.note(None, 'interrupted', f'interrupted at {self.sim.elapsed_s:.2f} s of simulated time')
+            self.note_end()
         return interruption.came
+
+    def note_end(self) -> None:
+        """Record that the run ended before its time."""
+        self.recorder.note(None, 'interrupted', f'interrupted at {self.sim.elapsed_s:.2f} s of simulated time')
 
     def interrupt(self) -> None:
         """Press Ctrl-C: every program of the terminal gets SIGINT, launch first."""
@@ -224,7 +229,8 @@ def run(
 ) -> Recording:
     """Run a launch file in the simulation and return the recording of it.
 
-    Interrupted by Ctrl-C or a notebook's interrupt button, it returns what was recorded until then; a warning says so.
+    Interrupted by Ctrl-C, a notebook's interrupt button, SIGTERM, SIGHUP or SIGQUIT, it returns what was recorded until then; a
+    warning says so.
 
     :param path_or_package: path of a launch file; or a package, with `file` the name of a launch file in it.
     :param arguments: launch arguments by name, as on the command line.
@@ -242,11 +248,11 @@ def run(
     folders = workspaces_of_command((), path_or_package) if workspaces is None else workspaces
     with Session(seed=seed, workspaces=folders, console=console) as session:
         launch = session.launch(path_or_package, file, texts)
-        session.run(duration_s)
+        run_kept(lambda: session.run(duration_s), session.sim.stop, session.note_end)
         launch.raise_error()
         recording = session.recording()
     if console is None:
-        for line in view('closing_lines')(recording):
+        for line in advice_or_why_not(lambda: view('closing_lines')(recording)):
             print(line, file=sys.stderr)
     return recording
 

@@ -15,7 +15,11 @@ from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.safe_file import remove_drafts
 from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.runtime.keeping import Ending, Reserve, advice_or_why_not, spent
+from edulaunch.runtime.launch_process import LaunchRun
 from edulaunch.runtime.launching import find_launch_file, launch_argument
 from edulaunch.runtime.session import Session
 from edulaunch.runtime.still_busy import StillBusy
@@ -69,43 +73,76 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
-    with _session_class(arguments)(
-        seed=arguments.seed,
-        workspaces=workspaces_of_command(arguments.workspace, package_or_path),
-        console=_print,
-        env=env,
-        stdin=dict(arguments.stdin),
-    ) as session:
+    with (
+        Ending() as ending,
+        _session_class(arguments)(
+            seed=arguments.seed,
+            workspaces=workspaces_of_command(arguments.workspace, package_or_path),
+            console=_print,
+            env=env,
+            stdin=dict(arguments.stdin),
+        ) as session,
+    ):
         if arguments.show_args or arguments.print:
             return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)
+        if arguments.record:
+            remove_drafts(arguments.record)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
-        terminal = Terminal(session, arguments.seconds)
-        terminal.run(0.0 if arguments.fast else 1.0)
-        recording = session.recording()
-        for line in (
-            []
-            if arguments.quiet
-            else said_at_the_end(
-                recording,
-                helped=session.host.hints.helped(launch.process.pid),
-                shown_by=shlex.join(['edulaunch', 'doctor', launch.path]),
-            )
-        ):
-            print(line, file=sys.stderr)
-        for warning in session.index.warnings:
-            print(f'warning: {warning}', file=sys.stderr)
-        for name in session.host.unread_stdin:
-            print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
+        terminal = Terminal(session, arguments.seconds, ending)
+        recording, error = _run(terminal, session, ending, arguments)
         if arguments.record:
             recording.save(arguments.record)
-            summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
-            print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
-        if arguments.view is not None:
-            from edulaunch.desk.cli.recording import write_page
-
-            name = os.path.basename(launch.path).partition('.')[0]
-            print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)
+        ending.is_saving = False
+        if error is not None and (known := spent(error)) is None:
+            raise error
+        for line in [] if arguments.quiet else _advice(recording, session, launch):
+            print(line, file=sys.stderr)
+        _print_end(arguments, session, recording, launch.path)
+        if error is not None and known is not None:
+            raise known from None
+        if ending.came is not None:
+            print(f'note: {ending.text(recording.duration_s)}', file=sys.stderr)
+            return 128 + ending.came
     return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def _run(
+    terminal: Terminal, session: Session, ending: Ending, arguments: argparse.Namespace
+) -> tuple[Recording, BaseException | None]:
+    """Run to the end. Returns what was recorded, and what broke the run off."""
+    reserve, error = Reserve(), None
+    try:
+        terminal.run(0.0 if arguments.fast else 1.0)
+    except BaseException as caught:  # whatever it is: what was recorded is kept first
+        error = caught
+    ending.is_saving = True
+    reserve.release()
+    if error is not None or ending.came is not None:
+        session.note_end()
+    return session.recording(), error
+
+
+def _advice(recording: Recording, session: Session, launch: LaunchRun) -> list[str]:
+    """The advice on a run."""
+    helped = session.host.hints.helped(launch.process.pid)
+    shown_by = shlex.join(['edulaunch', 'doctor', launch.path])
+    return advice_or_why_not(lambda: said_at_the_end(recording, helped=helped, shown_by=shown_by))
+
+
+def _print_end(arguments: argparse.Namespace, session: Session, recording: Recording, path: str) -> None:
+    """What was odd about the command, and what it has written."""
+    for warning in session.index.warnings:
+        print(f'warning: {warning}', file=sys.stderr)
+    for name in session.host.unread_stdin:
+        print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
+    if arguments.record:
+        summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
+        print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
+    if arguments.view is not None:
+        from edulaunch.desk.cli.recording import write_page
+
+        name = os.path.basename(path).partition('.')[0]
+        print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)
 
 
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
@@ -174,8 +211,9 @@ class Terminal:
     still there, some program keeps its turn: the interrupt is then raised right where it is.
     """
 
-    def __init__(self, session: Session, seconds: float | None) -> None:
+    def __init__(self, session: Session, seconds: float | None, ending: Ending | None = None) -> None:
         self._session = session
+        self._ending = ending
         self._seconds = seconds
         self._pressed = 0
         self._still_busy = StillBusy()
@@ -203,6 +241,8 @@ class Terminal:
         self._still_busy.press()
 
     def _is_over(self) -> bool:
+        if self._ending is not None and self._ending.came is not None:
+            return True
         if self._pressed:
             self._pressed = 0
             self._still_busy.stop()

@@ -1,0 +1,166 @@
+"""The recording of a run is kept whatever ends it."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import edulaunch
+from edulaunch.desk.cli.main import main
+from edulaunch.engine.recording import Recording
+from edulaunch.runtime.keeping import DESCRIPTORS, Ending, Reserve, spent
+from edulaunch.runtime.session import Session
+
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['python3', {script!r}], output='screen')])
+"""
+SCRIPT = """import time
+import fate
+for step in range(10):
+    print('step', step)
+    time.sleep(1)
+    fate.strike(step)
+"""
+ENDING = [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
+SPENT = [MemoryError(), OSError(errno.EMFILE, 'Too many open files')]
+
+
+@pytest.fixture
+def launch_file(tmp_path: Path) -> Path:
+    (tmp_path / 'steps.py').write_text(SCRIPT)
+    (tmp_path / 'steps.launch.py').write_text(LAUNCH.format(script=str(tmp_path / 'steps.py')))
+    return tmp_path / 'steps.launch.py'
+
+
+def strike_with(monkeypatch: pytest.MonkeyPatch, *signals: signal.Signals) -> None:
+    """A module whose `strike` sends signals to this program after three steps."""
+    fate: Any = ModuleType('fate')
+    fate.strike = lambda step: [signal.raise_signal(number) for number in signals if step == 2]
+    monkeypatch.setitem(sys.modules, 'fate', fate)
+
+
+def break_the_engine(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
+    """After 3.5 simulated seconds, the simulation itself fails."""
+    strike_with(monkeypatch)
+    begin = Session.launch
+
+    def fail() -> None:
+        raise error
+
+    def launch(self: Session, *words: Any, **options: Any) -> Any:
+        self.sim.schedule(self.sim.now_ns + 3_500_000_000, fail)
+        return begin(self, *words, **options)
+
+    monkeypatch.setattr(Session, 'launch', launch)
+
+
+def steps(recording: Recording) -> list[str]:
+    return [row.text for row in recording.output if row.process == 'python3-1']
+
+
+@pytest.mark.parametrize('number', ENDING)
+def test_a_command_keeps_its_recording(
+    launch_file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], number: signal.Signals
+) -> None:
+    strike_with(monkeypatch, number)
+    target = launch_file.parent / 'run.rec'
+    assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 128 + number
+    recording = Recording.load(target)
+    assert steps(recording)[:3] == ['step 0\n', 'step 1\n', 'step 2\n'] and len(steps(recording)) <= 4
+    assert [note.kind for note in recording.notes] == ['interrupted'] and recording.not_repeatable
+    assert capsys.readouterr().err.endswith(
+        f'note: {number.name} ended the run at {recording.duration_s:.2f} s of simulated time\n'
+    )
+    assert signal.getsignal(number) is signal.SIG_DFL
+
+
+@pytest.mark.parametrize('number', ENDING)
+def test_a_run_of_a_script_returns_its_recording(
+    launch_file: Path, monkeypatch: pytest.MonkeyPatch, number: signal.Signals
+) -> None:
+    strike_with(monkeypatch, number)
+    recording = edulaunch.run(launch_file, duration_s=8.0)
+    assert recording.duration_s == pytest.approx(3.0, abs=0.2) and [note.kind for note in recording.notes] == ['interrupted']
+    assert signal.getsignal(number) is signal.SIG_DFL
+
+
+@pytest.mark.parametrize('error', SPENT, ids=repr)
+def test_what_is_spent_is_a_sentence_after_the_recording(
+    launch_file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], error: Exception
+) -> None:
+    break_the_engine(monkeypatch, error)
+    target = launch_file.parent / 'run.rec'
+    assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 1
+    assert len(steps(Recording.load(target))) == 4 and Recording.load(target).not_repeatable
+    said = capsys.readouterr().err
+    assert 'error: the programs of the run took all ' in said and '  help: look for a ' in said and 'Traceback' not in said
+    assert len(steps(edulaunch.run(launch_file, duration_s=8.0))) == 4
+    assert 'error: the programs of the run took all ' in capsys.readouterr().err
+
+
+def test_a_fault_of_ours_is_raised_after_the_recording(launch_file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    break_the_engine(monkeypatch, ZeroDivisionError('ours'))
+    target = launch_file.parent / 'run.rec'
+    with pytest.raises(ZeroDivisionError, match='ours'):
+        main(['launch', str(launch_file), '--fast', '--record', str(target)])
+    assert len(steps(Recording.load(target))) == 4
+
+
+def test_advice_that_breaks_costs_no_recording(
+    launch_file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def judge(recording: Recording) -> None:
+        raise ValueError('a rule')
+
+    strike_with(monkeypatch)
+    monkeypatch.setattr('edulaunch.engine.recording.views._VIEWS', {'judge': judge, 'closing_lines': judge})
+    target = launch_file.parent / 'run.rec'
+    line = 'warning: edulaunch could not look for advice on this run (ValueError: a rule)\n'
+    assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 0
+    assert capsys.readouterr().err.startswith(f'{line}recording: {target} (')
+    assert len(steps(Recording.load(target))) == 10
+    assert len(steps(edulaunch.run(launch_file))) == 10
+    assert capsys.readouterr().err == line
+
+
+def test_a_second_signal_interrupts_and_waits_for_a_save() -> None:
+    stopped: list[int] = []
+    with Ending(lambda: stopped.append(1)) as ending:
+        signal.raise_signal(signal.SIGTERM)
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGHUP)
+        ending.is_saving = True
+        signal.raise_signal(signal.SIGTERM)
+    assert stopped == [1] and ending.came == signal.SIGTERM
+
+
+def test_an_ignored_signal_stays_ignored() -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with Ending() as ending:
+            signal.raise_signal(signal.SIGHUP)
+            assert ending.came is None
+    finally:
+        signal.signal(signal.SIGHUP, before)
+
+
+def test_the_reserve_gives_back_open_files() -> None:
+    before = len(os.listdir('/dev/fd'))
+    reserve = Reserve()
+    assert len(os.listdir('/dev/fd')) == before + DESCRIPTORS
+    reserve.release()
+    reserve.release()
+    assert len(os.listdir('/dev/fd')) == before
+
+
+def test_another_error_is_not_the_fault_of_a_program() -> None:
+    assert spent(OSError(errno.ENOENT, 'No such file')) is spent(ValueError()) is spent(None) is None
