@@ -7,6 +7,7 @@ as JSON lists; byte strings are written as {"hex": ...}. Only plain data is ever
 
 from __future__ import annotations
 
+import io
 import json
 import re
 from collections.abc import Iterator
@@ -22,8 +23,10 @@ OPTIONAL_PARTS = ('facts', 'descriptors', 'interfaces')
 HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
 TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
 TOPIC_KEYS = tuple(schema.TOPIC)
-MOST_BYTES = 1 << 30
-"""A file that is larger is not read: no run of a course comes near."""
+MOST_BYTES, MOST_LINE_BYTES, MOST_VALUES = 1 << 28, 1 << 27, 10_000_000
+"""What is larger is only read when somebody trusts it. A value takes up to 90 bytes of memory, and two or three of a file: ten
+minutes of ten turtles are 4 million values.
+"""
 
 
 def encode(content: dict[str, Any]) -> bytes:
@@ -55,13 +58,32 @@ def _restore(mapping: dict[str, Any]) -> Any:
     return bytes.fromhex(mapping['hex']) if len(mapping) == 1 and isinstance(mapping.get('hex'), str) else mapping
 
 
+def refuse_huge(data: bytes, name: str) -> None:
+    """Look at the size of a recording, before its values take memory and time.
+
+    :raises RecordingError: when its bytes, its longest line or its values are too many.
+    """
+    values = sum(map(data.count, (b',', b'[', b'{')))
+    line = max(map(len, io.BytesIO(data)), default=0)
+    for count, most, what in (
+        (len(data), MOST_BYTES, 'bytes'),
+        (line, MOST_LINE_BYTES, 'bytes in one line'),
+        (values, MOST_VALUES, 'values'),
+    ):
+        if count > most:
+            raise RecordingError(
+                f'cannot read the recording {name!r}: it has more than {most} {what}',
+                help='record a shorter run, or load a recording that you trust with Recording.load(FILE, trusted=True)',
+            )
+
+
 def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     """The content of a recording file.
 
     :raises RecordingError: when it is no recording, is of another version, or is damaged.
     """
-    lines = data.split(b'\n')
-    header = _parse(lines[0], name, 1)
+    lines = io.BytesIO(data)
+    header = _parse(lines.readline(), name, 1)
     if header.get('format') != FORMAT:
         raise RecordingError(
             f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`'
@@ -70,8 +92,8 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
     content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': []}
     content |= {'interfaces': {}, 'topics': []}
-    for number, line in enumerate(lines[1:], 2):
-        if line:
+    for number, line in enumerate(lines, 2):
+        if line != b'\n':
             part = _parse(line, name, number)
             if 'topic' in part:
                 content['topics'].append(part)

@@ -70,21 +70,22 @@ class Recording(Messages, Views):
         )
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Recording:
+    def load(cls, path: str | os.PathLike[str], *, trusted: bool = False) -> Recording:
         """Read a recording file.
 
-        :raises RecordingError: when the file is missing, damaged, or something else.
+        :param trusted: read it however large it is; a stranger's recording could take all memory.
+        :raises RecordingError: when the file is missing, damaged, too large, or something else.
         """
         name = os.fspath(path)
         try:
             if os.path.exists(name) and not os.path.isfile(name):
                 raise RecordingError(f'cannot read the recording {name!r}: it is not a file')
             with open(name, 'rb') as file:
-                data = file.read(file_format.MOST_BYTES + 1)
+                data = file.read(-1 if trusted else file_format.MOST_BYTES + 1)
         except (OSError, ValueError) as error:
             raise RecordingError(f'cannot read the recording {name!r}: {getattr(error, "strerror", None) or error}') from None
-        if len(data) > file_format.MOST_BYTES:
-            raise RecordingError(f'cannot read the recording {name!r}: it is larger than {file_format.MOST_BYTES >> 30} GiB')
+        if not trusted:
+            file_format.refuse_huge(data, name)
         return cls.from_bytes(data, name)
 
     @classmethod

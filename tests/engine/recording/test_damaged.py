@@ -177,10 +177,21 @@ def test_what_is_no_file_is_not_read(tmp_path: Path) -> None:
             Recording.load(name)
 
 
-def test_a_file_that_is_too_large_is_not_read_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ('limit', 'what'),
+    [('MOST_BYTES', 'more than 1000 bytes\n'), ('MOST_LINE_BYTES', '1000 bytes in one line'), ('MOST_VALUES', '1000 values')],
+)
+def test_a_file_that_is_too_large_is_not_parsed_unless_it_is_trusted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limit: str, what: str
+) -> None:
     from edulaunch.engine.recording import file_format
 
-    monkeypatch.setattr(file_format, 'MOST_BYTES', 1000)
-    (tmp_path / 'large.rec').write_bytes(text_of(WHOLE))
-    with pytest.raises(RecordingError, match='it is larger than'):
+    content = Recording.from_bytes(text_of(WHOLE))._content
+    content['logs'] *= 500
+    (tmp_path / 'large.rec').write_bytes(Recording(content).to_bytes())
+    assert Recording.load(tmp_path / 'large.rec').logs
+    monkeypatch.setattr(file_format, limit, 1000)
+    with monkeypatch.context() as patch, pytest.raises(RecordingError, match=f'cannot read the recording .*{what}'):
+        patch.setattr(file_format.json, 'loads', None)
         Recording.load(tmp_path / 'large.rec')
+    assert len(Recording.load(tmp_path / 'large.rec', trusted=True).logs) == len(content['logs'])
