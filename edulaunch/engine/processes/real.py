@@ -26,6 +26,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.host_face import HostFace, OnExit, OnOutput
     from edulaunch.engine.processes.process import Process
 
+CHUNK = 4096
+MOST_WAITING = 16
+"""Pieces of output of a program that wait for somebody to take them. Then the program waits too, as at a full pipe."""
+MOST_AT_ONCE = 4
+"""Pieces that are handed on before other programs and Ctrl-C have their turn."""
 READER_NAME = 'edulaunch reads '
 """How the names of the threads begin that read what real programs print."""
 
@@ -51,13 +56,18 @@ class RealLook:
         sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
 
     def _look(self) -> None:
+        pieces = 0
         while self._host.real_programs:
             try:
                 program, stream, text = self.news.get(timeout=self._host.pace.ahead_s())
             except queue.Empty:
+                pieces = MOST_AT_ONCE
+            else:
+                program.take(stream, text)
+                pieces += 1
+            if pieces >= MOST_AT_ONCE and self._host.real_programs:
                 self._look_later()
                 break
-            program.take(stream, text)
 
 
 class RealProcess:
@@ -94,6 +104,7 @@ class RealProcess:
                 os.close(writer)
         self.pid = self._child.pid
         self._news = host.real_look.news
+        self._room = threading.Semaphore(MOST_WAITING)
         self._open = 3
         self._code: int | None = None
         for stream, (reader, _) in zip(('stdout', 'stderr'), outputs, strict=True):
@@ -108,6 +119,7 @@ class RealProcess:
         decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a letter of two bytes may come in two pieces
         try:
             while chunk := _chunk(reader):
+                self._room.acquire()
                 self._news.put((self, stream, decoder.decode(chunk)))
             self._news.put((self, stream, decoder.decode(b'', final=True)))
         finally:
@@ -124,6 +136,7 @@ class RealProcess:
     def take(self, stream: str, text: str | None) -> None:
         """What one of its threads has to say: a piece of output, or (None) that it has ended."""
         if text is not None:
+            self._room.release()
             if text and self.on_output is not None:
                 self.on_output(stream, text)
             return
@@ -148,6 +161,7 @@ class RealProcess:
     def kill(self) -> None:
         """End it for good; nobody is told."""
         self.on_output = self.on_exit = None
+        self._room.release(4 * MOST_WAITING)  # nobody takes more: its threads come to their end
         self.send_signal(Signals.SIGKILL)
         self._waiter.join()
 
@@ -167,7 +181,7 @@ def _terminal() -> tuple[int, int]:
 def _chunk(reader: int) -> bytes:
     """What comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
     try:
-        return os.read(reader, 65536)
+        return os.read(reader, CHUNK)
     except OSError as error:
         if error.errno != errno.EIO:
             raise

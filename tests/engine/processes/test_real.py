@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import Any
 
 import pytest
 from launch import LaunchDescription, LaunchService
 from launch.actions import ExecuteProcess, RegisterEventHandler, SetLaunchConfiguration
 from launch.event_handlers import OnProcessIO
+
+import edulaunch
 
 OPEN = '/proc/self/fd'
 ASK = 'for stream in 1 2; do if [ -t $stream ]; then echo terminal; else echo pipe; fi >&$stream; done'
@@ -77,3 +80,20 @@ def test_four_real_programs_take_as_long_as_one() -> None:
     assert service.run() == 0
     real_s = time.monotonic() - began_s
     assert 0 < (sim.now_ns - began_ns) / 1e9 <= real_s + 0.05  # how far it comes while they start, the load decides
+
+
+def test_a_program_that_never_stops_printing_leaves_others_their_turn(tmp_path: Path) -> None:
+    """Launch is not blamed, the clock goes on, and the rest is recorded."""
+    (tmp_path / 'yes.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess, LogInfo, TimerAction\n'
+        'def generate_launch_description():\n    return LaunchDescription([ExecuteProcess(cmd=["yes"]),\n'
+        '        *(TimerAction(period=0.01 * step, actions=[LogInfo(msg=f"step {step}")]) for step in (1, 3, 5))])\n'
+    )
+    recording = edulaunch.run(tmp_path / 'yes.launch.py', duration_s=0.06, console=lambda stream, text: None)
+    assert [(process.returncode, process.exception) for process in recording.processes] == [(None, None)]
+    assert [(row.time_s, row.message) for row in recording.logs if 'step' in row.message] == [
+        (0.01, 'step 1'),
+        (0.03, 'step 3'),
+        (0.05, 'step 5'),
+    ]
+    assert recording.duration_s == 0.06
