@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -23,6 +24,7 @@ def fresh(code: str) -> str:
         capture_output=True,
         text=True,
         check=True,
+        env={name: value for name, value in os.environ.items() if name != 'PYTHONPATH'},  # of an activated environment
     )
     return done.stdout.strip()
 
