@@ -10,10 +10,10 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from select import select
 from time import monotonic
 
 from .job import MEBI, Job, environment, import_path, readable_by_all, shown_to_all
+from .readiness import is_readable
 
 ADDR_NO_RANDOMIZE = 0x0040000
 ASK = 0xFFFFFFFF
@@ -225,7 +225,7 @@ class ChildRun:
             self.link.shutdown(socket.SHUT_WR)
         deadline = monotonic() + GUARD_S
         while not self.is_over and monotonic() < deadline:
-            if select([self.link], [], [], GUARD_S)[0]:
+            if is_readable(self.link, GUARD_S):
                 self.read_link()
         if not self.is_over and self._pids:  # somebody has stopped the guard, which only an unconfined run can
             for pid in self._pids:
@@ -248,4 +248,4 @@ class ChildRun:
                 self.cut = 'garbage'
 
     def _more_to_read(self) -> bool:
-        return not self.let_go and bool(select([self.channel], [], [], 0)[0])
+        return not self.let_go and is_readable(self.channel, 0)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import gc
 import json
 import os
-import select
 import signal
 import sys
 import threading
@@ -21,6 +20,7 @@ from types import FrameType
 from typing import Any, NoReturn
 
 from .job import CAN_FORK, MEBI
+from .readiness import is_readable
 
 LONGEST_CPU_S = 12  # of processor time; usual: a tenth of a second
 LONGEST_S = 300.0  # of real time: somebody else may keep the machine busy, so that this is no verdict
@@ -113,7 +113,7 @@ def _all_of(end: int) -> bytes:
     """All that the worker writes; nothing when that is not whole."""
     deadline = monotonic() + LONGEST_S
     parts: list[bytes] = []
-    attend = _attending[-1] if _attending else _wait
+    attend = _attending[-1] if _attending else is_readable
     while monotonic() < deadline:
         if attend(end, LOOK_S):
             data = os.read(end, CHUNK_BYTES)
@@ -122,10 +122,6 @@ def _all_of(end: int) -> bytes:
                 return whole[:-1] if whole.endswith(b'\n') else b''
             parts.append(data)
     raise Lost(f'the process that judges was not ready after {LONGEST_S:g} s')
-
-
-def _wait(end: int, seconds: float) -> bool:
-    return bool(select.select([end], [], [], seconds)[0])
 
 
 def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
