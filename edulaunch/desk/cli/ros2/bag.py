@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from edulaunch.desk.cli.ros2.bag_metadata import read_metadata, unreadable
 from edulaunch.desk.cli.ros2.output import say_lines, with_help
 from edulaunch.engine.processes.current import current_process
 
@@ -50,13 +51,35 @@ def opened(path: str) -> Iterator[Any]:
 
     :raises RuntimeError: when there is no bag, or one that cannot be read.
     """
-    from rosbags.rosbag2 import Reader, ReaderError
+    from rosbags.rosbag2 import Reader
 
+    folder = found_bag(path)
+    read_metadata(path, folder)
     try:
-        with Reader(Path(found_bag(path))) as reader:
-            yield reader
-    except ReaderError as error:
-        raise RuntimeError(f"[ERROR] [ros2bag]: '{path}' cannot be read: {error}") from None
+        reader = Reader(Path(folder))
+        reader.open()
+    except Exception as error:  # what rosbags raises for a file that is cut or changed depends on the kind of storage
+        raise unreadable(path, error) from None
+    try:
+        yield reader
+    finally:
+        reader.close()
+
+
+def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
+    """The messages of an opened bag: (connection, time, bytes).
+
+    :raises RuntimeError: when the file is cut or changed.
+    """
+    rows = reader.messages(**span)
+    while True:
+        try:
+            row = next(rows)
+        except StopIteration:
+            return
+        except Exception as error:  # as above
+            raise unreadable(path, error) from None
+        yield row
 
 
 def event_kind(data: bytes) -> int:
@@ -72,11 +95,8 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 def info_verb(arguments: argparse.Namespace) -> None:
     """Print the summary: files, times, the messages of each topic and the events of each service."""
-    import yaml
-
     folder = found_bag(arguments.bag_path)
-    with open(os.path.join(folder, 'metadata.yaml'), encoding='utf-8') as file:
-        content = yaml.safe_load(file)['rosbag2_bagfile_information']
+    content = read_metadata(arguments.bag_path, folder)
     if arguments.topic_name:
         say_lines([each['topic_metadata']['name'] for each in content['topics_with_message_count']])
     else:

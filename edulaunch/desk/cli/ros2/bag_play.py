@@ -7,7 +7,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli.ros2 import cli_node
-from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, Keys, event_kind, opened
+from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, Keys, event_kind, messages_of, opened
+from edulaunch.desk.cli.ros2.bag_metadata import unreadable
 from edulaunch.desk.cli.ros2.fill_message import interface_class
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.processes.current import current_process
@@ -49,17 +50,15 @@ class Player:
 
         :raises RuntimeError: when there is no bag.
         """
-        from edulaunch.ros.serialization.cdr import deserialize
-
         chosen = self._arguments
         with opened(path) as reader:
             senders = {each.id: self._sender(each) for each in reader.connections if self._is_wanted(each.topic)}
             self._first_ns = reader.start_time + round(chosen.start_offset * 1e9)
             last_ns = self._first_ns + round(chosen.playback_duration * 1e9) if chosen.playback_duration >= 0 else None
-            for connection, time_ns, data in reader.messages(start=self._first_ns, stop=last_ns):
+            for connection, time_ns, data in messages_of(path, reader, start=self._first_ns, stop=last_ns):
                 sender = senders.get(connection.id)
                 if sender is not None and not (self._is_request(connection) and event_kind(data) != REQUEST_RECEIVED):
-                    self.messages.append((time_ns - self._first_ns, sender[0], deserialize(bytes(data), sender[1])))
+                    self.messages.append((time_ns - self._first_ns, sender[0], _message(path, data, sender[1])))
 
     def _is_wanted(self, topic: str) -> bool:
         chosen, name = self._arguments, topic.removesuffix(EVENT_TOPIC)
@@ -132,6 +131,19 @@ class Player:
             publisher.publish(message)
 
         return publish
+
+
+def _message(path: str, data: Any, cls: Any) -> Any:
+    """The message in bytes of a bag.
+
+    :raises RuntimeError: they are no such message.
+    """
+    from edulaunch.ros.serialization.cdr import deserialize
+
+    try:
+        return deserialize(bytes(data), cls)
+    except InterfaceError as error:
+        raise unreadable(path, error) from None
 
 
 def _rate_hz(text: str) -> float:
