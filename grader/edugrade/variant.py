@@ -11,6 +11,7 @@ import hmac
 import json
 import os
 import re
+import stat
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -26,11 +27,13 @@ LEAST_BYTES, MOST_BYTES = 16, 4096
 class CourseSecret:
     """Read from a file, never from an environment variable or the command line, where other programs can see it.
 
-    :raises UnusableInput: when the file cannot be read, or is too short to be a secret.
+    :raises UnusableInput: when the file cannot be read, is too short to be a secret, or everybody on the computer can change it.
     """
 
     def __init__(self, path: str) -> None:
         self._key = read_given(path, MOST_BYTES, 'the course secret ').strip()
+        if os.name == 'posix' and os.stat(path).st_mode & stat.S_IWOTH:
+            raise UnusableInput(f'everybody on this computer can change the course secret {path}', help=f'chmod 600 {path}')
         if len(self._key) < LEAST_BYTES:
             raise UnusableInput(
                 f'the course secret {path} is shorter than {LEAST_BYTES} bytes', help='make one: openssl rand -hex 32 > secret'

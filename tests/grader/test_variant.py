@@ -122,6 +122,16 @@ def test_a_copy_without_a_secret_is_refused(tmp_path: Path, capsys: pytest.Captu
 CIRCLE = Path(__file__).parents[2] / 'solutions' / 'circle.launch.py'
 
 
+def test_a_secret_that_everybody_can_change_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / 'secret'
+    file.write_text('0123456789abcdef')
+    file.chmod(0o666)
+    with pytest.raises(UnusableInput, match='everybody on this computer can change the course secret'):
+        CourseSecret(str(file))
+    file.chmod(0o600)
+    CourseSecret(str(file))
+
+
 @pytest.fixture
 def chosen_by(tmp_path: Path) -> CourseSecret:
     (tmp_path / 'secret').write_text('0123456789abcdef\n')

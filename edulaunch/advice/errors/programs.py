@@ -219,5 +219,5 @@ def sign_in_name(failure: Failure) -> Iterator[Finding]:
     said = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
     if said is not None:
         name, at = said[1], len(said[2]) - len("  '")
-        better = re.sub(r'[^A-Za-z0-9_/~{}]', '_', name)
+        better = re.sub(r'\{[^{}]*$|[^A-Za-z0-9_/~{}]', lambda part: '_' + re.sub(r'[^A-Za-z0-9_/~]', '', part[0]), name)
         yield speak(failure, name=name, sign=name[at : at + 1], better=better)
