@@ -11,10 +11,7 @@ Importing this package loads nothing else and changes nothing; each name is load
 
 from __future__ import annotations
 
-from importlib import import_module
-
 from edulaunch.engine import outside
-from edulaunch.engine.recording import views
 from edulaunch.runtime import ros2_command
 from edulaunch.version import __version__ as __version__
 
@@ -93,13 +90,15 @@ def _process_of_a_script(task: Any) -> Any:
 outside.make_process = _process_of_a_script
 ros2_command.run = _ros2
 ros2_command.complete = _ros2_words
-views.load = _load_view
+outside.load_view = _load_view
 
 
 def __getattr__(name: str) -> Any:
     place = _PLACES.get(name)
     if place is None:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from importlib import import_module  # late: it takes a third of the time of `import edulaunch`
+
     return getattr(import_module(f'{__name__}.{place[0]}'), place[1])
 
 

@@ -1,6 +1,8 @@
-"""The seam for code that runs outside any launched program, such as a plain script or a notebook cell that imports rclpy.
+"""The seams of the engine to the wings above: the facade sets here what they have.
 
-Such code needs a machine of its own at its first use of ROS. The engine makes none: what is set here makes it.
+Code that runs outside any launched program, such as a plain script or a notebook cell that imports rclpy, needs a machine of its
+own at its first use of ROS. And who asks a recording for a picture needs the wing that draws it. The engine makes neither.
+`import edulaunch` loads this small module and none of the rooms that use it.
 """
 
 from __future__ import annotations
@@ -15,5 +17,11 @@ def _nobody(task: Any) -> Any:
     raise RuntimeError('no machine for code outside a launched program: import edulaunch first')
 
 
+def _load_nothing(name: str) -> object:
+    raise RuntimeError(f'nothing shows {name!r} of a recording: import edulaunch first')
+
+
 make_process: Callable[[Any], Any] = _nobody
 """Called with the ambient task of a thread; gives the process that stands for its code."""
+load_view: Callable[[str], object] = _load_nothing
+"""Called with the name of a view of recordings that is not registered yet: imports the wing that registers it."""

@@ -7,10 +7,9 @@ register what they make of a recording.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`: every `import edulaunch` loads this module
-if TYPE_CHECKING:
-    from typing import Any
+from typing import TYPE_CHECKING, Any
 
+if TYPE_CHECKING:
     from edulaunch.engine.recording.recorder import Recorder
     from edulaunch.engine.recording.recording import Recording
 
@@ -18,7 +17,7 @@ __all__ = ['Recorder', 'Recording']
 
 
 def __getattr__(name: str) -> Any:
-    """Load late: `import edulaunch` loads neither, and who only reads recordings loads no recorder."""
+    """Load late: who only reads recordings loads no recorder."""
     if name == 'Recording':
         from edulaunch.engine.recording.recording import Recording
 

@@ -6,20 +6,12 @@ that has a view when somebody asks for it the first time.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`: every `import edulaunch` loads this module
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.engine import outside
 
 _VIEWS: dict[str, Callable[..., Any]] = {}
-
-
-def _load_nothing(name: str) -> object:
-    raise RuntimeError(f'nothing shows {name!r} of a recording: import edulaunch first')
-
-
-load: Callable[[str], object] = _load_nothing
-"""Called with the name of a view that is not registered yet: imports the wing that registers it. The facade sets it."""
 
 
 def register(**views: Callable[..., Any]) -> None:
@@ -30,7 +22,7 @@ def register(**views: Callable[..., Any]) -> None:
 def view(name: str) -> Callable[..., Any]:
     """Return the view of that name."""
     if name not in _VIEWS:
-        load(name)
+        outside.load_view(name)
     return _VIEWS[name]
 
 

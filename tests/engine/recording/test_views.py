@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from edulaunch.engine import outside
 from edulaunch.engine.recording import views
 
 
 def test_a_view_that_is_there_is_returned_and_a_later_one_takes_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(views, 'load', lambda name: pytest.fail(f'{name} is there'))
+    monkeypatch.setattr(outside, 'load_view', lambda name: pytest.fail(f'{name} is there'))
     views.register(length_of_a_test=len)
     assert views.view('length_of_a_test') is len
     views.register(length_of_a_test=max)
@@ -22,6 +23,6 @@ def test_the_loader_is_asked_once_for_a_view_that_is_not_there(monkeypatch: pyte
         asked.append(name)
         views.register(**{name: sum})
 
-    monkeypatch.setattr(views, 'load', load)
+    monkeypatch.setattr(outside, 'load_view', load)
     assert views.view('sum_of_a_test') is views.view('sum_of_a_test') is sum
     assert asked == ['sum_of_a_test']
