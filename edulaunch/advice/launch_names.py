@@ -23,12 +23,16 @@ STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'ra
 
 @cache
 def names_in(module: str) -> list[str]:
-    """What a module exports; nothing when it is not here. Who only reads a report has not sourced ROS 2 yet."""
+    """What a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a report has
+    not sourced ROS 2 yet.
+    """
     try:
         source()
-        return list(getattr(import_module(module), '__all__', ()))
+        found = import_module(module)
     except (ImportError, ForeignRosError):
         return []
+    defined = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == module and name[0] != '_']
+    return list(getattr(found, '__all__', defined))
 
 
 def home_of(name: str) -> str | None:

@@ -9,10 +9,15 @@ from typing import Any
 import matplotlib as mpl
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.patches import FancyBboxPatch, PathPatch
 
-from edulaunch.canvas import plot_distance, plot_frames, plot_graph, plot_tf_tree, plot_turtles
-from edulaunch.canvas.sheet import Box, Sheet, box_of, png_of, points_of, side_of, world
+from edulaunch.canvas import plot_distance, plot_frames, plot_graph, plot_tf_tree, plot_turtles, style
+from edulaunch.canvas.draw_graph import draw_graph
+from edulaunch.canvas.graph_scene import Box as GraphBox
+from edulaunch.canvas.graph_scene import GraphScene
+from edulaunch.canvas.sheet import Box, Sheet, box_of, png_of, points_of, rgb, side_of, world
 from edulaunch.engine.recording import Recording
+from tests.canvas.conftest import POSE, TWIST
 
 PLOTS: dict[str, Callable[..., Any]] = {
     'turtles': plot_turtles,
@@ -105,3 +110,31 @@ def test_layout_pixels_are_points_whatever_the_scale() -> None:
 def test_a_letter_that_no_font_has_is_no_warning(maker: Any) -> None:
     maker.frame(0.0, 'world', '\u4e16', 1.0, 1.0)
     assert plot_frames(maker.done(1.0)).png()
+
+
+def test_what_is_missing_or_does_not_fit_in_a_graph_is_dashed_and_named(maker: Any) -> None:
+    """Nobody publishes /cmd: its box and its arrow are dashed, and grey. The arrow of /pose is not."""
+    maker.node('/sim', publishes={'/pose': POSE}, hears={'/cmd': TWIST})
+    maker.node('/eye', hears={'/pose': POSE})
+    ax = plot_graph(maker.done(1.0), ax=Figure().add_subplot())
+    boxes = [patch for patch in ax.patches if isinstance(patch, FancyBboxPatch)]
+    arrows = [patch for patch in ax.patches if isinstance(patch, PathPatch)]
+    assert [sum(patch.get_linestyle() != '-' for patch in patches) for patches in (boxes, arrows)] == [1, 1]
+    dashed = next(patch for patch in boxes if patch.get_linestyle() != '-')
+    assert dashed.get_edgecolor()[:3] == pytest.approx(rgb(style.MUTED)[:3])
+    assert {'no publisher', 'oval: node   box: topic   dashed: an end is missing'} <= set(texts(ax))
+
+
+def test_what_does_not_fit_in_a_graph_is_red() -> None:
+    boxes = [
+        GraphBox('node', '/sim', 0.0, 0.0, 60.0, 30.0, ''),
+        GraphBox('topic', '/pose', 100.0, 0.0, 60.0, 30.0, 'QoS does not fit'),
+    ]
+    scene = GraphScene(
+        boxes=boxes, arrows=[(0, 1)], routes=[[(60.0, 15.0), (100.0, 15.0)]], width=200, height=60, direction='right'
+    )
+    ax = Figure().add_subplot()
+    draw_graph(scene, [ax])
+    edges = [patch.get_edgecolor()[:3] for patch in ax.patches if isinstance(patch, (FancyBboxPatch, PathPatch))]
+    red, blue = rgb(style.RED)[:3], rgb(style.BLUE)[:3]
+    assert edges == [pytest.approx(red), pytest.approx(blue), pytest.approx(red)]

@@ -65,3 +65,11 @@ def test_without_lessons_it_says_where_to_ask(tmp_path: Path, monkeypatch: pytes
     (tmp_path / 'empty').mkdir()
     monkeypatch.chdir(tmp_path / 'empty')
     assert 'There are no lessons here' in repr(progress())
+
+
+def test_no_more_than_five_things_are_to_repeat() -> None:
+    with ProgressFile.changing('.') as file:
+        for number in range(7):
+            file.of(f'task{number}').attempt(7, 12, False)
+        file.save()
+    assert repr(progress()).count("check('task") == 5

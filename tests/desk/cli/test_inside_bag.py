@@ -206,3 +206,11 @@ def test_a_rate_that_is_none_is_told_as_ros2bag_does(rate: str, told: str, capsy
     with pytest.raises(SystemExit):
         parser.parse_args(['my_bag', '-r', rate])
     assert capsys.readouterr().err.endswith(f'error: argument -r/--rate: {told}\n')
+
+
+def test_the_clock_of_a_playback_runs_as_fast_as_the_playback(bag) -> None:
+    """Ten times a second of the simulation, at twice the speed: each step of the clock is 0.2 s of the bag."""
+    clock = bag.start('ros2 topic echo /clock rosgraph_msgs/msg/Clock --field clock')
+    bag.run('ros2 bag play drive --clock 10 -r 2', 2.0)
+    times = [int(line.removeprefix('nanosec: ')) for line in clock.out.splitlines() if line.startswith('nanosec')]
+    assert len(times) == 6 and {(after - before) % 10**9 for before, after in itertools.pairwise(times)} == {2 * 10**8}

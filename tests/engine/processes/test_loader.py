@@ -323,3 +323,24 @@ def test_what_a_program_puts_into_builtins_is_its_own(world: Any) -> None:
     world.start(other, 'b')
     world.sim.run()
     assert [text for *_, text in world.log] == ['<3>', 'False\n']
+
+
+def test_each_module_knows_the_package_it_is_in(world: Any) -> None:
+    world.write('lib/robot/__init__.py', 'HERE = __package__\n')
+    world.write('lib/robot/arm.py', 'HERE = __package__\n')
+    world.write('lib/alone.py', 'HERE = __package__\n')
+    assert (
+        world.run("""
+        import alone, robot, robot.arm
+        print([alone.HERE, robot.HERE, robot.arm.HERE, __package__])
+        """)
+        == "['', 'robot', 'robot', None]\n"
+    )
+
+
+def test_a_module_that_is_run_is_in_its_package(world: Any) -> None:
+    world.write('lib/robot/__init__.py', '')
+    world.write('lib/robot/parts.py', 'ARM = "arm"\n')
+    world.write('lib/robot/main.py', 'from .parts import ARM\nprint(__name__, __package__, ARM)\n')
+    script = 'from edulaunch.engine.processes.current import current_process\n'
+    assert world.run(script + 'current_process().loader.run_module("robot.main")') == '__main__ robot arm\n'

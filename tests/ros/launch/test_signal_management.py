@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import signal
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from launch.utilities import AsyncSafeSignalManager
@@ -75,3 +76,15 @@ def test_second_ctrl_c_that_nobody_handles_interrupts(loop: asyncio.AbstractEven
 def test_wrong_arguments_are_value_errors(loop: asyncio.AbstractEventLoop, wrong: tuple[int, object]) -> None:
     with pytest.raises(ValueError):
         AsyncSafeSignalManager(loop).handle(*wrong)  # type: ignore[arg-type]
+
+
+def test_the_handler_of_the_process_comes_back_behind_the_block(loop: asyncio.AbstractEventLoop, fresh_simulation: Any) -> None:
+    def own(number: int, frame: object) -> None: ...
+
+    installed = fresh_simulation.signals.handlers
+    installed[USER] = own
+    manager = AsyncSafeSignalManager(loop)
+    manager.handle(USER, print)
+    with manager:
+        assert installed[USER] is not own
+    assert installed[USER] is own

@@ -128,3 +128,16 @@ def test_paths_and_texts_are_joined() -> None:
 def test_a_path_of_plain_texts_needs_no_context() -> None:
     nothing: Any = None
     assert PathJoinSubstitution(['a', 'b']).perform(nothing) == 'a/b'
+
+
+def test_a_command_that_fails_is_an_error_with_what_it_wrote(fresh_simulation: Any) -> None:
+    with pytest.raises(
+        SubstitutionFailure, match=r"executed command failed. Command: sh -c 'echo oh >&2; exit 3'\nCaptured .* oh"
+    ):
+        Command("sh -c 'echo oh >&2; exit 3'", on_stderr='ignore').perform(LaunchContext())
+
+
+def test_a_command_that_fails_in_the_simulation_is_an_error_too(fresh_simulation: Any) -> None:
+    fresh_simulation.host.command_set = CommandSet({'ros2': lambda process: 3})
+    with pytest.raises(SubstitutionFailure, match='executed command failed. Command: ros2 pkg list'):
+        Command('ros2 pkg list').perform(LaunchContext())

@@ -10,6 +10,7 @@ from action_msgs.msg import GoalStatus
 from example_interfaces.action import Fibonacci
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action import ActionClient, ActionServer
+from rclpy.action.server_goal_handle import GoalEvent, ServerGoalHandle, has_ended_until
 from rclpy.node import Node
 
 from .conftest import Ros, World
@@ -93,3 +94,28 @@ def test_feedback_after_a_shutdown_ends_the_execute_callback(world: World) -> No
     assert world.tracer.logs[0][2].startswith(
         "Error raised in execute callback: Failed to publish feedback with an action server: publisher's context is invalid"
     )
+
+
+class Server:
+    """What a goal needs of its server: the time, and somebody to report to."""
+
+    def __init__(self) -> None:
+        self.now = 5
+        self.log: list[str] = []
+
+    def now_ns(self) -> int:
+        return self.now
+
+    def goal_changed(self) -> None:
+        self.log.append('changed')
+
+
+def test_a_goal_has_ended_from_the_moment_of_its_end_on(world: World) -> None:
+    server: Any = Server()
+    goal = ServerGoalHandle(server, None, None, None)
+    assert not has_ended_until(goal, 100) and goal.is_active
+    goal._update_state(GoalEvent.EXECUTE)
+    assert not has_ended_until(goal, 100) and goal.is_active
+    goal.succeed()
+    assert [has_ended_until(goal, limit) for limit in (4, 5, 6)] == [False, True, True] and not goal.is_active
+    assert server.log == ['changed'] * 2

@@ -42,3 +42,20 @@ def test_dates_can_be_pickled(world: Any) -> None:
         world.run('import pickle, datetime\nprint(pickle.loads(pickle.dumps([datetime.datetime.now(), datetime.date.today()])))')
         == '[datetime.datetime(2023, 11, 14, 22, 13, 20), datetime.date(2023, 11, 14)]\n'
     )
+
+
+def test_data_without_a_named_package_is_that_of_the_package_that_asks(world: Any) -> None:
+    world.write(
+        'lib/robot/__init__.py', 'from importlib import resources\nTEXT = resources.files().joinpath("a.txt").read_text()\n'
+    )
+    world.write('lib/robot/a.txt', 'of the robot')
+    assert world.run('import robot\nprint(robot.TEXT)') == 'of the robot\n'
+
+
+def test_data_of_a_module_that_is_given_itself_is_found(world: Any) -> None:
+    world.write('lib/robot/__init__.py', '')
+    world.write('lib/robot/a.txt', 'of the robot')
+    assert (
+        world.run('import robot\nfrom importlib import resources\nprint(resources.files(robot).joinpath("a.txt").read_text())')
+        == 'of the robot\n'
+    )
