@@ -23,8 +23,8 @@ STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'ra
 
 @cache
 def names_in(module: str) -> list[str]:
-    """What a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a report has
-    not sourced ROS 2 yet.
+    """What a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a report
+    has not sourced ROS 2 yet.
     """
     try:
         source()
