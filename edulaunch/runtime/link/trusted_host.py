@@ -14,6 +14,7 @@ from typing import Any
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.graph.parameter_files import Entry, ParameterFileError
 from edulaunch.engine.packages import Program
+from edulaunch.engine.packages.absent import absent_kind
 from edulaunch.engine.packages.prefix import Underlay
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
@@ -71,7 +72,8 @@ def runs_beside_the_student(package: str | None, executable: str | None, word: s
     """Whether a stock program, started by this word, is one of those that the confined half runs itself."""
     if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
         return False
-    return _underlay().program(package or '', executable or '') is not None
+    is_stand_in = package is not None and absent_kind(package) is not None  # it ends at once, and says what is not here
+    return is_stand_in or _underlay().program(package or '', executable or '') is not None
 
 
 MOST_PROGRAMS = 2000
