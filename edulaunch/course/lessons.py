@@ -32,6 +32,11 @@ def manifest(folder: str) -> str | None:
     return next((place for place in places if os.path.isfile(place)), None)
 
 
+def has_manifest(folder: str) -> bool:
+    """Whether there is a manifest in the folder, readable or not."""
+    return any(os.path.isfile(os.path.join(folder, *place)) for place in ((MANIFEST,), (EXERCISES, MANIFEST)))
+
+
 def given_course(folder: str) -> str:
     """The folder, when there is a course in it.
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import os
 import sys
-from importlib.util import find_spec
 from typing import Any
 
 from edulaunch.course import progress
@@ -155,11 +155,13 @@ def _lint(arguments: argparse.Namespace) -> int:
     from edugrade.course_check import main as check
 
     from edulaunch.course.lesson_form import lesson_problems
-    from edulaunch.course.lessons import given_course
+    from edulaunch.course.lessons import given_course, has_manifest
 
     try:
         problems = list(lesson_problems(given_course(arguments.folder)))
-    except UnusableInput:  # of the manifest, of which the check says all that is wrong
+    except UnusableInput:  # in a manifest that is there, the check says all that is wrong
+        if not has_manifest(arguments.folder):
+            raise
         problems = []
     for problem in problems:
         print(f'course: {problem}')
@@ -185,7 +187,7 @@ def _open(arguments: argparse.Namespace) -> int:
     from edulaunch.course.lessons import LESSONS, given_course
 
     folder = given_course(arguments.folder)
-    if find_spec('jupyterlab') is None:
+    if importlib.util.find_spec('jupyterlab') is None:
         raise UnusableInput('JupyterLab is not installed', help="pip install 'edulaunch[notebook]' installs it; then try again")
     lessons = [f'--LabApp.default_url=/lab/tree/{LESSONS}'] if os.path.isdir(os.path.join(folder, LESSONS)) else []
     try:

@@ -96,6 +96,7 @@ SOURCES = {
     'edulaunch network': Source('network', _NETWORK),
     'ros2 launch --network': Source('network', _NETWORK),
     'edulaunch.check': Source('grader', _EDULAUNCH),
+    **{f'edugrade {verb}': Source('grader', _EDULAUNCH) for verb in ('course', 'decoys', 'schema')},
     **{
         f'edugrade {verb}': Source('classes', _EDULAUNCH)
         for verb in ('batch', 'classroom', 'doctor', 'export', 'gradescope', 'sign', 'similar', 'verify')

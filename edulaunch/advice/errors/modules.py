@@ -32,9 +32,9 @@ UNKNOWN_INTERFACES = about(
 MODULE_PART = about(
     'programs.module-part',
     what=(
-        '{parent} has no module of this name; the nearest one is {near}',
-        '{parent} has no module of this name; it has: {known}',
-        '{parent} has no modules',
+        'there is no module {module}; the nearest name is {parent}.{near}',
+        'there is no module {module}; {parent} has: {known}',
+        'there is no module {module}; {parent} has no modules',
     ),
     do=('write {parent}.{near}', 'look at the folder of {parent}, and name the file without .py'),
 )

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from edulaunch.engine.facts import facts_of
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.interfaces.mistakes import field_facts
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.packages.absent import absent_module_kind
 
 if TYPE_CHECKING:
@@ -218,7 +218,8 @@ def _part(process: Program, name: str) -> Found:
             if not entry.startswith('_') and _is_module(os.path.join(folder, entry))
         }
     )
-    return {'about': 'programs.module-part', 'module': name, 'parent': parent, 'near': nearest(leaf, beside), 'known': beside}
+    near = nearest_spelling(leaf, beside)
+    return {'about': 'programs.module-part', 'module': name, 'parent': parent, 'near': near, 'known': beside}
 
 
 def _unknown_module(process: Program, top: str) -> Found:
