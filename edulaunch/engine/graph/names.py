@@ -151,10 +151,14 @@ def plain_name(name: str, namespace: str) -> str | None:
     return None
 
 
+class UnknownSubstitution(ValueError):
+    """A name has a substitution in braces that ROS 2 does not know."""
+
+
 def expand_name(name: str, node_name: str, namespace: str) -> str:
     """The absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
 
-    :raises ValueError: for a substitution that ROS 2 does not know.
+    :raises UnknownSubstitution: for a substitution that ROS 2 does not know.
     """
     if '{' in name:
         name = _substituted(name, node_name, namespace)
@@ -171,7 +175,7 @@ def _substituted(name: str, node_name: str, namespace: str) -> str:
     for part in parts:
         key, _, rest = part.partition('}')
         if key not in values:
-            raise ValueError(f"topic name '{name}' is invalid: unknown substitution: {{{key}}}")
+            raise UnknownSubstitution(f"topic name '{name}' is invalid: unknown substitution: {{{key}}}")
         head += values[key] + rest
     return head
 

@@ -175,3 +175,8 @@ def test_commands_of_the_first_half_second_wait_until_the_graph_is_known(tmp_pat
     session.run(1.0)
     session.close()
     assert heard[-1] == (session.sim.start_ns + 500_000_000, '/turtlesim\n')
+
+
+def test_a_substitution_that_ros_does_not_know_is_an_error_of_one_line(machine) -> None:
+    words = machine.fails("ros2 topic pub --once -w 0 '/{}' std_msgs/msg/String '{data: x}'")
+    assert words.startswith("topic name '/{}' is invalid: unknown substitution: {}") and 'Traceback' not in words

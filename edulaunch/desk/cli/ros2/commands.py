@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.desk.cli.ros2.output import with_help
+from edulaunch.engine.graph.names import UnknownSubstitution
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import EdulaunchError
@@ -286,7 +287,7 @@ def main(process: Process) -> int:
         return end.code if isinstance(end.code, int) else 0
     except KeyboardInterrupt:
         return INTERRUPTED
-    except (EdulaunchError, RuntimeError) as error:
+    except (EdulaunchError, RuntimeError, UnknownSubstitution) as error:
         return _exit_code(process, str(error))
 
 
