@@ -18,9 +18,14 @@ PICTURES = ('turtles', 'frames', 'tree', 'graph')
 TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters')
 
 
+def _file_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument('file', metavar='FILE', help='a recording')
+    parser.add_argument('--trusted', action='store_true', help='read the recording however large it is')
+
+
 def export_arguments(parser: argparse.ArgumentParser) -> None:
     """Which form, and where."""
-    parser.add_argument('file', metavar='FILE', help='a recording')
+    _file_arguments(parser)
     form = parser.add_mutually_exclusive_group(required=True)
     form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='as a bag for `ros2 bag` (default: FILE_bag)')
     form.add_argument('--csv', metavar='FOLDER', nargs='?', const='', help='one table for each topic (default: FILE_csv)')
@@ -34,7 +39,7 @@ def export(arguments: argparse.Namespace) -> int:
     :raises UnusableInput: when the folder is there already, or cannot be made.
     """
     source()
-    recording = Recording.load(arguments.file)
+    recording = Recording.load(arguments.file, trusted=arguments.trusted)
     stem = os.path.splitext(arguments.file)[0]
     folder = (arguments.bag or f'{stem}_bag') if arguments.bag is not None else (arguments.csv or f'{stem}_csv')
     if os.path.exists(folder):
@@ -99,7 +104,7 @@ def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
     """Page or pictures, and what of the run."""
-    parser.add_argument('file', metavar='FILE', help='a recording')
+    _file_arguments(parser)
     parser.add_argument('--html', metavar='OUT', nargs='?', const='', help='write a page that plays it (default: FILE.html)')
     parser.add_argument('--png', metavar='OUT', nargs='?', const='', help='write a picture (default: FILE.png)')
     parser.add_argument('--what', choices=PICTURES, help='what the picture shows (default: turtles, or else nodes and topics)')
@@ -114,7 +119,7 @@ def show(arguments: argparse.Namespace) -> int:
     :raises UnusableInput: when it cannot be written.
     :raises NothingToDraw: when the run has nothing of the kind.
     """
-    recording = Recording.load(arguments.file)
+    recording = Recording.load(arguments.file, trusted=arguments.trusted)
     stem = os.path.splitext(arguments.file)[0]
     written = []
     try:
@@ -163,7 +168,7 @@ def recording_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs."""
     verbs = parser.add_subparsers(dest='what_to_do', metavar='export | info | show', required=True)
     info = verbs.add_parser('info', help='say what a recording holds')
-    info.add_argument('file', metavar='FILE', help='a recording')
+    _file_arguments(info)
     info.add_argument('--json', action='store_true', help='as JSON')
     show_arguments(verbs.add_parser('show', help='write a page that plays a recording, or a picture'))
     export_arguments(verbs.add_parser('export', help='write the messages as a bag, or as tables'))
@@ -173,7 +178,7 @@ def recording_verb(arguments: argparse.Namespace) -> int:
     """Print the summary, or write a page, a picture, a bag or tables; returns the exit code."""
     if arguments.what_to_do != 'info':
         return (show if arguments.what_to_do == 'show' else export)(arguments)
-    summary = summarise(Recording.load(arguments.file))
+    summary = summarise(Recording.load(arguments.file, trusted=arguments.trusted))
     if arguments.json:
         import json
 

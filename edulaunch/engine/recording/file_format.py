@@ -73,7 +73,7 @@ def refuse_huge(data: bytes, name: str) -> None:
         if count > most:
             raise RecordingError(
                 f'cannot read the recording {name!r}: it has more than {most} {what}',
-                help='record a shorter run, or load a recording that you trust with Recording.load(FILE, trusted=True)',
+                help='load a recording that you trust with --trusted, or in Python with Recording.load(FILE, trusted=True)',
             )
 
 

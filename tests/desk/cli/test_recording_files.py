@@ -63,3 +63,12 @@ def test_each_topic_becomes_a_table(drive: Path) -> None:
 def test_a_topic_that_nobody_published_on(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['recording', 'export', str(drive), '--csv', 'x', '--topics', '/nix']) == 2
     assert 'help: topics: /' in capsys.readouterr().err
+
+
+def test_a_recording_over_the_limits_is_read_when_it_is_trusted(
+    drive: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr('edulaunch.engine.recording.file_format.MOST_VALUES', 10)
+    assert main(['recording', 'info', str(drive)]) != 0
+    assert 'more than 10 values' in (refused := capsys.readouterr().err) and '--trusted' in refused
+    assert main(['recording', 'info', str(drive), '--trusted']) == 0
