@@ -13,11 +13,13 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import takewhile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from tests.house import ROOT
+from tests.kinds import KINDS
 
 LEFT_OUT = shutil.ignore_patterns('.git', '.venv*', '__pycache__', '.*_cache', '.ipynb_checkpoints', 'build', 'dist')
 OF_THE_HOUSE = (
@@ -113,14 +115,10 @@ def _helps(house: Path) -> set[str]:
     """The verbs that the helps of both commands name."""
     found = set()
     for command in ('edulaunch', 'edugrade'):
-        lines = _run(house, command, '--help').stdout.splitlines()
-        if command == 'edulaunch':
-            found |= {f'edulaunch {line.split()[0]}' for line in lines if line[:4] == '    ' and line[4:5].isalpha()}
-        else:
-            found |= {
-                ' '.join(line.split()[:2]) for line in lines if line.startswith('  edugrade ') and '/' not in line.split()[1]
-            }
-    return {words for words in found if words.split()[1].isalpha()}
+        below = _run(house, command, '--help').stdout.partition('commands')[2]
+        lines = takewhile(str.strip, below.splitlines()[1:])
+        found |= {f'{command} {line.split()[0]}' for line in lines if line[:2] == '  ' and line[2:3].isalpha()}
+    return found
 
 
 def _refusal(house: Path, call: Sequence[str], plugin: str) -> Iterator[str]:
@@ -159,7 +157,7 @@ def _run(house: Path, command: str, *words: str) -> subprocess.CompletedProcess[
 
 def _unit_tests(house: Path, tests: Sequence[str]) -> int:
     """The tests that the README runs, of what is left; pytest's own entry point of the extra `pytest_plugin` is gone with it."""
-    options = ['-q', '-p', 'no:edulaunch', '-p', 'no:cacheprovider', '-r', 'fE']
+    options = ['-q', '-p', 'no:edulaunch', '-p', 'no:cacheprovider', '-r', 'fE', '-m', f'not ({" or ".join(KINDS)})']
     deselected = [f'--deselect={test}' for test in OF_THE_HOUSE]
     return subprocess.run(
         [sys.executable, '-m', 'pytest', *options, *deselected, *tests], cwd=house, env=_environment(house), timeout=900

@@ -10,9 +10,10 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.advice.wording import Mark
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
-from edulaunch.desk.view.film import Film, Mark
+from edulaunch.desk.view.film import Film
 from edulaunch.desk.view.page import recorded_page
 from edulaunch.desk.view.replay import OfRecording
 from edulaunch.engine.recording import Recording
