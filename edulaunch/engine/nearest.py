@@ -36,7 +36,8 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
     For names of packages, modules and programs, where `vision_msgs` and `visualization_msgs` are two things.
     """
     most = max(2, len(name) // 5)
-    return next((near for near in nearest_few(name, names, 3) if _edits(_folded(name), _folded(near)) <= most), None)
+    folded = _folded(name.removesuffix('.py'))  # a program may be named with the ending of its file, or without
+    return next((near for near in nearest_few(name, names, 3) if _edits(folded, _folded(near.removesuffix('.py'))) <= most), None)
 
 
 def _edits(one: str, other: str) -> int:

@@ -44,7 +44,9 @@ class Shell:
 
     def read(self, seconds: float) -> bool:
         """Take what comes within some time; False when nothing did."""
-        if not select.select([self.number], [], [], seconds)[0]:
+        ready = select.poll()  # not `select.select`, which knows no numbers above 1023
+        ready.register(self.number, select.POLLIN | select.POLLHUP)
+        if not ready.poll(seconds * 1000):
             return False
         try:
             data = os.read(self.number, 1 << 16)
