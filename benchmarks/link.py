@@ -1,7 +1,7 @@
-"""What the link costs: the same launch in one process and in two halves, in turns, and how much longer one message takes.
+"""What the link costs: the same launch in one process and in two peers, in turns, and how much longer one message takes.
 
-The student's node hears each pose of turtlesim (62.5 a second, hosted in the trusted half) and answers with a velocity, so that
-each pose is a turn of the confined half: the worst case, two switches of processes for three messages. The recordings are the
+The student's node hears each pose of turtlesim (62.5 a second, hosted in the trusted peer) and answers with a velocity, so that
+each pose is a turn of the confined peer: the worst case, two switches of processes for three messages. The recordings are the
 same bytes.
 """
 
@@ -72,7 +72,7 @@ def alone(folder: Path) -> Recording:
 
 
 def linked(folder: Path) -> Recording:
-    """The launch in two halves."""
+    """The launch in two peers."""
     ours, theirs = socket.socketpair()
     pid = os.fork()
     if pid == 0:

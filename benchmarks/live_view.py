@@ -1,6 +1,6 @@
 """The live desk in a browser: pictures a second, and how long going back takes, beside a bare loop that draws nothing.
 
-Needs `edulaunch[browser]` and Chromium. Films are made by hand, so that a hundred turtles need no simulation.
+Needs `pip install '.[browser]'` and Chromium. Films are made by hand, so that a hundred turtles need no simulation.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from typing import Any
 
 import edulaunch
 from edulaunch.desk.view.columns import FINE, number_steps
-from edulaunch.desk.view.film import Film
 from edulaunch.desk.view.page import recorded_page
-from edulaunch.desk.view.replay import OfRecorder
+from edulaunch.desk.view.replay import RecorderSource
+from edulaunch.desk.view.timeline import Timeline
 from edulaunch.desk.view.viewer import Viewer
 
 ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage']
@@ -43,45 +43,45 @@ COLUMNS = """() => { const { topics, tracks } = window.desk.store;
 """Bytes of the columns, which the heap of scripts does not count."""
 
 
-def film(turtles: int, frames: int, seconds: float, rate: float = 62.5) -> dict[str, Any]:
-    """A film of turtles on circles, with so many tf frames beside them."""
+def timeline(turtles: int, frames: int, seconds: float, rate: float = 62.5) -> dict[str, Any]:
+    """A timeline of turtles on circles, with so many tf frames beside them."""
     count = int(seconds * rate)
     times = number_steps([i * 1_000_000 / rate for i in range(count)], 1)[0]
-    piece: dict[str, Any] = {
+    delta: dict[str, Any] = {
         'start': 0,
         'now': int(seconds * 1e6),
         'topics': [],
         'tf': [],
         'nodes': [[0, '/sim', 'sim-1', 1, 0, None]],
     }
-    piece['endpoints'] = []
+    delta['endpoints'] = []
     for number in range(turtles):
         turn = [i / rate * 0.7 + number for i in range(count)]
         columns = [[5.5 + 4 * math.cos(a) * (1 - number / 200) for a in turn], [5.5 + 4 * math.sin(a) for a in turn], turn]
         name = f'/turtle{number + 1}/pose'
         fields = [['x', 'float'], ['y', 'float'], ['theta', 'float']]
         steps = [number_steps(column, FINE)[0] for column in columns]
-        piece['topics'].append({'name': name, 'type': 'turtlesim/msg/Pose', 't': times, 'fields': fields, 'c': steps})
-        piece['endpoints'].append([0, 'publisher', name, 'turtlesim/msg/Pose', 1, 10 + number, [10, 'reliable', 'volatile']])
+        delta['topics'].append({'name': name, 'type': 'turtlesim/msg/Pose', 't': times, 'fields': fields, 'c': steps})
+        delta['endpoints'].append([0, 'publisher', name, 'turtlesim/msg/Pose', 1, 10 + number, [10, 'reliable', 'volatile']])
     for number in range(frames):
         x = number_steps([5 + number / 40 + math.sin(i / 30) for i in range(count)], FINE)[0]
         still = [[count]] if count > 2 else [0] * count
         parent = f'frame{number - 1}' if number % 10 else 'world'
         columns = [times, times, x, x, still, still, still, still, [100 * FINE, *still[1:], [count - 1]]]
-        piece['tf'].append({'child': f'frame{number}', 'parent': parent, 'by': 10, 'static': False, 'c': columns})
-    return piece
+        delta['tf'].append({'child': f'frame{number}', 'parent': parent, 'by': 10, 'static': False, 'c': columns})
+    return delta
 
 
 def pictures(page: Any, folder: Path) -> None:
-    """Pictures a second while a film plays, beside a bare loop; and how long an instant takes to be shown."""
-    for title, piece, tab in (
-        ('3 turtles, 12 frames, 60 s, frames open', film(3, 12, 60), 'frames'),
-        ('3 turtles, 12 frames, 60 s, graph lit', film(3, 12, 60), 'graph'),
-        ('100 turtles, 200 frames, 20 s', film(100, 200, 20), 'frames'),
-        ('3 turtles, 12 frames, 10 minutes', film(3, 12, 600), 'frames'),
+    """Pictures a second while a timeline plays, beside a bare loop; and how long an instant takes to be shown."""
+    for title, delta, tab in (
+        ('3 turtles, 12 frames, 60 s, frames open', timeline(3, 12, 60), 'frames'),
+        ('3 turtles, 12 frames, 60 s, graph lit', timeline(3, 12, 60), 'graph'),
+        ('100 turtles, 200 frames, 20 s', timeline(100, 200, 20), 'frames'),
+        ('3 turtles, 12 frames, 10 minutes', timeline(3, 12, 600), 'frames'),
     ):
-        file = folder / 'film.html'
-        file.write_text(recorded_page(piece, title, tab).replace('.load(film)', '.load(film, window)'), encoding='utf-8')
+        file = folder / 'timeline.html'
+        file.write_text(recorded_page(delta, title, tab).replace('.load(all)', '.load(all, window)'), encoding='utf-8')
         page.goto(file.as_uri())
         page.wait_for_function('() => window.desk && window.desk.worldViews')
         bare = page.evaluate(COUNT, False)
@@ -146,7 +146,7 @@ def first_picture(page: Any) -> None:
 def soak(page: Any, folder: Path, minutes: int) -> None:
     """Memory of both sides while simulated hours pass as fast as they go, with the page told of each second."""
     file = folder / 'soak.html'
-    script = recorded_page({'start': 0, 'now': 0}, 'soak', 'graph').replace('.load(film)', '.load(film, window)')
+    script = recorded_page({'start': 0, 'now': 0}, 'soak', 'graph').replace('.load(all)', '.load(all, window)')
     file.write_text(script, encoding='utf-8')
     page.goto(file.as_uri())
     page.wait_for_function('() => window.desk')
@@ -158,7 +158,7 @@ def soak(page: Any, folder: Path, minutes: int) -> None:
         for minute in range(1, minutes + 1):
             for _ in range(60):
                 line = machine.stdout.readline() if machine.stdout else ''
-                page.evaluate('line => window.desk.hear({ piece: JSON.parse(line) })', line)
+                page.evaluate('line => window.desk.hear({ delta: JSON.parse(line) })', line)
             if minute % 10 == 0:
                 memory.send('HeapProfiler.collectGarbage')
                 heap = (memory.send('Runtime.getHeapUsage')['usedSize'] + page.evaluate(COLUMNS)) / 1e6
@@ -172,15 +172,15 @@ def soak(page: Any, folder: Path, minutes: int) -> None:
 
 
 def machine_of_the_soak(minutes: int) -> None:
-    """A machine that runs as fast as it goes, and prints a piece of film for each simulated second."""
+    """A machine that runs as fast as it goes, and prints a timeline delta for each simulated second."""
     with edulaunch.start(*DEMO) as machine:
-        told = Film(OfRecorder(machine.session.recorder))
+        told = Timeline(RecorderSource(machine.session.recorder))
         for second in range(60 * minutes):
             if second % 30 == 0:
                 machine.take({'op': 'drive', 'turtle': '/turtle1', 'linear': 2, 'angular': (-1) ** (second // 30)})
             machine.session.run(1)
-            machine._forget()
-            print(json.dumps(told.piece(), separators=(',', ':')), flush=True)
+            machine.forget()
+            print(json.dumps(told.delta(), separators=(',', ':')), flush=True)
 
 
 def main() -> None:

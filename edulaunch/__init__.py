@@ -13,17 +13,17 @@ from __future__ import annotations
 
 from edulaunch.engine import outside
 from edulaunch.runtime import ros2_command
-from edulaunch.version import __version__ as __version__
+from edulaunch.runtime.version import __version__ as __version__
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
 
     from edulaunch.advice.explaining import explain
-    from edulaunch.checking import check
     from edulaunch.desk.machine.started import start
     from edulaunch.engine.recording import Recording
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
+    from edulaunch.jupyter.checking import check
     from edulaunch.jupyter.interact import interact
     from edulaunch.ros.sourcing import source
     from edulaunch.runtime.session import Session, run
@@ -48,7 +48,7 @@ _PLACES = {
     'Recording': ('engine.recording', 'Recording'),
     'Session': ('runtime.session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
-    'check': ('checking', 'check'),
+    'check': ('jupyter.checking', 'check'),
     'explain': ('advice.explaining', 'explain'),
     'interact': ('jupyter.interact', 'interact'),
     'run': ('runtime.session', 'run'),
@@ -63,6 +63,8 @@ def _load_view(name: str) -> None:
         import edulaunch.canvas.table
     elif name.startswith('plot_') or name == 'parameter_table':
         import edulaunch.canvas
+    elif name == 'launch_trace':
+        import edulaunch.advice.plan.launch_trace
     elif name == 'replay':
         import edulaunch.desk.view.replay
     else:

@@ -6,6 +6,7 @@
     ├── UnusableInput             a file, argument or value that cannot be used at all (exit code 2)
     │   ├── LaunchFileError       the launch file cannot be loaded or visited
     │   ├── RecordingError        a recording file cannot be read
+    │   ├── MissingExtra          a package of an extra of edulaunch is not installed
     │   ├── InterfaceError        a .msg, .srv or .action text is wrong (interfaces/)
     │   └── PackageError          a package or executable cannot be found or read (packages/)
     ├── ForeignRosError           a real ROS 2 is on the path, so the underlay must not shadow it
@@ -44,6 +45,23 @@ class UnusableInput(EdulaunchError):
 
 class LaunchFileError(UnusableInput):
     """A launch file cannot be loaded, or an action in it failed while it was visited."""
+
+
+class MissingExtra(UnusableInput):
+    """A package is not installed, because only one of the extras of edulaunch brings it.
+
+    :param what: what needs the package: 'ros2 bag'.
+    :param package: the name of the package: 'rosbags'.
+    :param extra: the name of the extra in `pyproject.toml`: 'bags'.
+    """
+
+    def __init__(self, what: str, package: str, extra: str) -> None:
+        super().__init__(f'{what} needs {package}, which is not installed', help=how_to_install(extra))
+
+
+def how_to_install(extra: str) -> str:
+    """Return the line of help that says how to install an extra of edulaunch."""
+    return f"in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'"
 
 
 class RecordingError(UnusableInput):

@@ -1,9 +1,9 @@
-"""A driver in a world of its own, and a recorder that is there before it: nothing of the drive is lost.
+"""A recorder that starts before the driver, so that it records the whole drive.
 
     ros2 launch black_box.launch.py robot:=red
 
-The recorder writes the two topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts when the recorder
-has started, not before.
+The recorder writes the topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts only when the
+recorder has started.
 
 Grade it: edugrade exercises/black_box.launch.py        A hint: edugrade exercises/black_box.launch.py --hint 1
 """
@@ -17,7 +17,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     robot = LaunchConfiguration('robot')
     drive = Node(package='turtlesim', executable='draw_square', namespace=robot)
-    # TODO 1: these two are in the bag, but empty: make the names of the topics of the world robot, as lists of texts
+    # TODO 1: no messages arrive on these two: write the topics of the world `robot`, each as a list of strings
     topics = ['/turtle1/cmd_vel', '/turtle1/pose']
     recorder = ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'my_drive', *topics])
     return LaunchDescription([

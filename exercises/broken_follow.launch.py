@@ -1,12 +1,12 @@
-"""A teacher drives a circle, turtle1 copies it, turtle2 follows turtle1. Or so it should be.
+"""A teacher drives a circle, turtle1 should copy it, and turtle2 should follow turtle1.
 
     ros2 launch broken_follow.launch.py speed:=1.2
 
-Nothing here is missing and nothing crashes, but three things are wrong: one name of a turtle, one name of a frame, and
-one remapping that was forgotten. turtle1 does not move, and turtle2 does not either. The teacher's part is right.
+No node is missing and nothing crashes, but there are three mistakes: in the name of a turtle, in the name of a frame,
+and in a remapping. Neither turtle1 nor turtle2 moves. The part of the teacher is right.
 
-ros2 reports no error for any of the three: nobody forbids to listen to a topic on which nobody talks, or to ask for a
-frame that may still come. Find them with what the grader sees, or with ros2 topic list, ros2 node info and view_frames.
+ROS 2 reports no error for any of the three: a node may subscribe to a topic without a publisher, and ask for a frame
+that does not exist yet. Find them with the report of the grader, or with ros2 topic list, ros2 node info and view_frames.
 
 Grade it: edugrade exercises/broken_follow.launch.py        A hint: edugrade exercises/broken_follow.launch.py --hint 1
 """
@@ -21,14 +21,14 @@ def generate_launch_description():
     return LaunchDescription([
         DeclareLaunchArgument('speed', default_value='1.0', description="The teacher's speed (in m/s)."),
 
-        # The teacher's world, and what makes the teacher drive.
+        # The teacher's world, and the command that drives the teacher.
         Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='teacher'),
         ExecuteProcess(
             cmd=['ros2', 'topic', 'pub', '/teacher/turtle1/cmd_vel', 'geometry_msgs/msg/Twist', circle],
         ),
 
-        # TODO: three things are wrong from here on. Repair one, grade again, and see what changes.
-        # The world of turtle1 and turtle2, and mimic, which lets turtle1 do what the teacher does.
+        # TODO: there are three mistakes below. Repair one, grade again, and see what changes.
+        # The world of turtle1 and turtle2, and mimic, which lets turtle1 copy the teacher.
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         Node(
             package='turtlesim',
@@ -39,7 +39,7 @@ def generate_launch_description():
             ],
         ),
 
-        # tf is told where both turtles are; turtle2 drives to turtle1.
+        # Two broadcasters for both turtles, and a listener that drives turtle2 to turtle1.
         Node(
             package='turtle_tf2_py',
             executable='turtle_tf2_broadcaster',

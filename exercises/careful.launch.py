@@ -1,9 +1,9 @@
-"""A driver that waits for the word, and an end for everything.
+"""A driver that waits for a message, and a launch that ends after some time.
 
     ros2 launch careful.launch.py end:=5.0
 
-The echo hears one word of the talker, and ends: that is the sign for the driver, who starts then and not before. After end
-seconds the launch is shut down, and everything ends.
+The process echo receives one message of the talker and ends. Only then the driver starts. After end seconds, the launch
+shuts down, and everything ends.
 
 Grade it: edugrade exercises/careful.launch.py        A hint: edugrade exercises/careful.launch.py --hint 1
 """

@@ -1,11 +1,11 @@
-"""turtle2 runs after a carrot that hangs at turtle1: fixed, or moving.
+"""turtle2 follows a carrot, a frame at turtle1 that is either fixed or moving.
 
     ros2 launch carrot.launch.py carrot:=moving
 
-The included demo brings turtlesim, turtle1, and turtle2, which drives to the frame that the demo's launch argument
-`target_frame` names: turtle1, when nobody says otherwise. Two broadcasters can hang the frame carrot1 at turtle1:
-fixed_frame_tf2_broadcaster holds it two metres to the left, dynamic_frame_tf2_broadcaster swings it from side to side.
-Now both are started, and fight. Fill the three gaps.
+The included demo starts turtlesim, turtle1, and turtle2, which drives to a frame. The launch argument `target_frame` of
+the demo names this frame; the default is turtle1. Two programs can broadcast the frame carrot1 relative to turtle1:
+fixed_frame_tf2_broadcaster puts it two metres to the left, dynamic_frame_tf2_broadcaster moves it from side to side.
+At the moment both run and contradict each other. Fill the three gaps.
 
 Grade it: edugrade exercises/carrot.launch.py        A hint: edugrade exercises/carrot.launch.py --hint 1
 """
@@ -19,7 +19,7 @@ from launch_ros.substitutions import FindPackageShare
 
 def generate_launch_description():
     return LaunchDescription([
-        # TODO 1: declare the launch argument carrot: fixed or moving, and fixed when nobody says otherwise
+        # TODO 1: declare the launch argument carrot with the choices fixed and moving, and the default fixed
 
         IncludeLaunchDescription(
             PythonLaunchDescriptionSource(

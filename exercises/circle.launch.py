@@ -1,10 +1,10 @@
-"""A robot that drives a circle, with its world, in one launch.
+"""A robot that drives a circle, and its world, in one launch file.
 
     ros2 launch circle.launch.py circle_radius:=0.8
 
-The node param_circle.py of the package part3_beyond_basics sends velocities for a circle. Its parameter
-`radius` is the radius in metres, 0.5 when nobody sets it. There is no robot yet to obey it, and nothing
-outside can choose the radius. Fill the three gaps.
+The node param_circle.py of the package part3_beyond_basics publishes velocities for a circle. Its parameter
+`radius` is the radius in metres; the default is 0.5. No robot receives the velocities yet, and the user
+cannot choose the radius. Fill the three gaps.
 
 Grade it: edugrade exercises/circle.launch.py        A hint: edugrade exercises/circle.launch.py --hint 1
 """

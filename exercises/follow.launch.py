@@ -1,13 +1,13 @@
-"""turtle2 follows turtle1 through tf.
+"""turtle2 follows turtle1 with the help of tf2.
 
     ros2 launch follow.launch.py move:=true
 
-broadcaster1 tells tf where turtle1 is: the frame turtle1 in the frame world. The node turtle_tf2_listener
-spawns turtle2, asks tf once a second where the frame `target_frame` is as seen from the frame turtle2, and
+broadcaster1 broadcasts where turtle1 is: the frame turtle1 relative to the frame world. The node turtle_tf2_listener
+spawns turtle2, asks tf2 once a second where the frame `target_frame` is as seen from the frame turtle2, and
 drives turtle2 there. It needs both frames. Fill the two gaps.
 
-The grader launches this file twice: without arguments, when turtle1 stands still, and with move:=true, when
-turtle1 drives a square. That part is there already.
+The grader launches this file twice: without arguments, when turtle1 does not move, and with move:=true, when
+turtle1 drives a square. The part for the square is complete.
 
 Grade it: edugrade exercises/follow.launch.py        A hint: edugrade exercises/follow.launch.py --hint 1
 """
@@ -21,7 +21,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     move = LaunchConfiguration('move')
     return LaunchDescription([
-        DeclareLaunchArgument('move', default_value='false', description='Whether turtle1 drives a square.'),
+        DeclareLaunchArgument('move', default_value='false', description='true: turtle1 drives a square.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         Node(package='turtlesim', executable='draw_square', condition=IfCondition(move)),
         Node(
@@ -32,6 +32,6 @@ def generate_launch_description():
         ),
         # TODO 1: start turtle_tf2_listener of turtle_tf2_py, with the parameter target_frame set to turtle1
 
-        # TODO 2: the same as broadcaster1 for turtle2: a node named broadcaster2
+        # TODO 2: start a node like broadcaster1 for turtle2, named broadcaster2
 
     ])

@@ -1,9 +1,9 @@
-"""Three programs that must not start together.
+"""Three programs that start one after the other.
 
     ros2 launch in_order.launch.py delay:=3.0
 
-The simulator starts. When it has started, draw_square starts (name: driver). The launch argument delay says how many
-seconds after draw_square a second simulator, /late/sim, comes.
+The simulator starts. When it has started, draw_square starts (its node name is driver). The launch argument delay is the
+number of seconds between the start of draw_square and the start of the other simulator, /late/sim.
 
 Grade it: edugrade exercises/in_order.launch.py        A hint: edugrade exercises/in_order.launch.py --hint 1
 """

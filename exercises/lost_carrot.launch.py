@@ -1,8 +1,8 @@
-"""turtle2 should go to a carrot, 2 m to the left of turtle1. Everything runs, and it goes nowhere.
+"""turtle2 should drive to a carrot, 2 m to the left of turtle1. Everything runs, but turtle2 does not move.
 
     ros2 launch lost_carrot.launch.py side:=2.0
 
-Two places are wrong. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
+There are two mistakes. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
 
 Grade it: edugrade exercises/lost_carrot.launch.py        A hint: edugrade exercises/lost_carrot.launch.py --hint 1
 """
@@ -20,14 +20,14 @@ def broadcaster(turtle):
 def generate_launch_description():
     side = LaunchConfiguration('side')
     return LaunchDescription([
-        DeclareLaunchArgument('side', default_value='2.0', description='How far to the left, in metres.'),
+        DeclareLaunchArgument('side', default_value='2.0', description='Distance to the left, in metres.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         broadcaster('turtle1'),
         broadcaster('turtle2'),
-        # TODO 1: the carrot belongs to turtle1
+        # TODO 1: the parent of the carrot should be turtle1
         Node(package='tf2_ros', executable='static_transform_publisher', name='carrot',
              arguments=['--y', side, '--frame-id', 'turtle_1', '--child-frame-id', 'carrot1']),
-        # TODO 2: and the listener goes to it
+        # TODO 2: the listener should drive to the carrot
         Node(package='turtle_tf2_py', executable='turtle_tf2_listener', name='listener',
              parameters=[{'target_fram': 'carrot1'}]),
     ])

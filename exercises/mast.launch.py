@@ -2,8 +2,8 @@
 
     ros2 launch mast.launch.py angle:=0.5
 
-The mast stands 0.1 m in front of base_link and 0.2 m above it, and turns round z; the camera sits on it, 0.3 m higher. The
-node robot_state_publisher is there already; the motor speaks on /joint_states and says the angle.
+The mast is 0.1 m in front of base_link and 0.2 m above it, and turns about z. The camera is on the mast, 0.3 m above its
+frame. The node robot_state_publisher is already there. The motor publishes the angle on /joint_states.
 
 Grade it: edugrade exercises/mast.launch.py        A hint: edugrade exercises/mast.launch.py --hint 1
 """
@@ -19,7 +19,7 @@ CART = """<robot name="cart">
     <origin xyz="0.1 0 0.2"/>
     <axis xyz="0 0 1"/>
   </joint>
-  <!-- TODO 1: the link camera, and the fixed joint camera_joint from mast to camera, 0.3 m above it -->
+  <!-- TODO 1: add the link camera, and the fixed joint camera_joint from mast to camera, 0.3 m higher -->
 
 </robot>"""
 
@@ -28,8 +28,8 @@ def generate_launch_description():
     angle = LaunchConfiguration('angle')
     motor = ['ros2', 'topic', 'pub', '-r', '10', '/joint_states', 'sensor_msgs/msg/JointState']
     return LaunchDescription([
-        DeclareLaunchArgument('angle', default_value='0.5', description='Of the mast, in radians.'),
+        DeclareLaunchArgument('angle', default_value='0.5', description='Angle of the mast, in radians.'),
         Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': CART}]),
-        # TODO 2: the motor: ExecuteProcess with motor and one text more, {header: auto, name: [...], position: [...]}
+        # TODO 2: add ExecuteProcess with `motor` and one more string, {header: auto, name: [...], position: [...]}
 
     ])

@@ -1,9 +1,9 @@
-"""A driver in a world of its own, and a recorder that is there before it: nothing of the drive is lost.
+"""A recorder that starts before the driver, so that it records the whole drive.
 
     ros2 launch black_box.launch.py robot:=red
 
-The recorder writes the two topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts when the recorder
-has started, not before.
+The recorder writes the topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts only when the
+recorder has started.
 
 Grade it: edugrade exercises/black_box.launch.py        A hint: edugrade exercises/black_box.launch.py --hint 1
 """

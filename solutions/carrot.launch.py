@@ -1,6 +1,11 @@
-"""turtle2 runs after a carrot that hangs at turtle1: fixed, or moving.
+"""turtle2 follows a carrot, a frame at turtle1 that is either fixed or moving.
 
     ros2 launch carrot.launch.py carrot:=moving
+
+The included demo starts turtlesim, turtle1, and turtle2, which drives to a frame. The launch argument `target_frame` of
+the demo names this frame; the default is turtle1. Two programs can broadcast the frame carrot1 relative to turtle1:
+fixed_frame_tf2_broadcaster puts it two metres to the left, dynamic_frame_tf2_broadcaster moves it from side to side.
+At the moment both run and contradict each other. Fill the three gaps.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription

@@ -1,6 +1,10 @@
-"""A robot that drives a circle, with its world, in one launch.
+"""A robot that drives a circle, and its world, in one launch file.
 
     ros2 launch circle.launch.py circle_radius:=0.8
+
+The node param_circle.py of the package part3_beyond_basics publishes velocities for a circle. Its parameter
+`radius` is the radius in metres; the default is 0.5. No robot receives the velocities yet, and the user
+cannot choose the radius. Fill the three gaps.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription

@@ -1,9 +1,9 @@
-"""Two worlds, and the dark one infects the bright one: something leaks.
+"""Two worlds, one dark and one bright. At the moment the settings of the dark one also apply to the other.
 
     ros2 launch fence.launch.py
 
-There should be /night/sim with dark water (background_b 40) and /day/sim with the usual one (255). There is a
-/night/day/sim instead, and it is dark, too. Close the fence.
+There should be /night/sim with dark water (background_b 40) and /day/sim with the default (255). Instead there is
+/night/day/sim, and its water is dark, too. Limit the settings to the group.
 
 Grade it: edugrade exercises/fence.launch.py        A hint: edugrade exercises/fence.launch.py --hint 1
 """
@@ -18,7 +18,7 @@ WORLD = {'package': 'turtlesim', 'executable': 'turtlesim_node', 'name': 'sim'}
 def generate_launch_description():
     blue = LaunchConfiguration('blue')
     return LaunchDescription([
-        DeclareLaunchArgument('blue', default_value='40', description='How blue the night is.'),
+        DeclareLaunchArgument('blue', default_value='40', description='Blue value of the night.'),
         GroupAction([
             PushROSNamespace('night'),
             SetParameter('background_b', blue),

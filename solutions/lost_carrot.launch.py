@@ -1,8 +1,8 @@
-"""turtle2 should go to a carrot, 2 m to the left of turtle1. Everything runs, and it goes nowhere.
+"""turtle2 should drive to a carrot, 2 m to the left of turtle1. Everything runs, but turtle2 does not move.
 
     ros2 launch lost_carrot.launch.py side:=2.0
 
-Two places are wrong. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
+There are two mistakes. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
 
 Grade it: edugrade exercises/lost_carrot.launch.py        A hint: edugrade exercises/lost_carrot.launch.py --hint 1
 """
@@ -20,7 +20,7 @@ def broadcaster(turtle):
 def generate_launch_description():
     side = LaunchConfiguration('side')
     return LaunchDescription([
-        DeclareLaunchArgument('side', default_value='2.0', description='How far to the left, in metres.'),
+        DeclareLaunchArgument('side', default_value='2.0', description='Distance to the left, in metres.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         broadcaster('turtle1'),
         broadcaster('turtle2'),

@@ -2,8 +2,8 @@
 
     ros2 launch mast.launch.py angle:=0.5
 
-The mast stands 0.1 m in front of base_link and 0.2 m above it, and turns round z; the camera sits on it, 0.3 m higher. The
-node robot_state_publisher is there already; the motor speaks on /joint_states and says the angle.
+The mast is 0.1 m in front of base_link and 0.2 m above it, and turns about z. The camera is on the mast, 0.3 m above its
+frame. The node robot_state_publisher is already there. The motor publishes the angle on /joint_states.
 
 Grade it: edugrade exercises/mast.launch.py        A hint: edugrade exercises/mast.launch.py --hint 1
 """
@@ -31,7 +31,7 @@ def generate_launch_description():
     angle = LaunchConfiguration('angle')
     motor = ['ros2', 'topic', 'pub', '-r', '10', '/joint_states', 'sensor_msgs/msg/JointState']
     return LaunchDescription([
-        DeclareLaunchArgument('angle', default_value='0.5', description='Of the mast, in radians.'),
+        DeclareLaunchArgument('angle', default_value='0.5', description='Angle of the mast, in radians.'),
         Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': CART}]),
         ExecuteProcess(cmd=[*motor, ['{header: auto, name: [mast_joint], position: [', angle, ']}']]),
     ])

@@ -1,9 +1,9 @@
-"""A driver that comes only on request, and a second world for crowds.
+"""A driver and another world that start only if the user wants them.
 
     ros2 launch on_request.launch.py drive:=true worlds:=2
 
-There is always the world /one/sim. With drive:=true a node /one/draw_square drives in it. With worlds:=2 there is a second
-world, /two/sim.
+The world /one/sim always starts. With drive:=true a node /one/draw_square drives in it. With worlds:=2 another world
+starts, /two/sim.
 
 Grade it: edugrade exercises/on_request.launch.py        A hint: edugrade exercises/on_request.launch.py --hint 1
 """
@@ -17,8 +17,8 @@ from launch_ros.actions import Node
 def generate_launch_description():
     drive, worlds = LaunchConfiguration('drive'), LaunchConfiguration('worlds')
     return LaunchDescription([
-        DeclareLaunchArgument('drive', default_value='false', description='Whether somebody drives.'),
-        DeclareLaunchArgument('worlds', default_value='1', choices=['1', '2'], description='How many worlds.'),
+        DeclareLaunchArgument('drive', default_value='false', description='true: draw_square drives.'),
+        DeclareLaunchArgument('worlds', default_value='1', choices=['1', '2'], description='Number of worlds.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='one'),
         Node(package='turtlesim', executable='draw_square', namespace='one', condition=IfCondition(drive)),
         Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='two',

@@ -1,9 +1,9 @@
-"""A talker and two listeners, and neither of them hears a word. Nothing reports an error.
+"""A talker and two listeners, and neither listener receives a message. ROS 2 reports no error.
 
     ros2 launch silent_listener.launch.py
 
-The talker stays as it is: it speaks on /news/chatter. Both listeners shall hear it, and keep their names and namespaces.
-Two places are wrong.
+Do not change the talker: it publishes on /news/chatter. Both listeners should receive its messages, and keep their names
+and namespaces. There are two mistakes.
 
 Grade it: edugrade exercises/silent_listener.launch.py        A hint: edugrade exercises/silent_listener.launch.py --hint 1
 """

@@ -1,6 +1,11 @@
 """A laser and a camera on the mast of a robot, as static frames.
 
     ros2 launch static_frame.launch.py height:=0.8
+
+Sensors report what they see relative to themselves. A static frame tells tf2 once, and for the whole run, where a sensor
+is. The program static_transform_publisher of the package tf2_ros publishes it. Its arguments are --x --y --z (in metres),
+--yaw --pitch --roll (in radians), --frame-id (the parent) and --child-frame-id (the new frame). Numbers that you omit are 0.
+tf2_echo, which already runs, prints the camera as seen from base_link as soon as tf2 knows it. Fill the two gaps.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
@@ -10,7 +15,7 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        DeclareLaunchArgument('height', default_value='0.5', description='Height of the laser (in meters).'),
+        DeclareLaunchArgument('height', default_value='0.5', description='Height of the laser (in metres).'),
         Node(
             package='tf2_ros',
             executable='static_transform_publisher',

@@ -1,9 +1,9 @@
-"""Frames, one on top of the other: floor, table, lamp.
+"""Three frames, one on top of the other: floor, table, lamp.
 
     ros2 launch tower.launch.py height:=0.75
 
-The frame table stands in floor at x = 1.0, as high as the launch argument height says; the frame lamp stands in table, 0.4 m
-above it, and is turned by a quarter to the left (yaw 1.5708).
+The frame table is at x = 1.0 in the frame floor, and the launch argument height is its z. The frame lamp is 0.4 m above
+the frame table, and turned by a quarter turn to the left (yaw 1.5708).
 
 Grade it: edugrade exercises/tower.launch.py        A hint: edugrade exercises/tower.launch.py --hint 1
 """
@@ -21,7 +21,7 @@ def frame(parent, child, *arguments):
 def generate_launch_description():
     height = LaunchConfiguration('height')
     return LaunchDescription([
-        DeclareLaunchArgument('height', default_value='0.75', description='Of the table, in metres.'),
+        DeclareLaunchArgument('height', default_value='0.75', description='Height of the table, in metres.'),
         frame('house', 'floor'),
         frame('floor', 'table', '--x', '1.0', '--z', height),
         frame('table', 'lamp', '--z', '0.4', '--yaw', '1.5708'),

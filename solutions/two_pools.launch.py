@@ -1,8 +1,8 @@
-"""The turtle of the first pool should drive a circle, and that of the second one copy it. Everything runs, nothing moves.
+"""The turtle of the first pool should drive a circle, and that of the second one should copy it. No turtle moves.
 
     ros2 launch two_pools.launch.py speed:=1.0
 
-Two places are wrong. Find them with the tools (ros2 topic info, ros2 node info, edulaunch doctor) before you read the file.
+There are two mistakes. Find them with the tools (ros2 topic info, ros2 node info, edulaunch doctor) before you read the file.
 
 Grade it: edugrade exercises/two_pools.launch.py        A hint: edugrade exercises/two_pools.launch.py --hint 1
 """
@@ -16,7 +16,7 @@ def generate_launch_description():
     values = ['{linear: {x: ', LaunchConfiguration('speed'), '}, angular: {z: 1.0}}']
     drive = ['ros2', 'topic', 'pub', '-r', '1', '/first/turtle1/cmd_vel', 'geometry_msgs/msg/Twist']
     return LaunchDescription([
-        DeclareLaunchArgument('speed', default_value='1.0', description='Of the first turtle, in metres per second.'),
+        DeclareLaunchArgument('speed', default_value='1.0', description='Speed of the first turtle, in metres per second.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='first'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='second'),
         ExecuteProcess(cmd=[*drive, values]),

@@ -1,9 +1,9 @@
-"""A talker and a listener in the hall, and a listener in the kitchen that hears the same news.
+"""A talker and a listener in the hall, and a listener in the kitchen that receives the same messages.
 
     ros2 launch two_rooms.launch.py room:=kitchen
 
-The talker /hall/talker speaks on /hall/chatter, and /hall/listener hears it. The second listener lives in a namespace
-of which only the name is known when the file is launched: the launch argument room. It shall hear the talker of the hall, too.
+The talker /hall/talker publishes on /hall/chatter, and /hall/listener receives its messages. The launch argument room is
+the namespace of the second listener, so its name is known only at launch. It should receive the same messages.
 
 Grade it: edugrade exercises/two_rooms.launch.py        A hint: edugrade exercises/two_rooms.launch.py --hint 1
 """
@@ -16,7 +16,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     room = LaunchConfiguration('room')
     return LaunchDescription([
-        DeclareLaunchArgument('room', default_value='kitchen', description='Where the second listener lives.'),
+        DeclareLaunchArgument('room', default_value='kitchen', description='Namespace of the second listener.'),
         Node(package='demo_nodes_py', executable='talker', namespace='hall'),
         Node(package='demo_nodes_py', executable='listener', namespace='hall'),
         Node(package='demo_nodes_py', executable='listener', namespace=room, remappings=[('chatter', '/hall/chatter')]),

@@ -1,9 +1,9 @@
-"""Two turtles come to visit, and one of them in the right place.
+"""Two new turtles; the user chooses the position of one of them.
 
     ros2 launch visitors.launch.py x:=3.0
 
-When the simulator has started, the service /spawn is called twice: for a turtle bert at (9, 9), and for a turtle carl whose x
-is the launch argument x, and whose y is 2. (A call is `ros2 service call NAME TYPE VALUES`.)
+When the simulator has started, call the service /spawn twice: for a turtle bert at (9, 9), and for a turtle carl at (x, 2).
+The launch argument x is the x of carl. (A call is `ros2 service call NAME TYPE VALUES`.)
 
 Grade it: edugrade exercises/visitors.launch.py        A hint: edugrade exercises/visitors.launch.py --hint 1
 """
@@ -21,7 +21,7 @@ def spawn(*words):
 def generate_launch_description():
     sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
     return LaunchDescription([
-        DeclareLaunchArgument('x', default_value='3.0', description='Where carl comes, in metres from the left.'),
+        DeclareLaunchArgument('x', default_value='3.0', description='The x of carl, in metres from the left.'),
         RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[
             spawn('{x: 9.0, y: 9.0, name: bert}'),
             spawn('{x: ', LaunchConfiguration('x'), ', y: 2.0, name: carl}'),

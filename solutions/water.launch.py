@@ -2,7 +2,7 @@
 
     ros2 launch water.launch.py red:=200 green:=0 blue:=40
 
-turtlesim_node has the whole numbers background_r, background_g and background_b, 0 to 255.
+turtlesim_node has the parameters background_r, background_g and background_b, whole numbers from 0 to 255.
 
 Grade it: edugrade exercises/water.launch.py        A hint: edugrade exercises/water.launch.py --hint 1
 """
@@ -14,9 +14,9 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        DeclareLaunchArgument('red', default_value='69', description='0 to 255.'),
-        DeclareLaunchArgument('green', default_value='86', description='0 to 255.'),
-        DeclareLaunchArgument('blue', default_value='255', description='0 to 255.'),
+        DeclareLaunchArgument('red', default_value='69', description='Red value, 0 to 255.'),
+        DeclareLaunchArgument('green', default_value='86', description='Red value, 0 to 255.'),
+        DeclareLaunchArgument('blue', default_value='255', description='Red value, 0 to 255.'),
         Node(
             package='turtlesim', executable='turtlesim_node', name='sim',
             parameters=[{f'background_{colour[0]}': LaunchConfiguration(colour) for colour in ('red', 'green', 'blue')}],

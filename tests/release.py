@@ -1,4 +1,4 @@
-"""Build the sdist and the wheel, check both, and run the main job with the wheel alone: python -m tests.release [FOLDER]
+"""Build the sdist and the wheel, check both, and try the wheel alone and with JupyterLab: python -m tests.release [FOLDER]
 
 The files stay in FOLDER (default: dist). Nothing is published. The exit code is that of the first step that fails.
 """
@@ -34,7 +34,7 @@ def main(words: list[str]) -> int:
 
 
 def release(folder: Path, work: Path) -> None:
-    """Build into `folder`, check what was built, and grade a solution with the wheel in an empty environment.
+    """Build into `folder`, check what was built, and try the wheel in an empty environment and in one with JupyterLab.
 
     :raises subprocess.CalledProcessError: for the first step that fails.
     """
@@ -43,12 +43,29 @@ def release(folder: Path, work: Path) -> None:
     run(tools / 'twine', 'check', '--strict', *folder.iterdir())
     (wheel,) = folder.glob('*.whl')
     run(tools / 'check-wheel-contents', '--ignore', IGNORED, wheel)
-    alone = environment(work / 'alone', '-c', ROOT / 'constraints.txt', wheel)
+    alone = environment(work / 'alone', '--require-hashes', '-r', ROOT / 'hashes.txt')
+    run(alone / 'python', '-m', 'pip', 'install', '--quiet', '--no-deps', wheel)
+    run(alone / 'python', '-m', 'pip', 'check')
     submission = work / 'submission'
     submission.mkdir()
     shutil.copy(ROOT / 'solutions' / 'circle.launch.py', submission)
     run(alone / 'edugrade', 'circle.launch.py', cwd=submission)
     run(alone / 'edulaunch', 'course', 'copy', 'course', cwd=submission)
+    notebook = environment(work / 'notebook', '-c', ROOT / 'constraints.txt', f'{wheel}[notebook]')
+    run(notebook / 'edugrade', 'circle.launch.py', cwd=submission)
+    lesson = submission / 'course' / 'lessons' / '01_first_launch.ipynb'
+    run(
+        notebook / 'python',
+        '-m',
+        'nbconvert',
+        '--execute',
+        '--to',
+        'notebook',
+        '--output',
+        'done.ipynb',
+        lesson,
+        cwd=lesson.parent,
+    )
 
 
 def environment(folder: Path, *installed: str | Path) -> Path:

@@ -54,6 +54,10 @@ EXTRAS = {
         ('edulaunch/extras/network', 'tests/extras/network'), {COMPARE: 'network', NETWORK: 'network', REAL: 'network'}
     ),
     'native': Extra(('edulaunch/extras/native', 'tests/extras/native'), {COMPARE: 'native', NETWORK: 'native', REAL: 'native'}),
+    'editor': Extra(
+        ('edulaunch/extras/editor', 'tests/extras/editor'),
+        {('edulaunch', 'lsp', '--stdio'): 'editor', ('edulaunch', 'course', 'template', 'vscode', '.'): 'editor'},
+    ),
     'testing': Extra(
         (
             *(f'edulaunch/extras/{name}' for name in ('testing', 'pytest_plugin', 'launch_test.py')),

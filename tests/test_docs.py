@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
 
 from tests.house import ROOT, modules, tree
+from tests.lessons.notebook import ORDER, Lesson
 
 DOCS = ROOT / 'docs'
 ENGINE = ROOT / 'edulaunch' / 'engine'
@@ -16,10 +19,76 @@ PAGES = sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob('*.md'))
 
 
 def test_every_page_is_in_the_navigation() -> None:
-    text = (ROOT / 'mkdocs.yml').read_text('utf-8')
-    nav = yaml.safe_load(text)['nav']
-    named = [page for entry in nav for page in ([entry] if isinstance(entry, str) else next(iter(entry.values())))]
-    assert sorted(named) == PAGES
+    nav = yaml.safe_load((ROOT / 'mkdocs.yml').read_text('utf-8'))['nav']
+    assert [next(iter(entry)) for entry in nav[1:]] == ['Tutorials', 'How-to guides', 'Reference', 'Explanation']
+    assert sorted(_pages_of(nav)) == PAGES
+
+
+def _pages_of(entries: list[Any]) -> list[str]:
+    """Return the pages of the navigation, of each level."""
+    return [page for entry in entries for page in ([entry] if isinstance(entry, str) else _pages_of(next(iter(entry.values()))))]
+
+
+@pytest.mark.parametrize('page', PAGES)
+def test_no_page_is_long(page: str) -> None:
+    """A page has one purpose. Lists of rules may be longer, because a rule keeps its page."""
+    assert len((DOCS / page).read_text('utf-8').split()) <= (2000 if page.startswith('advice/') else 1500)
+
+
+@pytest.mark.parametrize('page', PAGES)
+def test_anchors_of_links_are_headings(page: str) -> None:
+    for name, anchor in re.findall(r'\]\(([\w./-]*\.md)?#([\w-]+)\)', (DOCS / page).read_text('utf-8')):
+        target = (DOCS / page).parent / name if name else DOCS / page
+        assert anchor in _anchors(target), f'{name}#{anchor}'
+
+
+@cache
+def _anchors(page: Path) -> set[str]:
+    """Return the anchors that mkdocs and GitHub make of the headings of a page."""
+    headings = re.findall(r'^#+ (.+)$', re.sub(r'```.*?```', '', page.read_text('utf-8'), flags=re.S), re.M)
+    return {re.sub(r'\s+', '-', re.sub(r'[^\w\s-]', '', heading).strip().lower()) for heading in headings}
+
+
+@pytest.mark.parametrize(
+    'page',
+    [
+        'architecture.md',
+        'engine_parts.md',
+        'confinement.md',
+        'contributing.md',
+        'how_to_add.md',
+        'in_the_browser.md',
+        'network_measured.md',
+    ],
+)
+def test_the_files_that_a_page_names_are_there(page: str) -> None:
+    text = re.sub(r'```.*?```', '', (DOCS / page).read_text('utf-8'), flags=re.S)
+    known = {
+        path.relative_to(ROOT).as_posix() for folder in ('edulaunch', 'grader', 'tests') for path in (ROOT / folder).rglob('*.py')
+    }
+    named = [name for name in re.findall(r'`([\w/]+\.py)`', text) if 'crane' not in name and 'platform_views' not in name]
+    assert named
+    assert [name for name in named if not any(f'/{path}'.endswith(f'/{name}') for path in known)] == []
+
+
+def test_the_sample_report_is_what_edugrade_prints() -> None:
+    """The golden report of the starter file has each line of the sample, in its order."""
+    sample = re.search(r'```\n\$ edugrade exercises/circle.launch.py\n(.*?)```', (DOCS / 'grading.md').read_text('utf-8'), re.S)
+    assert sample
+    printed = iter((ROOT / 'tests' / 'grader' / 'golden' / 'stub' / 'report.txt').read_text('utf-8').splitlines())
+    wanted = [
+        line.replace('exercises/', '') for line in sample[1].splitlines()[1:] if line not in ('', '...') and 'try: ' not in line
+    ]
+    missing = [line for line in wanted if line not in printed]
+    assert missing == []
+
+
+def test_the_times_of_the_first_week_are_those_of_the_lessons() -> None:
+    rows = re.findall(r'^\| `(\d\d_\w+)` \| (\d+) \|$', (DOCS / 'first_week.md').read_text('utf-8'), re.M)
+    assert [name for name, _ in rows] == [*ORDER]
+    for name, minutes in rows:
+        text = '\n'.join(cell.source for cell in Lesson(name).cells if cell.kind == 'markdown')
+        assert f'about {minutes} minutes' in text, name
 
 
 @pytest.mark.parametrize('page', PAGES)
@@ -29,8 +98,7 @@ def test_links_between_pages_lead_somewhere(page: str) -> None:
 
 
 def test_the_files_of_the_three_walks_are_there() -> None:
-    text = (DOCS / 'architecture.md').read_text('utf-8')
-    walks = text[text.index('## Three walks') :].split('\n### ')[1:]
+    walks = (DOCS / 'walks.md').read_text('utf-8').split('\n## ')[1:]
     assert len(walks) == 3
     for walk in walks:
         before = ''

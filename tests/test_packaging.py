@@ -9,6 +9,7 @@ import sys
 
 import pytest
 
+from edulaunch.runtime.version import __version__
 from tests.house import ROOT, every_import, modules
 
 if sys.version_info >= (3, 11):
@@ -16,6 +17,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
+KINDS_OF_CHANGE = {'Added', 'Changed', 'Deprecated', 'Removed', 'Fixed', 'Security'}
 TOP = {
     *(
         '.ci',
@@ -29,6 +31,7 @@ TOP = {
         'README.md',
         'SECURITY.md',
         'constraints.txt',
+        'hashes.txt',
         'mkdocs.yml',
         'pyproject.toml',
         'setup.sh',
@@ -79,3 +82,24 @@ def test_nothing_lies_at_the_top_that_does_not_belong_there() -> None:
         pytest.skip('no git here, so that nobody can say what belongs to the project')
     kept = subprocess.run([git, '-C', str(ROOT), 'ls-files'], capture_output=True, text=True, check=True).stdout.split('\n')
     assert {name.partition('/')[0] for name in kept if name} <= TOP
+
+
+def test_the_hashes_are_those_of_the_pinned_packages_and_all_are_there() -> None:
+    """`pip install -c constraints.txt -e .` cannot have hashes: pip refuses them for a folder. So they are in a file of their own."""
+    pins = set(re.findall(r'^([\w.-]+==[\w.]+)', (ROOT / 'constraints.txt').read_text('utf-8'), re.M))
+    blocks = re.split(r'\n(?=\w)', (ROOT / 'hashes.txt').read_text('utf-8').strip())
+    locked = {block.partition(' ')[0] for block in blocks}
+    assert locked <= pins
+    assert [block for block in blocks if '--hash=sha256:' not in block] == []
+    required = tomllib.loads((ROOT / 'pyproject.toml').read_text('utf-8'))['project']['dependencies']
+    assert {re.split('[>=;]', line)[0].lower() for line in required} <= {line.partition('==')[0] for line in locked}
+
+
+def test_the_version_says_what_the_classifier_says() -> None:
+    """A stable version has a changelog entry of at most 60 lines."""
+    project = tomllib.loads((ROOT / 'pyproject.toml').read_text('utf-8'))['project']
+    assert 'Development Status :: 5 - Production/Stable' in project['classifiers'] and int(__version__.split('.')[0]) >= 1
+    entries = re.split(r'^## ', (ROOT / 'CHANGELOG.md').read_text('utf-8'), flags=re.M)[1:]
+    of_it = [entry for entry in entries if entry.startswith(f'[{__version__}]')]
+    assert len(of_it) == 1 and of_it[0].strip().count('\n') <= 60
+    assert {name for entry in entries for name in re.findall(r'^### (.*)$', entry, re.M)} <= KINDS_OF_CHANGE

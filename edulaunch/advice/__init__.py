@@ -1,8 +1,8 @@
 """Everything that is said to help: rules over facts, and their words.
 
 Lower rooms raise ROS 2's own errors and record facts; here rules look at an error, a dry run, a Recording or a package's
-sources and find mistakes, and `told` puts a finding into words at the edge (console, cell, page, report).
-`docs/advice.md` lists every rule.
+sources and find mistakes, and `rendered` puts a finding into words at the edge (console, cell, page, report).
+`docs/advice.md` lists every rule, and `reference.py` where each is described.
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ if TYPE_CHECKING:
     from edulaunch.advice.judging import judge, judge_failure, judge_plan, judge_sources
     from edulaunch.advice.reader import Reader, reader_here
     from edulaunch.advice.rule import Failure, Finding, Rule, found
-    from edulaunch.advice.wording import Told, told
+    from edulaunch.advice.wording import Rendered, rendered
 
 _MODULES = {
     **dict.fromkeys(('Failure', 'Finding', 'Rule', 'found'), 'rule'),
     **dict.fromkeys(('judge', 'judge_failure', 'judge_plan', 'judge_sources'), 'judging'),
     **dict.fromkeys(('Reader', 'reader_here'), 'reader'),
-    **dict.fromkeys(('Told', 'told'), 'wording'),
+    **dict.fromkeys(('Rendered', 'rendered'), 'wording'),
 }
 __all__ = [
     'Failure',
     'Finding',
     'Reader',
     'Rule',
-    'Told',
+    'Rendered',
     'found',
     'judge',
     'judge_failure',
     'judge_plan',
     'judge_sources',
     'reader_here',
-    'told',
+    'rendered',
 ]
 
 

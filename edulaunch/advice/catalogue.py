@@ -1,7 +1,7 @@
 """For those who translate: `python -m edulaunch.advice.catalogue` brings the catalogues of all languages up to date.
 
 A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new ones come in untranslated, changed ones marked `fuzzy`;
-`advice.mo`, which readers load, is made of it anew. A new language: make the folder. Needs Babel (`pip install edulaunch[dev]`).
+`advice.mo`, which readers load, is made of it anew. A new language: make the folder. Needs Babel (`pip install '.[dev]'`).
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ ROOMS = ('advice', 'desk', 'jupyter')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(f'edugrade/{name}.py' for name in ('evidence', 'judging', 'noted', 'results', 'verdicts')),
+    *(f'edugrade/rubrics/{name}.py' for name in ('yaml_behaviour', 'yaml_checks')),
+    *(f'edugrade/{name}.py' for name in ('attempts', 'evidence', 'judging', 'results', 'verdicts')),
     *(f'edugrade/reports/{name}.py' for name in ('terminal', 'wording')),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
@@ -67,6 +68,11 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
             yield (ast.get_docstring(node) or '').partition('\n')[0]
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == 'kind':  # of a check in YAML; its fields are no sentence
+            yield str(ast.literal_eval(node.args[0]))
+            inner |= {id(part) for part in ast.walk(node)}
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('MEASURE', 'PROGRAM'):  # names of fields
+            inner |= {id(part) for part in ast.walk(node.value)}
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('WORDS', 'KINDS'):
             yield from ast.literal_eval(node.value)
             inner |= {id(part) for part in ast.walk(node.value)}

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
-from edulaunch.advice.run_sources import launch_scripts
+from edulaunch.advice.run_sources import Script, launch_scripts
 from edulaunch.errors import EdulaunchError
 from edulaunch.ros.collector_pause import collector_paused
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
     from edulaunch.advice.source_package import Workspace
     from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import ProcessRecord
 
 DIED = 'programs.died'
 """Is not told of a program whose error another rule explains."""
@@ -42,8 +44,46 @@ def _judge(recording: Recording) -> list[Finding]:
     ]
     causes = {finding.process for finding in explained}
     others = [one for one in _asked('recordings', recording) if one.rule != DIED or one.name not in causes]
-    others += _asked('scripts', launch_scripts(recording))
-    return in_order(about_command([*explained, *others], recording))
+    others += of_scripts(tuple(launch_scripts(recording)))
+    return in_order(about_command(_without_consequences([*explained, *others], recording), recording))
+
+
+@lru_cache(maxsize=16)
+def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
+    """What the rules over launch files find; the same files keep their syntax trees, so each is judged once."""
+    return tuple(_asked('scripts', list(scripts)))
+
+
+ABSENT = frozenset(
+    ('messages.unknown-package', 'packages.absent-module', 'packages.absent-package', 'programs.compiled-module')
+    + ('programs.library', 'programs.native', 'programs.unknown-module', 'programs.window')
+)
+"""A program that cannot run here: what it publishes, hears and offers is not known."""
+LONELY = frozenset(
+    ('messages.bag-of-nothing', 'messages.no-joint-states', 'messages.no-server', 'messages.nobody-listens')
+    + ('messages.nobody-publishes', 'messages.other-topic', 'time.no-clock')
+)
+"""Say that somebody is missing."""
+
+
+INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
+
+
+def _without_consequences(findings: list[Finding], recording: Recording) -> list[Finding]:
+    """Leave out who is missed, where a program of the command could not run here or has died of an error: it may be the one."""
+    own = [process for process in recording.processes if recording.command is None or process.name in recording.command]
+    names = {process.name for process in own}
+    is_absent = any(finding.rule in ABSENT for finding in findings)
+    has_died = any(finding.rule == DIED and finding.name in names for finding in findings)
+    if not is_absent and not has_died and not any(_has_failed(process) for process in own):
+        return findings
+    commands = {process.name for process in recording.processes if process.argv[:1] == ['ros2']} if is_absent else set()
+    return [one for one in findings if one.rule not in LONELY and not (one.rule == DIED and one.name in commands)]
+
+
+def _has_failed(process: ProcessRecord) -> bool:
+    """Return whether an error ended a program: Ctrl-C is none."""
+    return process.exception is not None and process.exception['type'] not in INTERRUPTS
 
 
 def about_command(findings: list[Finding], recording: Recording) -> list[Finding]:
@@ -85,7 +125,26 @@ def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
     """What is wrong with a launch file, by its dry run."""
     findings = in_order([*_asked('plans', rehearsal), *_asked('scripts', list(students_python(rehearsal)))])
     better = [one for one in findings if one.rule != FAILS]
+    if len(better) < len(findings):
+        better += _behind_failure(rehearsal)
     return better if any(rule_named(one.rule).level == LEVELS[0] for one in better) else findings
+
+
+def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
+    """What the rules over errors say of the error that ended a dry run: more than that the launch file fails."""
+    error = rehearsal.plan['error'] or {}
+    cause = error.get('cause')
+    if cause is None:
+        return []
+    file, _, line = (error['origin'] or '').rpartition(':')
+    if not line.isdigit():
+        file, line = rehearsal.plan['file'], ''
+    return judge_failure(Failure(cause['type'], cause['text'], file, int(line) if line else None, facts=error['facts']))
+
+
+def judge_scripts(scripts: list[Script]) -> list[Finding]:
+    """What is wrong with launch files in Python, by their syntax trees; nothing of them is executed."""
+    return in_order(_asked('scripts', scripts))
 
 
 def judge_failure(error: Failure | BaseException) -> list[Finding]:
@@ -103,7 +162,7 @@ def judge_sources(path: str) -> list[Finding]:
 def judge_workspace(workspace: Workspace) -> list[Finding]:
     """The same, of a workspace that was read already."""
     found = _asked('workspaces', workspace)
-    for source in workspace.sources:
+    for source in (one for one in workspace.sources if not one.is_of_ros_1):
         found += _asked('sources', source)
     return in_order(found)
 
@@ -149,10 +208,10 @@ def _nodes(finding: Finding) -> set[str]:
 
 def _asked(kind: str, thing: Any) -> list[Finding]:
     """What all rules over that kind of thing say of it."""
-    return [finding for rule in rules_over(kind) for finding in _said(rule, thing)]
+    return [finding for rule in rules_over(kind) for finding in _findings_by(rule, thing)]
 
 
-def _said(rule: Rule, thing: Any) -> list[Finding]:
+def _findings_by(rule: Rule, thing: Any) -> list[Finding]:
     """What one rule says. One that fails is told as such: nobody's run ends because of advice."""
     try:
         return [finding._replace(rule=rule.name) for finding in islice(rule.look(thing), MOST)]

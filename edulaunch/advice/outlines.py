@@ -40,7 +40,7 @@ def place_of(branch: Branch) -> dict[str, Any]:
 def launch_files(rehearsal: Rehearsal) -> list[str]:
     """The launch files that were read, the first one first."""
     files = [rehearsal.plan['file'], *(item['file'] for item in rehearsal.plan['items'] if item['kind'] == 'include')]
-    return [file for file in dict.fromkeys(files) if os.path.isfile(file)]
+    return [file for file in dict.fromkeys(map(os.path.realpath, files)) if os.path.isfile(file)]
 
 
 def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:

@@ -170,9 +170,9 @@ class Retelling:
     def __call__(self, text: str) -> str:
         """The sentence in the other language; as it is when no template fits."""
         self._tries = 0
-        return self._retold(text, DEEPEST)[1] if len(text) <= LONGEST else text
+        return self._translated(text, DEEPEST)[1] if len(text) <= LONGEST else text
 
-    def _retold(self, text: str, depth: int) -> tuple[int, str]:
+    def _translated(self, text: str, depth: int) -> tuple[int, str]:
         """How many letters of a text stand in templates, its facts' templates among them, and the text in the other language. Of
         several templates that fit, the one that explains most of the text is meant.
         """
@@ -183,10 +183,10 @@ class Retelling:
         for pattern in self._patterns if depth and self._tries < MOST_TRIES else ():
             facts = pattern.facts(text)
             if facts is not None:
-                told = {name: self._retold(value, depth - 1) for name, value in facts.items()}
-                known = sum(map(len, pattern.texts)) + sum(letters for letters, _ in told.values())
+                translated = {name: self._translated(value, depth - 1) for name, value in facts.items()}
+                known = sum(map(len, pattern.texts)) + sum(letters for letters, _ in translated.values())
                 if known > max(best[0], len(text) // LEAST):
-                    best = known, pattern.template.format_map({name: words for name, (_, words) in told.items()})
+                    best = known, pattern.template.format_map({name: words for name, (_, words) in translated.items()})
         return best
 
 

@@ -55,6 +55,10 @@ Sentence = str | tuple[str, ...]
 """A template with the facts in braces, as `str.format` has them; of several the first counts whose facts are all known."""
 
 
+EditForm = tuple[str, str, str]
+"""Templates of what is written and of what belongs there, and where that is: 'word', or 'import' for a line among the imports."""
+
+
 class Rule(NamedTuple):
     """What is looked at, when it speaks, and the sentences: what is wrong, why that matters, what to do."""
 
@@ -67,6 +71,7 @@ class Rule(NamedTuple):
     level: str
     confidence: str
     hides: tuple[str, ...]
+    edits: tuple[EditForm, ...] = ()
 
     @property
     def group(self) -> str:
@@ -84,17 +89,21 @@ def rule(
     level: str = 'warning',
     confidence: str = 'stated',
     hides: tuple[str, ...] = (),
+    edits: tuple[tuple[str, str] | EditForm, ...] = (),
 ) -> Callable[[Callable[[Any], Iterable[Finding]]], Rule]:
     """Make a rule of a pure function that yields findings of what it is given. Which kind of thing that is, its folder says.
 
     :param name: 'group.what-is-wrong'; the group is one of :data:`GROUPS`.
     :param lesson: the page of the course that explains it: '09_broadcaster_and_listener'.
     :param hides: rules whose findings only follow from this one: they are not told beside it.
+    :param edits: the edits that are certain to be the cure, each as (old, new) or (old, new, place), with the facts in braces.
+        The first one counts whose facts are all known. An `old` that occurs more than once in the line gives no edit.
     """
     assert name.partition('.')[0] in GROUPS and level in LEVELS and confidence in CONFIDENCES, name
 
     def made(look: Callable[[Any], Iterable[Finding]]) -> Rule:
-        return Rule(name, look, _several(what), _several(why), _several(do), lesson, level, confidence, hides)
+        forms = tuple((*edit, 'word')[:3] for edit in edits)
+        return Rule(name, look, _several(what), _several(why), _several(do), lesson, level, confidence, hides, forms)
 
     return made
 

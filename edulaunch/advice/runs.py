@@ -219,6 +219,7 @@ def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
     return found
 
 
+@lru_cache(maxsize=1)
 def frame_names(recording: Recording) -> list[str]:
     """All frames that were ever broadcast, parents too."""
     return list(dict.fromkeys(name.removeprefix('/') for one in broadcasts(recording) for name in (one.parent, one.child)))

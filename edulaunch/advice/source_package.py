@@ -22,6 +22,16 @@ class Source(NamedTuple):
         return self.package.contents.broken is None
 
     @property
+    def is_certain(self) -> bool:
+        """Whether all that a build of it installs is known."""
+        return self.is_readable and not self.package.contents.unread
+
+    @property
+    def is_of_ros_1(self) -> bool:
+        """Whether it is a package of ROS 1, which no ROS 2 workspace builds."""
+        return any(warning.about == 'ROS 1' for warning in self.package.contents.warnings)
+
+    @property
     def installed(self) -> dict[str, str]:
         """Real path of each file that is installed as it is, and where to below the prefix."""
         return {os.path.realpath(path): name for name, path in self.package.contents.files.items()}

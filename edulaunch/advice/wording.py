@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 MOST_NAMES = 12
-MOST_TOLD = 5
+MOST_SHOWN = 5
 """Findings that are told where nobody asked for them."""
 
 
-class Told(NamedTuple):
+class Rendered(NamedTuple):
     """The sentences of a finding; `why` is '' where the rule gives no reason, `where` where no place is known."""
 
     what: str
@@ -36,7 +36,7 @@ class Told(NamedTuple):
         return f'{self.what}{self.where and f" ({self.where})"}\n  help: {self.do}'
 
 
-def told(finding: Finding, reader: Reader | None = None) -> Told:
+def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
     """What is wrong, where, why that matters, and what to do."""
     rule = rule_named(finding.rule)
     reader = reader_here() if reader is None else reader
@@ -44,18 +44,18 @@ def told(finding: Finding, reader: Reader | None = None) -> Told:
     what, why, do = (_worded(templates, facts, reader) for templates in (rule.what, rule.why, rule.do))
     who = (finding.process,) if finding.process and finding.process not in what else ()
     where = ', '.join((*who, *place(finding, reader)))
-    return Told(what, where, why, do, rule.lesson, _sign(rule.level, reader))
+    return Rendered(what, where, why, do, rule.lesson, _sign(rule.level, reader))
 
 
 def warning_lines(
-    findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_TOLD
+    findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_SHOWN
 ) -> list[str]:
     """What is reported at the end of a run, each with what to do; the worst, and how many more there are.
 
     :param shown_by: the command or expression that shows all of them.
     """
     reader = reader_here() if reader is None else reader
-    lines = [f'{words.sign}: {words}' for words in (told(finding, reader) for finding in findings[:most])]
+    lines = [f'{words.sign}: {words}' for words in (rendered(finding, reader) for finding in findings[:most])]
     if len(findings) > most:
         count = len(findings) - most
         more = reader.says('and {count} more; to see all of them: {command}') if shown_by else reader.says('and {count} more')
@@ -63,7 +63,7 @@ def warning_lines(
     return lines
 
 
-def said_at_the_end(
+def end_of_run_lines(
     recording: Recording,
     reader: Reader | None = None,
     helped: Container[str] = (),
@@ -142,7 +142,7 @@ def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
     found = judge_failure(failure)
     if not found:
         return None
-    words = told(found[0], reader)
+    words = rendered(found[0], reader)
     return '; '.join(filter(None, (words.what, words.do)))
 
 
@@ -154,7 +154,7 @@ def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
     if not findings:
         yield reader.says('nothing wrong was found')
     for number, finding in enumerate(findings, 1):
-        words = told(finding, reader)
+        words = rendered(finding, reader)
         margin = ' ' * len(f'{number}. ')
         yield f'{number}. {words.what}'
         lesson = f'lessons/{words.lesson}.ipynb' if words.lesson else ''
@@ -171,11 +171,11 @@ def diagnosis_data(findings: Sequence[Finding], reader: Reader) -> dict[str, Any
 
 
 def _data(finding: Finding, reader: Reader) -> dict[str, Any]:
-    words, rule = told(finding, reader), rule_named(finding.rule)
+    words, rule = rendered(finding, reader), rule_named(finding.rule)
     place = {'file': finding.file, 'line': finding.line, 'time_s': finding.time_s, 'process': finding.process}
-    said = {'what': words.what, 'why': words.why or None, 'do': words.do, 'lesson': words.lesson}
+    sentences = {'what': words.what, 'why': words.why or None, 'do': words.do, 'lesson': words.lesson}
     about = {'kind': finding.kind, 'name': finding.name, 'facts': finding.facts}
-    return {'rule': rule.name, 'level': rule.level, 'confidence': rule.confidence, **about, **place, **said}
+    return {'rule': rule.name, 'level': rule.level, 'confidence': rule.confidence, **about, **place, **sentences}
 
 
 DRAWN = ('node', 'topic', 'frame')
@@ -208,14 +208,14 @@ def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
         node = nodes.get(finding.process or finding.name)
         subject = ('node', node) if node else ('', '')
     file = None if finding.file is None else os.path.basename(finding.file)
-    words = told(finding._replace(file=file), reader_here())
+    words = rendered(finding._replace(file=file), reader_here())
     return Mark(finding.time_s or 0.0, subject, str(words), finding.rule)
 
 
 views.register(
     judge=judge,
-    sentences=told,
-    closing_lines=said_at_the_end,
+    sentences=rendered,
+    closing_lines=end_of_run_lines,
     help_below=help_below,
     help_of=help_of,
     help_of_facts=help_of_facts,

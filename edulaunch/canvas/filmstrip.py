@@ -58,11 +58,9 @@ def still(worlds: list[World], time_s: float) -> tuple[str, str]:
             parts.append(f'<text {place} {NAME_LOOK}>{escape(body.name)}</text>')
     look = f'font-family="sans-serif" font-size="11" fill="{_hex(MUTED)}"'
     size = f'width="{len(scene.windows) * (side + GAP) + GAP}" height="{side + LINE + GAP}"'
-    said = scene.caption()
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size} {look}><title>{escape(said)}</title>{"".join(parts)}</svg>',
-        said,
-    )
+    title = f'<title>{escape(scene.caption())}</title>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size} {look}>{title}{"".join(parts)}</svg>'
+    return svg, scene.caption()
 
 
 def _window(window: Window) -> Iterator[str]:

@@ -29,8 +29,8 @@ class SeriesScene(NamedTuple):
 
     def caption(self) -> str:
         """One line that says what is to be seen."""
-        told = (f'{field} from {points[0][1]:.3f} to {points[-1][1]:.3f}' for field, points in self.lines)
-        return f'{self.topic}: {", ".join(told)}'
+        ranges = (f'{field} from {points[0][1]:.3f} to {points[-1][1]:.3f}' for field, points in self.lines)
+        return f'{self.topic}: {", ".join(ranges)}'
 
 
 def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> SeriesScene:

@@ -2,13 +2,14 @@
 
 ::
 
-    from edulaunch.course import compare, predict, progress, quiz
+    from edulaunch.course import compare, explain, predict, progress, quiz
     predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
-    compare('square-end', (5.5, 5.5))      # after it: "you said ..., it was ..."
-    quiz('remapping')                      # a question with choices; quiz('remapping', 'b') answers it
+    compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., it was ..."
+    quiz('remapping', ...)                 # a question with choices; quiz('remapping', 'b') answers it
+    explain('why-twice', ...)              # write a sentence in place of the dots: it is kept, and the answer is shown
     progress()                             # lessons, predictions, questions, exercises, and what to repeat
 
-Nothing leaves the computer: all is kept in a small readable file beside the notebook.
+Nothing leaves the computer: answers are stored in a small readable file beside the notebook.
 """
 
 from __future__ import annotations
@@ -17,12 +18,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .explanations import explain
     from .predictions import compare, predict
     from .progress_page import progress
     from .quizzes import quiz
 
-__all__ = ['compare', 'predict', 'progress', 'quiz']
-_PLACES = {'compare': 'predictions', 'predict': 'predictions', 'progress': 'progress_page', 'quiz': 'quizzes'}
+__all__ = ['compare', 'explain', 'predict', 'progress', 'quiz']
+_PLACES = {
+    'compare': 'predictions',
+    'explain': 'explanations',
+    'predict': 'predictions',
+    'progress': 'progress_page',
+    'quiz': 'quizzes',
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -21,6 +21,8 @@ from edulaunch.errors import UnusableInput
 
 from .lessons import EXERCISES, LESSONS, manifest
 from .lessons import FOLDER as NOTES
+from .questions import FILE as QUESTIONS
+from .questions import SEALED, seal
 from .stored import as_text, without_outputs
 
 STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
@@ -62,6 +64,8 @@ def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
             found |= {f'{name}/{each}': _content(os.path.join(path, *each.split('/'))) for each in inner}
         elif os.path.isfile(path) and os.path.isfile(os.path.join(course, MANIFEST)):
             found[name] = _content(path)
+    if f'{LESSONS}/{QUESTIONS}' in found:
+        found[f'{LESSONS}/{SEALED}'] = seal(found.pop(f'{LESSONS}/{QUESTIONS}'))
     return dict(sorted(found.items()))
 
 

@@ -13,11 +13,12 @@ from edulaunch.errors import UnusableInput
 
 from .lessons import FOLDER as NOTES
 from .lessons import LESSONS, read_lessons, read_notes
-from .quizzes import FILE, read_questions
+from .questions import FILE, Explanation, Question, questions_file, read_questions
 from .stored import read_outputs
 
+CELLS = ('code', 'markdown', 'raw')
 _ID = re.compile(r'[a-z][a-z0-9]*(-[a-z0-9]+)*')
-_ASKS = re.compile(r"^quiz\('([\w-]+)'", re.MULTILINE)
+_ASKS = re.compile(r"^(quiz|explain)\('([\w-]+)'", re.MULTILINE)
 
 
 def lesson_problems(course: str) -> Iterator[str]:
@@ -26,7 +27,7 @@ def lesson_problems(course: str) -> Iterator[str]:
     if not os.path.isdir(folder):
         return
     lessons = [lesson.name for lesson in read_lessons(folder)]
-    asked: set[str] = set()
+    asked: set[tuple[str, str]] = set()
     for name in lessons:
         cells, problem = _cells(os.path.join(folder, f'{name}.ipynb'))
         problems = [problem] if problem else [*_form(cells), *_kept(os.path.join(folder, f'{name}.ipynb'), cells)]
@@ -34,7 +35,7 @@ def lesson_problems(course: str) -> Iterator[str]:
         asked.update(found for cell in cells for found in _ASKS.findall(_source(cell)))
     if lessons and not os.path.isfile(os.path.join(folder, 'conftest.py')):
         yield f'{LESSONS}/conftest.py is missing: nbval needs "from edulaunch.course.stored import pytest_itemcollected" in it'
-    yield from _questions(os.path.join(folder, FILE), lessons, asked)
+    yield from _questions(folder, lessons, asked)
     strays = [name for name in read_notes(course) if name not in lessons]
     yield from (f'{LESSONS}/{NOTES}/{name}.md: there is no lesson of this name' for name in strays)
 
@@ -44,9 +45,13 @@ def _cells(path: str) -> tuple[list[dict[str, Any]], str]:
     try:
         with open(path, encoding='utf-8') as file:
             cells = json.load(file)['cells']
-        list(map(_source, cells))
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        return [], f'it cannot be read as a notebook: {error!r}'
+        for number, cell in enumerate(cells, 1):
+            if not isinstance(cell.get('id', ''), str) or cell['cell_type'] not in CELLS or not isinstance(_source(cell), str):
+                return [], f'its cell number {number} is none of Jupyter'
+    except KeyError as error:
+        return [], f'it is no notebook: it lacks {error}'
+    except (OSError, ValueError, TypeError, AttributeError, RecursionError) as error:
+        return [], f'it cannot be read as a notebook: {error}'
     return cells, ''
 
 
@@ -77,13 +82,17 @@ def _kept(path: str, cells: list[dict[str, Any]]) -> Iterator[str]:
     yield from (f'outputs are kept of the cell {ident}, which is gone' for ident in sorted(kept - set(code)))
 
 
-def _questions(path: str, lessons: list[str], asked: set[str]) -> Iterator[str]:
+def _questions(folder: str, lessons: list[str], asked: set[tuple[str, str]]) -> Iterator[str]:
     try:
-        known = read_questions(path) if os.path.isfile(path) else {}
+        questions, explanations = read_questions(questions_file(folder))
     except UnusableInput as error:
         yield str(error)
         return
-    yield from (f'{LESSONS}/{FILE} has no question "{name}", which a lesson asks' for name in sorted(asked - set(known)))
-    for question in known.values():
-        if question.lesson not in lessons:
-            yield f'{LESSONS}/{FILE}: the question "{question.name}" names the lesson {question.lesson}, which is not there'
+    kinds = {'quiz': 'question', 'explain': 'explanation'}
+    known: dict[tuple[str, str], Question | Explanation] = {('quiz', name): item for name, item in questions.items()}
+    known.update({('explain', name): item for name, item in explanations.items()})
+    for call, name in sorted(asked - set(known), reverse=True):
+        yield f'{LESSONS}/{FILE} has no {kinds[call]} "{name}", which a lesson asks'
+    for (call, name), item in known.items():
+        if item.lesson not in lessons:
+            yield f'{LESSONS}/{FILE}: the {kinds[call]} "{name}" names the lesson {item.lesson}, which is not there'

@@ -18,16 +18,18 @@ from typing import Any, NamedTuple
 
 from edugrade.reports.markup import element
 
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import UnusableInput, how_to_install
 
-from .quizzes import Question
+from .questions import Question, Questions
 
 WRITES = '%%writefile '
 _CALL = r"^{}\('([\w-]+)'(?:.*#\s*(.*))?"
-_PREDICTS, _COMPARES, _ASKS = (re.compile(_CALL.format(name), re.MULTILINE) for name in ('predict', 'compare', 'quiz'))
-_CALLS = re.compile(r"^(predict|compare|quiz)\('.*$\n?", re.MULTILINE)
+_PREDICTS, _COMPARES, _ASKS, _EXPLAINS = (
+    re.compile(_CALL.format(name), re.MULTILINE) for name in ('predict', 'compare', 'quiz', 'explain')
+)
+_CALLS = re.compile(r"^(predict|compare|quiz|explain)\('.*$\n?", re.MULTILINE)
 _ANSI = re.compile(r'\x1b\[[0-9;]*m')
-_WAS = re.compile(r'It was (.*?)(?:\. You had not said|$)', re.DOTALL)
+_WAS = re.compile(r'It was (.*?)(?:\. You had no prediction|$)', re.DOTALL)
 _FRAME, _STILL = re.compile(r'<iframe [^>]*srcdoc="([^"]*)"'), re.compile(r'src="data:image/svg\+xml;base64,([^"]*)"')
 
 
@@ -66,7 +68,7 @@ class Part(NamedTuple):
 
 
 def lesson_parts(
-    cells: list[dict[str, Any]], outputs: Mapping[str, list[dict[str, Any]]], questions: Mapping[str, Question], teacher: bool
+    cells: list[dict[str, Any]], outputs: Mapping[str, list[dict[str, Any]]], questions: Questions, teacher: bool
 ) -> Iterator[Part]:
     """The parts of a notebook's cells in their order.
 
@@ -83,7 +85,13 @@ def lesson_parts(
             asked = asked or bool(_PREDICTS.search(source))
             gave = tuple(_outputs(outputs.get(cell['id'], [])))
             yield from _code_parts(cell['id'], source, gave, asked and not teacher)
-            yield from (Part('quiz', cell['id'], name, question=questions.get(name)) for name, _ in _ASKS.findall(source))
+            yield from (
+                Part('quiz', cell['id'], name, question=questions.questions.get(name)) for name, _ in _ASKS.findall(source)
+            )
+            for name, _ in _EXPLAINS.findall(source):
+                answer = questions.explanations[name].answer if name in questions.explanations else ''
+                yield Part('guess', cell['id'], 'one or two sentences')
+                yield Part('text', cell['id'], f'<details><summary>Answer</summary>\n\n{answer}\n\n</details>')
             if _COMPARES.search(source):
                 asked = False
                 was = next((found[1] for output in reversed(gave) if (found := _WAS.search(output.text))), '')
@@ -99,8 +107,10 @@ def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool)
     called = _CALLS.search(source)
     if called:  # what such a call returns is shown last
         source, gave = _CALLS.sub('', source).strip('\n'), tuple(output for output in gave if output.kind in ('text', 'error'))
-        gave = tuple(output for output in gave if not output.text.startswith(('It was ', 'You said ', 'No prediction yet', '<')))
-        if called[1] == 'quiz':
+        gave = tuple(
+            output for output in gave if not output.text.startswith(('It was ', 'You predicted ', 'No prediction yet', '<'))
+        )
+        if called[1] in ('quiz', 'explain'):
             gave = ()
     if not source.strip():
         return
@@ -151,8 +161,9 @@ def environment() -> Any:
         import nbconvert  # noqa: F401
         from jinja2 import Environment, FileSystemLoader
     except ImportError:
-        help = "pip install 'edulaunch[notebook]' installs it; then try again"
-        raise UnusableInput('nbconvert, which makes pages of lessons, is not installed', help=help) from None
+        raise UnusableInput(
+            'nbconvert, which makes pages of lessons, is not installed', help=how_to_install('notebook')
+        ) from None
     templates = Environment(loader=FileSystemLoader(FOLDER), autoescape=True, trim_blocks=True, lstrip_blocks=True)
     templates.filters.update(code=_code, picture=_picture, markdown=_safe(markdown))
     return templates

@@ -17,7 +17,11 @@ LONGEST = 300
 """Characters of a prediction that are kept."""
 
 
-class Words:
+BOX = 'border-left:4px solid #888;padding:.1em 1em;max-width:60em'
+"""The style of what a lesson's questions show."""
+
+
+class Verdict:
     """A few sentences, as text and as HTML."""
 
     def __init__(self, *lines: str) -> None:
@@ -27,33 +31,32 @@ class Words:
         return '\n'.join(self.lines)
 
     def _repr_html_(self) -> str:
-        style = 'border-left:4px solid #888;padding:.1em 1em;max-width:60em'
-        return element('div', joined(*(element('p', line, style='margin:.3em 0') for line in self.lines)), style=style)
+        return element('div', joined(*(element('p', line, style='margin:.3em 0') for line in self.lines)), style=BOX)
 
 
-def predict(name: str, guess: Any) -> Words:
+def predict(name: str, guess: Any) -> Verdict:
     """Keep what you expect, before you look.
 
     :param name: what the prediction is about; `compare` asks for it under this name.
     :param guess: a number, several numbers in parentheses, a word. ``...``, as a lesson hands it out, is no guess yet.
     """
     if isinstance(guess, EllipsisType):
-        return Words('No prediction yet: write what you expect in place of the three dots, and run this cell again.')
-    said = visible(_text(guess))[:LONGEST]
-    return Words(f'Kept: {said}. Now look.', keep(lambda file: file.predictions.update({name: said})))
+        return Verdict('No prediction yet: replace the three dots by what you expect, and run this cell again.')
+    guessed = visible(_text(guess))[:LONGEST]
+    return Verdict(f'Kept: {guessed}. Now run the next cell.', keep(lambda file: file.predictions.update({name: guessed})))
 
 
-def compare(name: str, was: Any) -> Words:
+def compare(name: str, was: Any) -> Verdict:
     """Put what happened beside what was predicted under this name.
 
     Two numbers, or points of equally many, are compared by their distance.
 
     :param was: what happened: a number, several numbers, a word.
     """
-    said = kept().predictions.get(name)
-    if said is None:
-        return Words(f'It was {_text(was)}. You had not said anything: next time guess first, it makes the answer stick.')
-    return Words(f'You said {said}, it was {_text(was)}{_verdict(said, _text(was))}')
+    guessed = kept().predictions.get(name)
+    if guessed is None:
+        return Verdict(f'It was {_text(was)}. You had no prediction: guess first next time, it helps you to remember.')
+    return Verdict(f'You predicted {guessed}, it was {_text(was)}{_verdict(guessed, _text(was))}')
 
 
 def _text(value: Any) -> str:
@@ -68,12 +71,12 @@ def _text(value: Any) -> str:
     return _text(item()) if item is not None else str(value)
 
 
-def _verdict(said: str, was: str) -> str:
-    ours, theirs = _numbers(said), _numbers(was)
+def _verdict(guessed: str, was: str) -> str:
+    ours, theirs = _numbers(guessed), _numbers(was)
     if ours is None or theirs is None:
-        return ': right.' if _bare(said) == _bare(was) else '.'
+        return ': right.' if _bare(guessed) == _bare(was) else '.'
     if len(ours) != len(theirs):
-        return f': {len(theirs)} numbers were asked for.' if len(theirs) > 1 else ': one number was asked for.'
+        return f': write {len(theirs)} numbers.' if len(theirs) > 1 else ': write one number.'
     off = math.dist(ours, theirs)
     return ': exactly.' if off == 0 else f': {_text(off)} off.'
 
@@ -101,7 +104,7 @@ def keep(change: Callable[[ProgressFile], None]) -> str:
             change(file)
             file.save()
     except UnusableInput as error:
-        return f'This is not kept: {error.message}.'
+        return f'Your answer is not kept: {error.message}.'
     return file.word
 
 

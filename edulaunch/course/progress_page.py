@@ -12,8 +12,8 @@ from edugrade.reports.markup import element, joined
 from edulaunch.errors import UnusableInput
 
 from .lessons import Lesson, lessons_folder, read_lessons
-from .predictions import Words
-from .quizzes import Question, find_questions
+from .predictions import Verdict
+from .questions import Question, find_questions
 
 HEAD = ('lesson', 'predictions', 'questions', 'exercises', 'points')
 MOST_REPEATED = 5
@@ -55,15 +55,15 @@ class ProgressPage:
         return joined(element('table', head, *rows), element('p', self.advice))
 
 
-def progress() -> ProgressPage | Words:
+def progress() -> ProgressPage | Verdict:
     """The lessons with what was predicted, answered and solved of each, from the file ``my_progress.toml`` of this folder, or of
     the folder with the lessons when there is none here.
     """
     folder = lessons_folder()
     if folder is None:
-        return Words('There are no lessons here: open a notebook in the folder of the lessons, and ask there.')
+        return Verdict('There are no lessons here: open a notebook in the folder of the lessons, and ask there.')
     file = ProgressFile(os.getcwd() if os.path.isfile(NAME) else folder)
-    questions = list(find_questions().values())
+    questions = list(find_questions().questions.values())
     rows = [_row(lesson, file, questions) for lesson in read_lessons(folder)]
     return ProgressPage(rows, _to_repeat(file, questions))
 

@@ -12,17 +12,18 @@ from pathlib import Path
 from shutil import which
 from subprocess import TimeoutExpired, run
 from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from edugrade.course import read_toml
 
 from edulaunch.errors import UnusableInput
 
-from .copying import copy_files, student_files, write_file
+from .copying import write_file
 from .lesson_parts import FOLDER, Part, environment, heading_id, lesson_parts, markdown
 from .lessons import LESSONS, manifest, read_lessons, read_notes
-from .quizzes import FILE, read_questions
-from .stored import read_outputs, run_notebook, without_place
+from .questions import questions_file, read_questions
+from .runs import Say, run_lessons
+from .stored import read_outputs
 
 REPLAYS = 'replays'
 _HEADING = {level: re.compile(rf'<h{level} id="[^"]*">(.*?)</h{level}>', re.DOTALL) for level in (1, 2)}
@@ -45,16 +46,17 @@ class Page(NamedTuple):
 
 
 def write_reader(
-    course: str, target: str, *, teacher: bool = False, kept: bool = False, pdf: bool = False
+    course: str, target: str, *, teacher: bool = False, kept: bool = False, pdf: bool = False, say: Say = lambda line: None
 ) -> tuple[list[str], str]:
     """Write the pages of a course into a folder; returns their names, and why there is no PDF although it was asked for.
 
     :param teacher: with what was right, answers open, and the notes for teachers.
     :param kept: take the outputs that are kept beside the lessons, which have no pictures; else the lessons are run.
+    :param say: called with one line for each lesson that has run.
     :raises UnusableInput: when the folder has other files in it, a lesson cannot be read or run, or nbconvert is missing.
     """
     templates = environment()
-    pages = list(read_pages(course, teacher=teacher, kept=kept))
+    pages = list(read_pages(course, teacher=teacher, kept=kept, say=say))
     if not pages:
         raise UnusableInput(f'there is no lesson in {os.path.join(course, LESSONS)}', help='lessons are called 01_name.ipynb')
     _make_room(target)
@@ -84,22 +86,28 @@ def write_reader(
     return ['index.html', 'course.html', *(f'{found.name}.html' for found in pages)], problem
 
 
-def read_pages(course: str, *, teacher: bool, kept: bool, only: str | None = None) -> Iterator[Page]:
-    """The lessons of a course as pages, in their order.
+def read_pages(
+    course: str, *, teacher: bool, kept: bool, only: str | None = None, say: Say = lambda line: None
+) -> Iterator[Page]:
+    """Yield the lessons of a course as pages, in their order.
 
-    :param only: the name of one lesson; those before it are run all the same, for it may need what they write.
+    :param only: the name of one lesson.
+    :param say: called with one line for each lesson that has run.
     """
     folder = os.path.join(course, LESSONS)
-    questions = read_questions(path) if os.path.isfile(path := os.path.join(folder, FILE)) else {}
+    questions = read_questions(questions_file(folder))
     names = [lesson.name for lesson in read_lessons(folder)]
     names = names[: names.index(only) + 1] if only else names
-    outputs = ((name, read_outputs(os.path.join(folder, f'{name}.ipynb'))) for name in names) if kept else _run(course, names)
-    for name, gave in outputs:
-        if only in (None, name):
-            with open(os.path.join(folder, f'{name}.ipynb'), encoding='utf-8') as file:
-                cells = json.load(file)['cells']
-            parts = tuple(lesson_parts(cells, gave, questions, teacher))
-            yield _page(name, parts, read_notes(course).get(name, '') if teacher else '')
+    wanted = [only] if only else names
+    if kept:
+        outputs = {name: read_outputs(os.path.join(folder, f'{name}.ipynb')) for name in wanted}
+    else:
+        outputs = run_lessons(course, names, wanted, say)
+    for name in wanted:
+        with open(os.path.join(folder, f'{name}.ipynb'), encoding='utf-8') as file:
+            cells = json.load(file)['cells']
+        parts = tuple(lesson_parts(cells, outputs[name], questions, teacher))
+        yield _page(name, parts, read_notes(course).get(name, '') if teacher else '')
 
 
 def course_title(course: str) -> str:
@@ -109,16 +117,6 @@ def course_title(course: str) -> str:
         return str(read_toml(path)['title']) if path else os.path.basename(os.path.abspath(course))
     except (OSError, ValueError, KeyError):
         return os.path.basename(os.path.abspath(course))
-
-
-def _run(course: str, names: list[str]) -> Iterator[tuple[str, dict[str, list[dict[str, Any]]]]]:
-    """What each lesson gives that is run as a student has it, one after the other in one folder."""
-    with TemporaryDirectory(prefix='edulaunch-reader-') as place:
-        copy_files(student_files(course, rubrics=True), place)
-        for name in names:
-            done = run_notebook(os.path.join(place, LESSONS, f'{name}.ipynb'))
-            given = {cell['id']: cell['outputs'] for cell in done['cells'] if cell['cell_type'] == 'code'}
-            yield name, without_place(given, os.path.join(place, LESSONS))
 
 
 def _page(name: str, parts: tuple[Part, ...], notes: str) -> Page:

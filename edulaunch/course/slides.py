@@ -1,7 +1,7 @@
 """`edulaunch course slides`: a lesson as slides, in one HTML file.
 
-What stands on a slide follows from the lesson alone: a heading begins one, what answers a prediction comes on the one after it;
-of a paragraph the first sentence is shown, and the whole of it is in the speaker's text below.
+The lesson alone decides what a slide shows. A heading begins a slide. The answer to a prediction is on the next slide. A slide
+shows the first sentence of a paragraph; the speaker's text below has the whole paragraph.
 """
 
 from __future__ import annotations
@@ -14,12 +14,15 @@ from typing import NamedTuple
 from .lesson_parts import FOLDER, Part, environment
 from .lessons import LESSONS, read_lessons, the_one
 from .reader import read_pages
+from .runs import Say
 
 FULL = 16
 """Lines on a slide."""
 _WIDE = 80
 _KEPT_WHOLE = re.compile(r'#|\||[-*] |\d+\. |<|    |\*\*(Predict|Explain|Change|Write|Repair|Find|Fill|Add)')
-_PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?!\n\n).)+)', re.DOTALL)
+_LEADS = re.compile(r'(?!#)[^\n]*[^.!?\s]\n\n- ')
+"""One line without a final stop, such as "After this lesson you can": the list after it stays on its slide."""
+_PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?<![.!?])\n\n(?=- )|(?!\n\n).)+)', re.DOTALL)
 
 
 class Slide(NamedTuple):
@@ -35,17 +38,20 @@ class Slide(NamedTuple):
     told: list[str]
 
 
-def write_slides(course: str, lesson: str, out: str | None = None, *, kept: bool = False) -> tuple[str, int]:
+def write_slides(
+    course: str, lesson: str, out: str | None = None, *, kept: bool = False, say: Say = lambda line: None
+) -> tuple[str, int]:
     """Write the slides of a lesson; returns the file and how many slides there are.
 
     :param lesson: its name, or the beginning of it.
-    :param kept: take the outputs that are kept, which have no pictures; else the lessons up to it are run.
+    :param kept: take the outputs that are kept, which have no pictures; else the lesson runs.
+    :param say: called with one line when it has run.
     :raises UnusableInput: when there is no such lesson, or it cannot be run.
     """
     names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]
     name = the_one(lesson, names, f'there is no lesson {lesson}')
     templates = environment()
-    page = next(read_pages(course, teacher=True, kept=kept, only=name))
+    page = next(read_pages(course, teacher=True, kept=kept, only=name, say=say))
     slides = list(split(page.parts))
     files = {}
     for key in ('slides.css', 'slides.js', 'reader.css'):
@@ -93,14 +99,16 @@ def _lines(part: Part) -> int:
     if part.kind in ('quiz', 'guess', 'answer'):
         return 2 * len(part.question.choices) + 2 if part.question else 2
     if part.kind == 'text':
-        return 1 + sum(1 + len(line) // _WIDE for line in part.text.split('\n')) * (1 if part.text[:1] in '|-*' else 2)
+        return 1 + sum(1 + len(line) // _WIDE for line in part.text.split('\n')) * (
+            1 if part.text[:1] in '|-*' or _LEADS.match(part.text) else 2
+        )
     shown = (13 if output.data else len(output.text.split('\n')) for output in part.outputs)
     return sum(shown) + len(part.text.split('\n'))
 
 
 def _short(part: Part) -> Part:
     """Of a plain paragraph the first sentence."""
-    if part.kind != 'text' or _KEPT_WHOLE.match(part.text):
+    if part.kind != 'text' or _KEPT_WHOLE.match(part.text) or _LEADS.match(part.text):
         return part
     joined = ' '.join(part.text.split('\n'))
     sentence = re.match(r'(?:`[^`]*`|[^`])*?[.:?!](?=\s+[A-Z`*(]|$)', joined)

@@ -6,6 +6,7 @@ Pictures and HTML are not kept: what they show is in their text and in a digest 
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
 import re
@@ -24,6 +25,7 @@ FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
 """Kinds of data of which only the presence is kept."""
 _folders: list[TemporaryDirectory[str]] = []
+_COLOURS = re.compile(r'\x1b\[[0-9;]*m')
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')
 
 
@@ -68,16 +70,35 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
 
     folder = os.path.dirname(os.path.abspath(notebook))
     read: Any = nbformat.read
-    done = read(notebook, as_version=4)
+    try:
+        done = read(notebook, as_version=4)
+    except Exception as error:  # whatever Jupyter says of what is no notebook
+        raise UnusableInput(f'{notebook} cannot be read as a notebook: {str(error).splitlines()[0][:200]}') from None
     client = nbclient.NotebookClient(
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
     try:
-        with fresh_progress():
-            client.execute(stderr=DEVNULL)  # the kernel warns about sockets of its own
+        with TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True) as progress:
+            environ = {**os.environ, PROGRESS: progress}
+            asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))  # a loop of its own, also in a thread
+    except nbclient.exceptions.CellTimeoutError:
+        raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='let it simulate less') from None
+    except nbclient.exceptions.DeadKernelError:
+        raise UnusableInput(f'{notebook}: the kernel died', help='run the cells one by one to see in which') from None
     except nbclient.exceptions.CellExecutionError as error:
-        raise UnusableInput(f'{notebook}: a cell failed: {error}') from None
+        help = 'a cell that shall fail has the tag raises-exception'
+        raise UnusableInput(f'{notebook}: {_failure(done) or error}', help=help) from None
     return done
+
+
+def _failure(notebook: Any) -> str:
+    """Which cell of a notebook failed, and how, without colours and inner frames."""
+    for cell in notebook['cells']:
+        for output in cell.get('outputs', ()):
+            if output['output_type'] == 'error' and 'raises-exception' not in cell['metadata'].get('tags', ()):
+                text = ' '.join(_COLOURS.sub('', str(output['evalue'])).split())
+                return f'the cell {cell.get("id", "?")} failed: {output["ename"]}: {text}'
+    return ''
 
 
 def strip(notebook: str) -> None:

@@ -14,7 +14,7 @@ from edugrade.files import files_below
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
 from edulaunch.runtime import plugins
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 from .copying import write_file
 from .lessons import EXERCISES, given_course, manifest
@@ -29,6 +29,7 @@ NEXT = {
     'devcontainer': 'push what `edulaunch course release` makes, with these files: "Code", "Codespaces" on GitHub opens it',
     'binder': 'push what `edulaunch course release` makes, with these files, and give the address of the repository to Binder',
     'docker': 'build and run it as the first lines of Dockerfile say',
+    'vscode': 'open the course in VS Code, and install the extension that it offers: it helps where launch files are written',
     'jupyterhub': 'build and run it as the first lines of jupyterhub/jupyterhub_config.py say',
 }
 """What to do with each."""

@@ -9,7 +9,7 @@ import sys
 from typing import Any
 
 from edulaunch.course import progress
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import MissingExtra, UnusableInput
 
 
 def add_verbs(verbs: Any) -> None:
@@ -29,13 +29,18 @@ def add_verbs(verbs: Any) -> None:
         parser.add_argument('--course', metavar='COURSE', help='its folder (default: the one around this folder, else ours)')
 
 
+def _progress(line: str) -> None:
+    """Print one line of progress; the result stays alone on standard output."""
+    print(line, file=sys.stderr, flush=True)
+
+
 def _reader(arguments: argparse.Namespace) -> int:
     """`edulaunch course reader OUT`."""
     from edulaunch.course.reader import write_reader
 
     out = arguments.out
     names, problem = write_reader(
-        _chosen_course(arguments), out, teacher=arguments.teacher, kept=arguments.kept, pdf=arguments.pdf
+        _chosen_course(arguments), out, teacher=arguments.teacher, kept=arguments.kept, pdf=arguments.pdf, say=_progress
     )
     print(f'{out}: {len(names)} pages. Begin with {os.path.join(out, names[0])}')
     if arguments.pdf:
@@ -47,7 +52,7 @@ def _slides(arguments: argparse.Namespace) -> int:
     """`edulaunch course slides LESSON [OUT]`."""
     from edulaunch.course.slides import write_slides
 
-    out, count = write_slides(_chosen_course(arguments), arguments.lesson, arguments.out, kept=arguments.kept)
+    out, count = write_slides(_chosen_course(arguments), arguments.lesson, arguments.out, kept=arguments.kept, say=_progress)
     print(f'{out}: {count} slides. Open it in a browser: arrow keys, N for the whole text, O for all slides, or print it')
     return 0
 
@@ -59,6 +64,22 @@ def _notes(arguments: argparse.Namespace) -> int:
     course = _chosen_course(arguments)
     print(notes_of(course, arguments.lesson) if arguments.lesson else list_of_notes(course))
     return 0
+
+
+def _class(arguments: argparse.Namespace) -> int:
+    """`edulaunch course class FOLDER`."""
+    from edugrade.files import write_whole
+
+    from edulaunch.course.class_page import Class, page_of_class, read_course_of
+    from edulaunch.course.handed_in import read_class
+
+    standings, refused = read_class(arguments.folder)
+    write_whole(arguments.out, page_of_class(Class(*read_course_of(_chosen_course(arguments)), standings, refused)))
+    for item in refused:
+        print(f'{item.path} is left out: {item.why}'.encode('ascii', 'backslashreplace').decode(), file=sys.stderr)
+    count = len(standings)
+    print(f'{arguments.out}: {count} {"student" if count == 1 else "students"}. Open it in a browser')
+    return 1 if refused else 0
 
 
 def _chosen_course(arguments: argparse.Namespace) -> str:
@@ -108,6 +129,12 @@ def course_arguments(parser: argparse.ArgumentParser) -> None:
     store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
     add_verbs(verbs)
+    of_class = verbs.add_parser('class', help='Make a page on a class: where each student is, what is hard, who is stuck')
+    of_class.add_argument(
+        'folder', metavar='FOLDER', help='with what each student handed over: my_progress.toml, or a folder with it'
+    )
+    of_class.add_argument('--out', metavar='FILE', default='class.html', help='the page (default: class.html)')
+    of_class.add_argument('--course', metavar='COURSE', help='its folder (default: the one around this folder, else ours)')
 
 
 def course_verb(arguments: argparse.Namespace) -> int:
@@ -152,13 +179,14 @@ def _personal(files: dict[str, bytes], course: str, student: str, secret: str | 
 
 
 def _lint(arguments: argparse.Namespace) -> int:
+    from edugrade.course_check import listed
     from edugrade.course_check import main as check
 
     from edulaunch.course.lesson_form import lesson_problems
     from edulaunch.course.lessons import given_course, has_manifest
 
     try:
-        problems = list(lesson_problems(given_course(arguments.folder)))
+        problems = list(listed(lesson_problems(given_course(arguments.folder))))
     except UnusableInput:  # in a manifest that is there, the check says all that is wrong
         if not has_manifest(arguments.folder):
             raise
@@ -188,7 +216,7 @@ def _open(arguments: argparse.Namespace) -> int:
 
     folder = given_course(arguments.folder)
     if importlib.util.find_spec('jupyterlab') is None:
-        raise UnusableInput('JupyterLab is not installed', help="pip install 'edulaunch[notebook]' installs it; then try again")
+        raise MissingExtra('edulaunch course open', 'JupyterLab', 'notebook')
     lessons = [f'--LabApp.default_url=/lab/tree/{LESSONS}'] if os.path.isdir(os.path.join(folder, LESSONS)) else []
     try:
         return call([sys.executable, '-m', 'jupyterlab', *lessons], cwd=folder)

@@ -79,13 +79,13 @@ def watch_names(shell: Any) -> None:
 def _shown(shell: Any, kind: type[Exception], error: Exception, trace: TracebackType, tb_offset: int | None = None) -> Any:
     """Show the error as IPython does, with the help below it."""
     lines = shell.InteractiveTB.structured_traceback(kind, error, trace, tb_offset=tb_offset)
-    said = ''
+    text = ''
     if isinstance(error, FileNotFoundError):
-        said = missing_folder_help(error.filename)
+        text = missing_folder_help(error.filename)
     elif isinstance(error, NameError) and _in_a_cell(trace, shell.user_ns):
-        said = missing_name_help(error.name or '', _last_line(trace), shell.user_ns)
-    if said:
-        lines = [*lines[:-1], f'{lines[-1]}\n  help: {said}']
+        text = missing_name_help(error.name or '', _last_line(trace), shell.user_ns)
+    if text:
+        lines = [*lines[:-1], f'{lines[-1]}\n  help: {text}']
     shell._showtraceback(kind, error, lines)
     return lines
 

@@ -12,8 +12,8 @@ import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
-from edulaunch.desk.machine.host import SHOWN_EVERY_S, Host, Page
-from edulaunch.desk.machine.on_network import is_walls_time
+from edulaunch.desk.machine.live import SHOWN_EVERY_S, LiveMachine, in_its_turn
+from edulaunch.desk.machine.network import is_walls_time
 from edulaunch.desk.machine.place import (
     Address,
     UnsafePlace,
@@ -26,24 +26,22 @@ from edulaunch.desk.machine.place import (
     write_address,
 )
 from edulaunch.desk.machine.server import LOOK_EVERY_S, Server
-from edulaunch.engine.processes.streams import streams_of_programs
-from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.runtime.session import Session
 
 
-class Hosting(Host):
+class Hosting(LiveMachine):
     """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it.
 
     :ivar joins_next: whether the next machine joins a real network.
     """
 
     def __init__(self) -> None:
+        super().__init__()
         self._server: Server | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._next: asyncio.TimerHandle | None = None
         self._door: tuple[str, str, Address] | None = None
         self._is_going = False
-        self.pages: list[Page] = []
         self.joins_next = False
 
     def has_programs(self) -> bool:
@@ -64,11 +62,11 @@ class Hosting(Host):
 
     @property
     def is_on_network(self) -> bool | None:
-        """See `Living.is_on_network`."""
-        return None if self._server is None else self._server.terminals.is_on_network
+        """See `LiveMachine.is_on_network`."""
+        return None if self._server is None else super().is_on_network
 
     def _has_joined(self) -> bool:
-        return self._server is not None and self._server.terminals.has_joined
+        return self._server is not None and self.has_joined
 
     def join_network(self, joins: bool) -> str:
         """Join, or leave; returns what to say. While it has joined time goes on by itself.
@@ -79,9 +77,9 @@ class Hosting(Host):
         self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)
         if self.joins_next:
             return "the next %ros2 launch joins the network: its clock is that of the wall, this one's is that of the simulation"
-        said = self._server.terminals.join_network(joins)
+        answer = super().join_network(joins)
         self._look_again(0.0)
-        return said
+        return answer
 
     def serve(self, session: Session) -> None:
         """From now on terminals find this session; the notebook that was used last is the one that they find."""
@@ -89,20 +87,20 @@ class Hosting(Host):
             return
         try:
             if self._server is None:
-                self._server = self._open(session, self._loop)
-            elif self._server.session is not session:
+                self.use(session)
+                self._server = self._open(self._loop)
+            elif self.session is not session:
                 self._server.move_to(session)
-            self.session, self.time = session, self._server.time
             self._claim()
         except (NotImplementedError, OSError, UnsafePlace):
             self._loop = None
 
-    def _open(self, session: Session, loop: asyncio.AbstractEventLoop) -> Server:
+    def _open(self, loop: asyncio.AbstractEventLoop) -> Server:
         place, number = folder(), domain()
         listener, address = listen(place, number, 'notebook')
         self._door = place, number, address
-        server = self._server = Server(session, listener, address.token)
-        loop.add_reader(_number(server), self._heard)
+        server = self._server = Server(self, listener, address.token)
+        loop.add_reader(_number(server), self._on_readable)
         atexit.register(remove_address, place, number, address)
         return server
 
@@ -123,15 +121,15 @@ class Hosting(Host):
             yield
         finally:
             if self._server is not None:
-                self._server.time.go_on()
+                self.time.go_on()
                 self._server.flush()
                 self._look_again(0.0)
 
-    def _heard(self) -> None:
+    def _on_readable(self) -> None:
         """Somebody has said something."""
         server = self._server
         assert server is not None
-        with outer_loop_set_aside(), streams_of_programs():
+        with in_its_turn():
             server.listen(0)
         self._look_again(0.0)
 
@@ -145,17 +143,16 @@ class Hosting(Host):
             return
         if not self._is_going:
             self._is_going = True
-            server.time.go_on()
-        host = server.session.host
+            self.time.go_on()
+        host = self.session.host
         host.is_paced = True
         try:
-            with outer_loop_set_aside(), streams_of_programs():
+            with in_its_turn():
                 due_s = server.run_due()
         finally:
             host.is_paced = False
         server.drop_the_silent()
-        for page in list(self.pages):
-            page.show()
+        self.show_pages()
         if is_seen:
             due_s = min(SHOWN_EVERY_S, SHOWN_EVERY_S if due_s is None else due_s)
         self._look_again(LOOK_EVERY_S if due_s is None else min(due_s, LOOK_EVERY_S))

@@ -60,8 +60,8 @@ def keyboard(press: Callable[[str], str], title: str) -> Any:
     shown = Output()
 
     def pressed(keys: str) -> None:
-        said = press(keys)
-        shown.append_stdout(said)
+        printed = press(keys)
+        shown.append_stdout(printed)
 
     def button(icon: str, keys: str) -> Any:
         made = Button(icon=icon, tooltip=icon, layout={'width': '3em'})

@@ -10,15 +10,16 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from edulaunch.advice.reader import reader_here
-from edulaunch.advice.wording import said_at_the_end
+from edulaunch.advice.wording import end_of_run_lines
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.client import ask, has_terminals_machine
 from edulaunch.desk.machine.connection import RemoteInput
+from edulaunch.desk.machine.live import end_programs, finish
 from edulaunch.desk.machine.terminals import doctors_text, is_doctor
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.process import Process
-from edulaunch.engine.processes.spec import ProcessSpec, Signals
+from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.engine.sim.simulation import EPOCH_NS
@@ -33,8 +34,6 @@ LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
 OTHER_S = 5.0
 """Simulated seconds after which Ctrl-C is pressed, unless `--for` says it: for a launch, for what says a lot, for others."""
-PATIENCE_S = 15.0
-"""Simulated seconds that a program has to end after Ctrl-C."""
 PRESS_S = 1.0
 """Simulated seconds that pass for a key: so long a turtle follows it."""
 SIZE = (80, 24)
@@ -177,7 +176,7 @@ class Machine:
     def _advice(self, session: Session, process: Process, typed: str = '') -> list[str]:
         """What is reported below a cell, of its own command alone."""
         helped = session.host.hints.helped(process.pid)
-        return said_at_the_end(session.of_command(process.pid), helped=helped, typed=typed)
+        return end_of_run_lines(session.of_command(process.pid), helped=helped, typed=typed)
 
     def _say_what_runs(self, session: Session | None, stays: bool) -> None:
         """A launch beside programs of earlier cells or terminals is not the same run as one on a machine of its own."""
@@ -192,7 +191,7 @@ class Machine:
         package_or_file, file, arguments = split_words(words[0], words[1:])
         find_launch_file(session.index, package_or_file, file)
         if beside and self._foreground is not None:
-            self._end(session, [self._foreground.process])
+            end_programs(session, [self._foreground.process])
         self._foreground = None
         return session.launch(package_or_file, file, arguments)
 
@@ -209,7 +208,7 @@ class Machine:
             programs = [job.process for job in jobs]
             if self._foreground is not None and not values:
                 programs.append(self._foreground.process)
-            self._end(session, programs)
+            end_programs(session, programs)
         for job in jobs:
             self._write('stdout', f'{job}\n')
         self._jobs.forget_ended()
@@ -222,25 +221,13 @@ class Machine:
 
     def _press(self, session: Session, job: Job, keys: str) -> str:
         """Press keys for a job, and let some time pass; returns what was said meanwhile."""
-        said: list[str] = []
-        job.process.on_output = lambda stream, text: said.append(text)
+        printed: list[str] = []
+        job.process.on_output = lambda stream, text: printed.append(text)
         with self.hosting.cell(), outer_loop_set_aside():
             job.process.streams.stdin.feed(keys)
             session.run(PRESS_S)
         job.process.on_output = self._write
-        return ''.join(said)
-
-    def _end(self, session: Session, programs: list[Process]) -> None:
-        """Press Ctrl-C for some programs, and give them the time that they need."""
-        left = [program for program in programs if program.returncode is None]
-        for program in left:
-            program.send_signal(Signals.SIGINT)
-        latest_ns = session.sim.now_ns + round(PATIENCE_S * 1e9)
-        while any(program.returncode is None for program in left) and session.sim.now_ns < latest_ns:
-            session.run(0.1)
-        for program in left:
-            program.send_signal(Signals.SIGKILL)
-        session.run(0.0)
+        return ''.join(printed)
 
     def command(self, line: Line) -> None:
         """Run a command to its end, or press Ctrl-C when its time is up."""
@@ -262,26 +249,21 @@ class Machine:
             job = self._jobs.add(process, f'ros2 {line.shell or shlex.join(words)}')
             self._write('stdout', f'{job}\n')
 
-            def told(kind: bytes, payload: bytes = b'') -> None:
+            def on_message(kind: bytes, payload: bytes = b'') -> None:
                 if kind == wire.READ:
                     self._asked.append(job)
 
-            process.streams.stdin = RemoteInput(told, True, SIZE)
+            process.streams.stdin = RemoteInput(on_message, True, SIZE)
             session.run(0.0)
             self._give_keyboards(session)
             return
-        interrupted = session.run(limit_s)
-        if process.returncode is None:
-            if interrupted:
-                self._write('stdout', '^C\n')
-            elif seconds is None:
-                self._write(
-                    'stdout', f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
-                )
-            process.send_signal(Signals.SIGINT)
-            session.run(PATIENCE_S)
-        if process.returncode is None:
-            process.send_signal(Signals.SIGKILL)
+
+        def on_late(interrupted: bool) -> None:
+            pressed = f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
+            if interrupted or seconds is None:
+                self._write('stdout', '^C\n' if interrupted else pressed)
+
+        finish(session, process, limit_s, on_late)
         if words[:1] == ['run'] and not line.quiet:
             for text in self._advice(session, process, process.name):
                 self._write('stderr', f'{text}\n')

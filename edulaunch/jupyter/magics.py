@@ -20,8 +20,8 @@ class RosMagics(Magics):
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
-        self._said: list[str] = []
-        self.terminal = Terminal(lambda stream, text: self._said.append(text))
+        self._printed: list[str] = []
+        self.terminal = Terminal(lambda stream, text: self._printed.append(text))
         self.terminal.machine.show_keyboard = _show_keyboard
 
     @no_var_expand
@@ -38,31 +38,31 @@ class RosMagics(Magics):
 
         --quiet behind a launch or a run shows errors only. Tab completes. Brackets and dollar signs are passed on as they are.
         """
-        return self._told(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
+        return self._printing(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
 
     @no_var_expand
     @line_magic
     def source(self, line: str) -> None:
         """Use the packages of a workspace: `%source my_ws` or, as in a shell, `%source my_ws/install/setup.bash`."""
-        self._told(lambda: self.terminal.source(line.strip().strip('\'"')))
+        self._printing(lambda: self.terminal.source(line.strip().strip('\'"')))
 
     @no_var_expand
     @line_magic
     def colcon(self, line: str) -> None:
         """Says what of `colcon build` is not needed here."""
-        self._told(lambda: self.terminal.set_up(f'colcon {line}'))
+        self._printing(lambda: self.terminal.set_up(f'colcon {line}'))
 
     @no_var_expand
     @line_magic
     def rosdep(self, line: str) -> None:
         """Says what of `rosdep install` is not needed here."""
-        self._told(lambda: self.terminal.set_up(f'rosdep {line}'))
+        self._printing(lambda: self.terminal.set_up(f'rosdep {line}'))
 
     @no_var_expand
     @line_magic
     def apt(self, line: str) -> None:
         """Says what of `apt install ros-jazzy-...` is here already."""
-        self._told(lambda: self.terminal.set_up(f'apt {line}'))
+        self._printing(lambda: self.terminal.set_up(f'apt {line}'))
 
     @no_var_expand
     @line_magic
@@ -81,16 +81,16 @@ class RosMagics(Magics):
     @line_magic
     def recording(self, line: str) -> Recording:
         """The Recording of the simulated machine from its start until now."""
-        found: Recording = self._told(self.terminal.recording)
+        found: Recording = self._printing(self.terminal.recording)
         return found
 
-    def _told(self, action: Callable[[], Any]) -> Any:
+    def _printing(self, action: Callable[[], Any]) -> Any:
         """Print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed."""
         try:
             return action()
         finally:
-            sys.stdout.write(''.join(self._said))
-            self._said.clear()
+            sys.stdout.write(''.join(self._printed))
+            self._printed.clear()
 
 
 def _show_keyboard(press: Callable[[str], str], title: str) -> None:

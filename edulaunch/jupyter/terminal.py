@@ -112,10 +112,10 @@ class Terminal:
 
         :raises UnusableInput: for another command.
         """
-        said = answer(line.split())
-        if said is None:
+        text = answer(line.split())
+        if text is None:
             raise UnusableInput(f'{line!r} sets up nothing of ROS 2', help=f'for a command of your own machine: !{line}')
-        self._write('stdout', f'{said}\n')
+        self._write('stdout', f'{text}\n')
 
     def recording(self) -> Recording:
         """What happened on the machine until now.

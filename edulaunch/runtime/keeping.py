@@ -7,7 +7,8 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import FrameType, TracebackType
 from typing import Any
 
@@ -58,6 +59,28 @@ class Ending:
     def text(self, elapsed_s: float) -> str:
         """What ended the run, and when in simulated seconds."""
         return f'{signal.Signals(self.came or 0).name} ended the run at {elapsed_s:.2f} s of simulated time'
+
+
+@contextmanager
+def first_interrupt_waits(text: str) -> Iterator[None]:
+    """Let the first Ctrl-C print a note only, while something is done that should be finished. The second one interrupts.
+
+    :param text: the note: what is done, and what a second Ctrl-C gives up.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.default_int_handler or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def wait(signum: int, frame: FrameType | None) -> None:
+        signal.signal(signal.SIGINT, before)
+        print(f'note: {text}', file=sys.stderr)
+
+    signal.signal(signal.SIGINT, wait)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 class Reserve:

@@ -100,8 +100,8 @@ class LaunchRun:
         """
         error = self.error
         if error is not None:
-            told = explain(error, self.process.index)
-            raise LaunchFileError(told.text, help=told.help) from error
+            explanation = explain(error, self.process.index)
+            raise LaunchFileError(explanation.text, help=explanation.help) from error
         stopped = self.process.exception
         if stopped is not None and stopped['type'] in _STOPPED:
             place = stopped['place']
@@ -126,8 +126,8 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
-    told = None if (error := launch.error) is None else explain(error, launch.process.index)
-    file, line = (told.data['place'] if told else None) or (None, None)
+    explanation = None if (error := launch.error) is None else explain(error, launch.process.index)
+    file, line = (explanation.data['place'] if explanation else None) or (None, None)
     unread = [list(one) for one in _unread_arguments(launch.process, launch.arguments)]
     return {
         'file': launch.path,
@@ -135,12 +135,16 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
         'declared': declared,
         'includes': list(state.get('launch.includes', ())),
         'returncode': launch.process.returncode,
-        'error': told.text if told else None,
+        'error': explanation.text if explanation else None,
         'error_file': file,
         'error_line': line,
         **(
-            {'error_type': told.data['type'], 'error_cause': told.data['message'], 'error_facts': told.data['facts']}
-            if told
+            {
+                'error_type': explanation.data['type'],
+                'error_cause': explanation.data['message'],
+                'error_facts': explanation.data['facts'],
+            }
+            if explanation
             else {}
         ),
         **({'unread': unread} if unread else {}),

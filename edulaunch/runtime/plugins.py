@@ -55,7 +55,7 @@ class Plugin(NamedTuple):
     :ivar grading: verbs of `edugrade`.
     :ivar options: options of a command, `launch` or `ros2 launch`: a module with `add_options(parser)` and what the command
         calls: `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`.
-    :ivar services: what answers inside the machine: the module that makes it. `edulaunch.desk.machine.on_network` says what the
+    :ivar services: what answers inside the machine: the module that makes it. `edulaunch.desk.machine.network` says what the
         service `network` has.
     :ivar packages: folders with ROS packages in source form, which are found behind those of the student.
     :ivar rules: modules with rules of advice, by what they look at: one of `edulaunch.advice.rule.KINDS`.
@@ -84,15 +84,18 @@ class Source(NamedTuple):
     install: str
 
 
-_NETWORK = "pip install --force-reinstall 'edulaunch[network]'"
-_EDULAUNCH = 'pip install --force-reinstall edulaunch'
+_NETWORK = "pip install --force-reinstall '.[network]' in the folder of edulaunch's setup.sh"
+_EDULAUNCH = "pip install --force-reinstall . in the folder of edulaunch's setup.sh"
+_EDITOR = "pip install --force-reinstall '.[editor]' in the folder of edulaunch's setup.sh"
 SOURCES = {
     'edulaunch compare': Source('comparing', _NETWORK),
     'edulaunch course': Source('course', _EDULAUNCH),
     'edulaunch course template classroom': Source('classes', _EDULAUNCH),
     'edulaunch course template gradescope': Source('classes', _EDULAUNCH),
+    'edulaunch course template vscode': Source('editor', _EDITOR),
     'edulaunch launch --network': Source('network', _NETWORK),
     'edulaunch launch --real': Source('network', _NETWORK),
+    'edulaunch lsp': Source('editor', _EDITOR),
     'edulaunch network': Source('network', _NETWORK),
     'ros2 launch --network': Source('network', _NETWORK),
     'edulaunch.check': Source('grader', _EDULAUNCH),

@@ -7,12 +7,13 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
 from types import TracebackType
-from typing import TextIO
+from typing import Any, TextIO
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.discovery import install_folders, workspaces_of_command
 from edulaunch.engine.processes.host import Host
+from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.real_machine import machine_roots, with_real_paths
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.processes.watchdog import Watchdog
@@ -35,6 +36,8 @@ from edulaunch.runtime.still_busy import StillBusy
 
 PathLike = str | os.PathLike[str]
 TURN_LIMIT_S = 2.0
+MOST_TRACES = 8
+"""A machine on which somebody launches all day keeps what the last launches did."""
 
 
 class Session:
@@ -50,6 +53,8 @@ class Session:
     :param console: called as console(stream, text) with everything that launch prints.
     :param turn_limit_s: a program that keeps its turn for so many seconds of processor time is stopped, a few times later when
         it still works on something (see `Watchdog`); 0: none is.
+    :ivar traces: what each launch on it did, the last ones; see `edulaunch.advice.plan.launch_trace`.
+    :ivar steps_launches: whether a launch that begins stops before its first action.
     :param start_ns: what the clock shows at the beginning, in ns since 1970.
     """
 
@@ -86,6 +91,10 @@ class Session:
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []
+        self.traces: list[Any] = []
+        self.steps_launches = False
+        self.recorder.beside['launches'] = self.traces
+        self.host.make_launch_observer = self._trace_of
         self.follow: Callable[[int | None, Callable[[], bool]], object] | None = None
         self._name_roots([os.path.abspath(os.fspath(path)) for path in workspaces])
 
@@ -99,6 +108,24 @@ class Session:
         ours = ((underlay_prefix(), '@underlay'), (engine_folder(), '@edulaunch'))
         own = [*ours, *((path, f'@workspace{number}') for number, path in enumerate(workspaces))]
         self.recorder.roots = list(with_real_paths(own))
+
+    def _trace_of(self, process: Process) -> Any:
+        """What observes a launch that begins; the oldest ones that have ended are let go."""
+        trace = view('launch_trace')(process)
+        if self.steps_launches:
+            trace.stepper.go('into')
+        ended = [one for one in self.traces if one.is_over]
+        for one in ended[: max(0, len(self.traces) + 1 - MOST_TRACES)]:
+            self.traces.remove(one)
+        self.traces.append(trace)
+        return trace
+
+    def let_go(self) -> None:
+        """Let a launch that waits before an action continue, without further stops."""
+        if self.sim.is_suspended:
+            for trace in self.traces:
+                trace.stepper.go('go')
+            self.sim.step()
 
     def launch(
         self,
@@ -263,8 +290,8 @@ def _nanoseconds(duration_s: float) -> int:
     except (OverflowError, TypeError, ValueError):
         found = -1
     if found < 0:
-        said = f'duration_s is {duration_s!r}, and simulated seconds are expected'
-        raise UnusableInput(said, help='write a number that is not below 0: duration_s=5')
+        problem = f'duration_s is {duration_s!r}, and simulated seconds are expected'
+        raise UnusableInput(problem, help='write a number that is not below 0: duration_s=5')
     return found
 
 

@@ -12,16 +12,16 @@ setup(
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
         ('share/' + package_name + '/launch', glob('launch/*')),
-        # TODO 1: the folder config belongs to the package, too
+        # TODO 1: install the folder config, too
     ],
     install_requires=['setuptools'],
     maintainer='student',
     maintainer_email='student@example.org',
-    description='Somebody who says the news, and somebody who hears it.',
+    description='A publisher of news and a subscriber.',
     license='Apache-2.0',
     entry_points={'console_scripts': [
         'hello = news_desk.hello:main',
-        # TODO 2: listen dies at once: which function of listen.py is its program?
+        # TODO 2: listen ends at once: which function of listen.py should it call?
         'listen = news_desk.listen:run',
     ]},
 )

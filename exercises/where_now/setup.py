@@ -16,7 +16,7 @@ setup(
     install_requires=['setuptools'],
     maintainer='student',
     maintainer_email='student@example.org',
-    description='A node that says where turtle1 is, and where it was.',
+    description='A node that logs where turtle1 is, and where it was.',
     license='Apache-2.0',
     entry_points={'console_scripts': [
         'where = where_now.where:main',

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from math import hypot, isfinite
 from random import Random
 
-from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.arguments import require_declared, require_default
 from edugrade.library.deaths import refuse_dead
 from edugrade.library.following import require_arrival, require_driver, require_near, still
@@ -33,7 +33,8 @@ CONDITION = "condition=IfCondition(EqualsSubstitution(LaunchConfiguration('carro
 def scenarios(random: Random) -> list[Scenario]:
     """Each carrot for about 20 s; how long is not known beforehand."""
     duration_s = random.randint(38, 46) / 2
-    return [Scenario(name, {'carrot': name}, duration_s) for name in BROADCASTERS]
+    fixed, moving = BROADCASTERS
+    return [Scenario(fixed, {}, duration_s, defaults={'carrot': fixed}), Scenario(moving, {'carrot': moving}, duration_s)]
 
 
 @check(points=1)
@@ -45,7 +46,14 @@ def argument_is_declared(run: Evidence) -> None:
 @check(points=1, needs=[argument_is_declared])
 def default_is_fixed(run: Evidence) -> None:
     """Without an argument the carrot is fixed"""
-    require_default(run, 'carrot', 'fixed')
+    require_default(run, 'carrot', 'fixed', _starts_fixed)
+
+
+def _starts_fixed(run: Evidence) -> None:
+    """In each run there is the broadcaster of the fixed carrot."""
+    for recording in run.values():
+        if not find_processes(recording, PACKAGE, BROADCASTERS['fixed']):
+            raise Missing(BROADCASTERS['fixed'], where=run.source.place, try_=f'give its Node {CONDITION.format("fixed")}')
 
 
 @check(points=1)

@@ -17,7 +17,7 @@ from edugrade.library.launched import find_processes, included_files, refuse_str
 from edugrade.library.movement import length, odometry_track, since
 from edugrade.library.parameters import find_parameter
 
-ARGUMENT = 'circle_radius'
+ARGUMENT, DEFAULT = 'circle_radius', '1.0'
 PACKAGE, EXECUTABLE = 'part3_beyond_basics', 'param_circle.py'
 TOLERANCE = 0.02  # of the radius
 SETTLED_S = 2.0  # the robot has been spawned and drives
@@ -25,21 +25,15 @@ SHORTEST_TRACK_M = 0.5
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A small circle and a large one."""
-    small, large = random.randint(35, 60) / 100, random.randint(85, 120) / 100
-    return [Scenario('small', {ARGUMENT: f'{small:.2f}'}), Scenario('large', {ARGUMENT: f'{large:.2f}'})]
+    """A circle of a radius that nobody knows beforehand, and the one that the default gives."""
+    chosen = random.choice([*range(35, 86), *range(115, 126)]) / 100
+    return [Scenario('chosen', {ARGUMENT: f'{chosen:.2f}'}), Scenario('usual', defaults={ARGUMENT: DEFAULT})]
 
 
 @check(points=1)
 def argument_is_declared(run: Evidence) -> None:
     """The launch argument circle_radius is declared"""
-    require_declared(run, ARGUMENT, '1.0')
-
-
-@check(points=1, needs=[argument_is_declared])
-def default_is_one_metre(run: Evidence) -> None:
-    """Without an argument the radius is 1.0"""
-    require_default(run, ARGUMENT, '1.0')
+    require_declared(run, ARGUMENT, DEFAULT)
 
 
 @check(points=2)
@@ -62,6 +56,22 @@ def world_is_there(run: Evidence) -> None:
 def node_is_started(run: Evidence) -> None:
     """The launch file starts param_circle.py of part3_beyond_basics"""
     require_process(run, PACKAGE, EXECUTABLE)
+
+
+@check(points=1, needs=[argument_is_declared, node_is_started])
+def default_is_one_metre(run: Evidence) -> None:
+    """Without an argument the radius is 1.0"""
+    require_default(run, ARGUMENT, DEFAULT, _has_the_default)
+
+
+def _has_the_default(run: Evidence) -> None:
+    """Without an argument, the node reads the default."""
+    for name in run:
+        seen = _radius_parameter(run, name)
+        if seen != float(DEFAULT):
+            text = f'no parameter radius of a node of {EXECUTABLE}' if seen is None else f'the parameter radius is {seen}'
+            advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
+            raise Mismatch('the parameter radius', DEFAULT, text, where=run.source.place, try_=advice)
 
 
 @check(points=1, needs=[node_is_started])
@@ -109,7 +119,7 @@ def circle_is_driven(run: Evidence) -> None:
 
 
 def _asked_radius(run: Evidence, scenario: str) -> float:
-    return float(run.scenario(scenario).arguments[ARGUMENT])
+    return float(run.arguments_of(scenario)[ARGUMENT])
 
 
 def _radius_parameter(run: Evidence, scenario: str) -> object:
@@ -154,9 +164,9 @@ RUBRIC = Rubric(
     scenarios=scenarios,
     checks=[
         argument_is_declared,
-        default_is_one_metre,
         world_is_there,
         node_is_started,
+        default_is_one_metre,
         no_node_dies,
         radius_is_passed,
         circle_is_driven,

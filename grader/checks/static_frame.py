@@ -10,7 +10,7 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
-from edugrade.library.arguments import require_argument
+from edugrade.library.arguments import require_default
 from edugrade.library.deaths import refuse_dead
 from edugrade.library.frames import numbers, require_frame, tilt, transforms, yaw
 
@@ -24,15 +24,10 @@ PUBLISHER = "Node(package='tf2_ros', executable='static_transform_publisher', ar
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A low laser and a high one; nothing moves, so the runs are short."""
+    """A low laser, a high one, and one where the default says; nothing moves, so the runs are short."""
     low, high = random.randint(15, 45) / 100, random.randint(80, 150) / 100
-    return [Scenario('low', {ARGUMENT: f'{low:.2f}'}, 5.0), Scenario('high', {ARGUMENT: f'{high:.2f}'}, 5.0)]
-
-
-@check(points=1)
-def argument_is_declared(run: Evidence) -> None:
-    """The launch argument height is declared, with a default"""
-    require_argument(run, ARGUMENT, '0.5')
+    given = [Scenario('low', {ARGUMENT: f'{low:.2f}'}, 5.0), Scenario('high', {ARGUMENT: f'{high:.2f}'}, 5.0)]
+    return [*given, Scenario('usual', {}, 5.0, defaults={ARGUMENT: None})]
 
 
 @check(points=1)
@@ -47,11 +42,38 @@ def laser_is_on_tf(run: Evidence) -> None:
     require_frame(run, 'laser', 'base_link', f'start {PUBLISHER} with --frame-id base_link and --child-frame-id laser')
 
 
+@check(points=1, needs=[laser_is_on_tf])
+def argument_is_declared(run: Evidence) -> None:
+    """The launch argument height is declared, with a default"""
+    require_default(run, ARGUMENT, None, _require_height)
+
+
+def _height(run: Evidence, name: str) -> float:
+    text = run.arguments_of(name)[ARGUMENT]
+    try:
+        return float(text)
+    except ValueError:
+        raise Mismatch(
+            f'the default value of {ARGUMENT}', 'a number', text, where=run.source.place, try_="default_value='0.5'"
+        ) from None
+
+
+def _require_height(run: Evidence) -> None:
+    """In each run, the laser is as high as the argument says."""
+    for name in run:
+        height = _height(run, name)
+        for sent in transforms(run, name).get('laser', ())[-1:]:
+            seen = sent.frame.translation[2]
+            if not abs(seen - height) <= TOLERANCE_M:
+                advice = f"give --z the LaunchConfiguration('{ARGUMENT}')"
+                raise Mismatch('the height of the laser', f'{height:g}', f'{seen:g}', where=run.source.place, try_=advice)
+
+
 @check(points=3, needs=[laser_is_on_tf])
 def laser_is_in_its_place(run: Evidence) -> None:
     """The laser is 0.2 m in front of base_link, and as high as the launch argument says"""
     for name in run:
-        height = float(run.scenario(name).arguments[ARGUMENT])
+        height = _height(run, name)
         _require_place(
             run,
             name,
@@ -122,9 +144,9 @@ RUBRIC = Rubric(
     decoys=0.75,  # a frame that never moves is in tf, whoever published it; what the argument decides is worth the rest
     scenarios=scenarios,
     checks=[
-        argument_is_declared,
         no_node_dies,
         laser_is_on_tf,
+        argument_is_declared,
         laser_is_in_its_place,
         camera_is_on_tf,
         camera_is_in_its_place,

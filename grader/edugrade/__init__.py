@@ -10,14 +10,31 @@ In reading order:
 - what is asked: `rubric.py`, `evidence.py`, `library/`; found by `rubrics/`, `course.py`, `variant.py`
 - the runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`; `in_place.py` where nothing can be forked
 - what they came to: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
-- the reports: `reports/`; what a student has done: `noted.py`, `progress_file.py`
+- the reports: `reports/`; what a student has done: `attempts.py`, `progress_file.py`
 - who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
 - a plug-in: `classes/`, the tools for whole classes
 """
 
 from __future__ import annotations
 
-from .evidence import Evidence, Failure, Mismatch, Missing, Scenario
-from .rubric import Check, Rubric, check
+from importlib import import_module
 
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+if TYPE_CHECKING:
+    from typing import Any
+
+    from .evidence import Evidence, Failure, Mismatch, Missing, Scenario
+    from .rubric import Check, Rubric, check
+
+_MODULES = {
+    **dict.fromkeys(('Evidence', 'Failure', 'Mismatch', 'Missing', 'Scenario'), 'evidence'),
+    **dict.fromkeys(('Check', 'Rubric', 'check'), 'rubric'),
+}
 __all__ = ['Check', 'Evidence', 'Failure', 'Mismatch', 'Missing', 'Rubric', 'Scenario', 'check']
+
+
+def __getattr__(name: str) -> Any:
+    """Each name when it is first used: a command that looks for plug-ins loads no rubrics."""
+    if name not in _MODULES:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
 
-from .job import MEBI, Job, environment, import_path, readable_by_all, shown_to_all
+from .job import MEBI, RunRequest, environment, import_path, readable_by_all, shown_to_all
 from .readiness import is_readable
 
 ADDR_NO_RANDOMIZE = 0x0040000
@@ -76,7 +76,7 @@ class StarterLink:
         except OSError:
             self.is_alive = False
 
-    def begin(self, job: Job, channel: int, output: int) -> socket.socket:
+    def begin(self, job: RunRequest, channel: int, output: int) -> socket.socket:
         """Begin a run, which answers on `channel` and prints on `output`. Gives the link to its guard."""
         ours, theirs = socket.socketpair()
         data = json.dumps(job.message).encode()
@@ -111,7 +111,7 @@ class ChildRun:
     :ivar sandbox: which layers of confinement hold, by name; None before the run has said so, {} when none was asked for.
     """
 
-    def __init__(self, job: Job, starter: StarterLink) -> None:
+    def __init__(self, job: RunRequest, starter: StarterLink) -> None:
         self.scenario = job.scenario
         self.submission = job.submission
         self.home = job.home
@@ -127,7 +127,7 @@ class ChildRun:
         self.refused: list[str] = []  # names of system calls
         self.returncode: int | None = None
         self.is_over = False  # whether the guard has ended it and all it started
-        self._told = b''
+        self._reported = b''
         self._pids: list[int] = []
         with ExitStack() as ends, ExitStack() as failed:
             self.channel, channel_end = os.pipe()
@@ -199,8 +199,8 @@ class ChildRun:
         data = b''
         with suppress(OSError):
             data = self.link.recv(CHUNK_BYTES)
-        self._told += data
-        *lines, self._told = self._told.split(b'\n')
+        self._reported += data
+        *lines, self._reported = self._reported.split(b'\n')
         for line in lines:
             message = json.loads(line)
             self.returncode = message.get('status', self.returncode)

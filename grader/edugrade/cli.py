@@ -112,7 +112,7 @@ def schema_command(words: Sequence[str]) -> int:
 
 
 def _hints(options: argparse.Namespace) -> int:
-    from .noted import find_hint, opened, progress_folder
+    from .attempts import find_hint, opened, progress_folder
 
     for path in options.paths:
         submission = Submission(path)
@@ -164,16 +164,16 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
     runs = sum(len(work.scenarios) for work in works)
     with progress_bar(runs if several else 0) as advance:
         reports = grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance)
-        return [_told(replace(report, student=options.student), options) for report in reports]
+        return [_recorded(replace(report, student=options.student), options) for report in reports]
 
 
-def _told(report: Report, options: argparse.Namespace) -> Report:
+def _recorded(report: Report, options: argparse.Namespace) -> Report:
     """The report with as much advice as is asked for, or else as a student gets who has tried so often."""
     from dataclasses import replace
 
-    from .noted import noted, progress_folder
+    from .attempts import progress_folder, record_attempt
 
-    return replace(report, level=options.advice) if options.advice else noted(report, progress_folder(report.file))
+    return replace(report, level=options.advice) if options.advice else record_attempt(report, progress_folder(report.file))
 
 
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:

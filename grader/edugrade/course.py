@@ -54,12 +54,17 @@ class Exercise(NamedTuple):
 
 def read_toml(path: str) -> dict[str, Any]:
     """The tables of a TOML file. Raises OSError or ValueError as the reader does."""
+    with open(path, encoding='utf-8') as file:
+        return parse_toml(file.read())
+
+
+def parse_toml(text: str) -> dict[str, Any]:
+    """Return the tables of a TOML text. Raises ValueError as the reader does."""
     if sys.version_info >= (3, 11):
         import tomllib
     else:
         import tomli as tomllib
-    with open(path, 'rb') as file:
-        tables: dict[str, Any] = tomllib.load(file)
+    tables: dict[str, Any] = tomllib.loads(text)
     return tables
 
 

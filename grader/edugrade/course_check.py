@@ -22,7 +22,7 @@ from .faults import raise_fault
 from .files import files_below
 from .grading import grade, plan_work
 from .rubrics.catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
-from .rubrics.yaml_lint import points_for_names
+from .rubrics.yaml_lint import points_for_defaults, points_for_names
 from .submission import Submission
 from .variant import CourseSecret, Variant, personal
 
@@ -59,13 +59,24 @@ def main(argv: Sequence[str] | None = None) -> int:
     if not problems:
         course = read_course(manifest)
         problems = [*listed(check_files(folder, course)), *listed(check_entries(folder, course))]
-    if not options.quick and not problems:
-        problems = [*listed(check_runs(folder, course)), *listed(check_variants(folder, course))]
+        if not options.quick:
+            sound = [item for item in course if _can_be_run(folder, item)]
+            problems += [*listed(check_runs(folder, sound)), *listed(check_variants(folder, sound))]
     for problem in problems:
         print(f'course: {problem}')
     if not problems:
         print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points: in order')
     return 1 if problems else 0
+
+
+def _can_be_run(folder: str, item: Exercise) -> bool:
+    """Whether stub, solution and rubric of an exercise can be read; what is wrong with them was said."""
+    try:
+        for kind in (STUBS, SOLUTIONS):
+            plan_work(Submission(os.path.join(folder, kind, item.path)), _rubrics(folder)[item.name])
+    except (Exception, SystemExit):
+        return False
+    return True
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -83,6 +94,8 @@ def listed(found: Iterator[str]) -> Iterator[str]:
         yield from found
     except UnusableInput as error:
         yield str(error)
+    except SystemExit as error:
+        yield f'a file of the course ended the check: SystemExit: {error}'
     except Exception as error:
         raise_fault(error)
         yield f'this could not be checked to its end: {type(error).__name__}: {error}'
@@ -234,7 +247,8 @@ def _against_the_rubric(item: Exercise, file: str) -> Iterator[str]:
     if len(rubric.scenarios(0)) < 2:
         yield f'{item.name} is run only once: one set of arguments is easily guessed'
     if file.endswith('.yaml'):
-        yield from (f'the rubric of {item.name}, {problem}' for problem in points_for_names(file))
+        found = (*points_for_names(file), *points_for_defaults(file))
+        yield from (f'the rubric of {item.name}, {problem}' for problem in found)
 
 
 def _gaps(folder: str, item: Exercise) -> Iterator[str]:

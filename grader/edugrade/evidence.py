@@ -27,7 +27,9 @@ class Scenario(NamedTuple):
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
     :param duration_s: simulated seconds.
     :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
-    :param is_interrupted: whether launch gets Ctrl-C at the end, after what is recorded, and the bags that are written are read.
+    :param is_interrupted: whether launch gets Ctrl-C at the end, after what is recorded, and the bags are read that are written.
+    :param defaults: arguments that the run does not give, with the default that the launch file should declare for each; None:
+        any default. See `edugrade.bare_runs`.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Scenario(NamedTuple):
     duration_s: float = 20.0
     seed: int = 0
     is_interrupted: bool = False
+    defaults: Mapping[str, str | None] = MappingProxyType({})
 
     @property
     def command(self) -> str:
@@ -64,6 +67,10 @@ class Outcome(NamedTuple):
     detail: str = ''  # for the course author: a traceback of the engine, or what the program printed
     refused: tuple[str, ...] = ()  # names of the system calls that it tried and may not make
     bags: Sequence[Mapping[str, Any]] = ()  # what the bags hold that it wrote; see `sandbox.bags`
+    real_s: float = 0.0  # how long the run took on this computer; in no report, for equal runs report alike
+    bare: tuple[str, tuple[str, ...]] | None = (
+        None  # why it could not be launched without some of its `defaults`, and their names
+    )
 
 
 Found = TypeVar('Found')
@@ -75,6 +82,7 @@ class Evidence(Mapping[str, 'Recording']):
     :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
     :ivar names: what the cells of a notebook have defined, of the names that the rubric of a turn looks at.
     :ivar bags: what the bags of each scenario hold that is interrupted, by its name.
+    :ivar bare: of each scenario that could not be launched without some of its `defaults`, and was given them: why, which.
     """
 
     def __init__(
@@ -84,10 +92,11 @@ class Evidence(Mapping[str, 'Recording']):
         source: Source,
         names: Mapping[str, Any] = MappingProxyType({}),
         bags: Mapping[str, Sequence[Mapping[str, Any]]] = MappingProxyType({}),
+        bare: Mapping[str, tuple[str, tuple[str, ...]]] = MappingProxyType({}),
     ) -> None:
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
-        self.bags = dict(bags)
+        self.bags, self.bare = dict(bags), dict(bare)
         self.source = source
         self.names = names
         self._found: dict[Hashable, Any] = {}
@@ -104,7 +113,7 @@ class Evidence(Mapping[str, 'Recording']):
     def only(self, names: Sequence[str]) -> Evidence:
         """The same for some of the scenarios."""
         recordings = {name: self[name] for name in self if name in names}
-        return Evidence(self._scenarios, recordings, self.source, self.names, self.bags)
+        return Evidence(self._scenarios, recordings, self.source, self.names, self.bags, self.bare)
 
     @property
     def first(self) -> Recording:
@@ -121,6 +130,29 @@ class Evidence(Mapping[str, 'Recording']):
     def scenario(self, name: str) -> Scenario:
         """The scenario of that name: its arguments, duration and seed."""
         return self._scenarios[name]
+
+    def arguments_of(self, name: str) -> Mapping[str, str]:
+        """The launch arguments of a scenario: as they were given, or as their defaults should be, or else are declared."""
+        scenario = self._scenarios[name]
+        found = dict(scenario.arguments)
+        for key, wanted in scenario.defaults.items():
+            found[key] = wanted if wanted is not None else written_text(described_defaults(self[name]).get(key) or '')
+        return found
+
+
+def described_defaults(recording: Recording) -> dict[str, str | None]:
+    """The default of each declared launch argument as it is described; None: it has none."""
+    return {item.name: item.default for item in recording.launch.declared}
+
+
+_JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
+
+
+def written_text(described: str) -> str:
+    """The text behind a description such as ``'1' + '.0'``; another substitution stays as it is described."""
+    if len(described) >= 2 and described[0] == described[-1] == "'":
+        return described[1:-1].replace(_JOINT, '')
+    return described
 
 
 class Failure(Exception):

@@ -12,9 +12,14 @@ import mmap
 import os
 import re
 from contextlib import suppress
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
+from edulaunch.errors import how_to_install
+
 if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
     from .evidence import Outcome
 
 SENTENCES = {
@@ -38,8 +43,28 @@ _LONGEST_LOOK = 200_000
 TRIED_BYTES, TRIED_MEMORY, TRIED_DESCRIPTORS = 1 << 18, 64 << 20, 24
 
 
+EXTRAS = {
+    'ros2 bag': ('rosbags', 'rosbags', 'bags'),
+    'robot_state_publisher': ('urdf_parser_py', 'urdf-parser-py', 'urdf'),
+    'joint_state_publisher': ('urdf_parser_py', 'urdf-parser-py', 'urdf'),
+    'xacro': ('xacro', 'xacro', 'urdf'),
+}
+"""Programs that need a package of an extra: its module, its name, the extra."""
+
+
 class ComputerFault(Exception):
     """This computer cannot grade now. The text is a sentence without its full stop."""
+
+
+def missing_for(recording: Recording) -> tuple[str, str] | None:
+    """Return which package this computer lacks for a program of the run, and how to install it; None when it lacks none."""
+    for process in recording.processes:
+        words = [os.path.basename(process.argv[0]), *process.argv[1:2]] if process.argv else []
+        for name in (' '.join(words), *words[:1], process.executable or ''):
+            module, package, extra = EXTRAS.get(name, ('', '', ''))
+            if module and find_spec(module) is None:
+                return f'{name} needs {package}, which is not installed', how_to_install(extra)
+    return None
 
 
 def fault_of(error: BaseException) -> str | None:
@@ -63,10 +88,10 @@ def raise_fault(error: BaseException) -> None:
 
 def looks_like_one(outcome: Outcome) -> bool:
     """Whether what a run came to may be due to the computer: by the numbers of the errors that it tells of."""
-    return any(int(number) in OF_THE_COMPUTER for number in _NUMBER.findall(_told(outcome)))
+    return any(int(number) in OF_THE_COMPUTER for number in _NUMBER.findall(_text_of(outcome)))
 
 
-def _told(outcome: Outcome) -> str:
+def _text_of(outcome: Outcome) -> str:
     texts = [outcome.text, outcome.detail]
     if outcome.recording is not None:
         with suppress(Exception):  # a hostile recording may upset its reader in any way

@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
-from .job import CAN_FORK, Limits, Ticket
+from .bare_runs import Again, with_defaults_given
+from .job import CAN_FORK, GradingJob, Limits
 from .rubrics.catalogue import find_rubric
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
@@ -92,12 +93,12 @@ def grade(
     :param processors: how many runs go at once; default: as many as there are processors.
     """
     with runner_here(limits, on_outcome, processors) as runner:
-        tickets = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
+        jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
         from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
 
-        tickets.reverse()
+        jobs.reverse()
         for item in work:
-            yield _report(item, runner, tickets.pop(), workspaces)  # nothing is kept of it here: recordings are large
+            yield _report(item, runner, jobs.pop(), workspaces)  # nothing is kept of it here: recordings are large
 
 
 def runner_here(
@@ -113,16 +114,19 @@ def runner_here(
     return InPlace(limits, on_outcome)
 
 
-def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Sequence[str]) -> Report:
+def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: Sequence[str]) -> Report:
     from .judging import broken, judge, judged, no_mark, too_much
     from .results import FAILED, Report
     from .worker import Exceeded
 
-    outcomes = runner.wait(ticket)
+    def again(scenarios: Sequence[Scenario]) -> list[Outcome]:
+        return runner.wait(runner.add(work.submission, scenarios, workspaces, is_next=True))
+
+    outcomes = with_defaults_given(runner.wait(job), again)
     submission = work.submission
     try:
         results = judged(lambda: judge(work.rubric.checks, outcomes, submission.source))
-        results[1:1] = [*_whose(work), *_repeated(work, outcomes, runner, workspaces)]
+        results[1:1] = [*_whose(work), *_repeated(work, outcomes, again)]
     except Exceeded as error:
         fault = runner.fault()
         results = [no_mark(fault)] if fault else too_much(work.rubric.checks, str(error), submission.source)
@@ -172,7 +176,7 @@ def _whose(work: Work) -> list[CheckResult]:
     ]
 
 
-def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace, workspaces: Sequence[str]) -> list[CheckResult]:
+def _repeated(work: Work, outcomes: Sequence[Outcome], run: Again) -> list[CheckResult]:
     """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
     from .judging import judged
     from .repeated import difference, has_own_programs, result
@@ -180,7 +184,7 @@ def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace,
     own = [outcome for outcome in outcomes if outcome.recording is not None and has_own_programs(outcome.recording)]
     if not own:
         return []
-    again = runner.wait(runner.add(work.submission, [outcome.scenario for outcome in own], workspaces, is_next=True))
+    again = run([outcome.scenario for outcome in own])
     pairs = list(zip(own, again, strict=True))
     return judged(lambda: [result([(one.scenario, difference(one, two)) for one, two in pairs], work.submission.source)])
 
@@ -203,7 +207,7 @@ def progress_bar(total: int) -> Iterator[Callable[[], None]]:
 
     def advance() -> None:
         nonlocal done
-        done += 1
+        done = min(done + 1, total)  # a run that is made again was counted
         show()
 
     show()

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.errors import UnusableInput
 
 from .evidence import Outcome, Scenario
-from .job import Limits, Ticket, environment
+from .job import GradingJob, Limits, environment
 from .submission import Submission
 
 if TYPE_CHECKING:
@@ -48,20 +48,20 @@ class InPlace:
 
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
-    ) -> Ticket:
+    ) -> GradingJob:
         """Ask for the runs of a submission; as `Runner.add`."""
-        ticket = Ticket(scenarios)
-        self._given[id(ticket)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
-        return ticket
+        job = GradingJob(scenarios)
+        self._given[id(job)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
+        return job
 
     def fault(self) -> str | None:
         """Nothing is known of this computer."""
         return None
 
-    def wait(self, ticket: Ticket) -> list[Outcome]:
+    def wait(self, job: GradingJob) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order."""
-        submission, workspaces = self._given.pop(id(ticket))
-        return [self._outcome(scenario, submission, workspaces) for scenario in ticket.scenarios]
+        submission, workspaces = self._given.pop(id(job))
+        return [self._outcome(scenario, submission, workspaces) for scenario in job.scenarios]
 
     def _outcome(self, scenario: Scenario, submission: Submission, workspaces: list[str]) -> Outcome:
         if self._limits.sandbox == 'require':

@@ -42,10 +42,17 @@ class Limits(NamedTuple):
     @property
     def resources(self) -> dict[str, int]:
         """For setrlimit, by the name behind ``RLIMIT_``."""
-        return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}
+        return {
+            'CPU': int(self.wall_s) + 5,
+            'AS': self.memory_mib * MEBI,
+            'FSIZE': 64 * MEBI,
+            'NOFILE': 256,
+            'CORE': 0,
+            'SIGPENDING': 256,
+        }
 
 
-class Ticket:
+class GradingJob:
     """The runs of one submission: what is asked for, and what has come of it."""
 
     def __init__(self, scenarios: Sequence[Scenario]) -> None:
@@ -59,7 +66,7 @@ class Ticket:
         return len(self.outcomes) == len(self.scenarios)
 
 
-class Job:
+class RunRequest:
     """One scenario of one submission, ready to be run.
 
     :param home: a private folder: the child's current folder, HOME and TMPDIR.

@@ -35,7 +35,9 @@ def judge(
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
     recordings = {outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording}
-    evidence = Evidence(scenarios, recordings, source, names, {outcome.scenario.name: outcome.bags for outcome in outcomes})
+    bags = {outcome.scenario.name: outcome.bags for outcome in outcomes}
+    bare = {outcome.scenario.name: outcome.bare for outcome in outcomes if outcome.bare}
+    evidence = Evidence(scenarios, recordings, source, names, bags, bare)
     for check in checks:
         blocker = _blocker(check, results)
         result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
@@ -179,7 +181,7 @@ def _of_row(row: dict[str, Any]) -> CheckResult:
 
 
 LONGEST_S = 2.0  # usual: a hundredth of it
-SAID_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
+COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
 """Rubrics tell of dead programs and missing arguments themselves; the arguments of a run are the grader's."""
 SHORTEST_NAME = 4
 """Letters of a name that may be looked for in a text."""
@@ -192,17 +194,17 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     if not evidence or all(result.status != FAILED for result in results):
         return results
     findings = _findings(evidence, any(' died ' in (result.reason or '') for result in results))
-    told: list[CheckResult] = []
+    kept: list[CheckResult] = []
     for result in results:
         cause = next((finding for finding in findings if _is_about(finding, result)), None) if result.status == FAILED else None
         if cause is not None:
             findings.remove(cause)
             result = replace(result, cause=cause)
-        told.append(result)
-    return told if any(result.cause for result in told) else _with_worst(told, findings)
+        kept.append(result)
+    return kept if any(result.cause for result in kept) else _with_worst(kept, findings)
 
 
-def _findings(evidence: Evidence, died_is_said: bool) -> list[Finding]:
+def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
     """Of all runs, the worst first; none when there is so much that it takes too long."""
     from edulaunch.advice.judging import in_order
 
@@ -213,8 +215,8 @@ def _findings(evidence: Evidence, died_is_said: bool) -> list[Finding]:
         raise
     except Exception:  # a rule that breaks costs the causes, and never the mark
         return []
-    said = SAID_BY_CHECKS if died_is_said else tuple(rule for rule in SAID_BY_CHECKS if rule != 'programs.died')
-    return [finding for finding in found if finding.rule not in said]
+    covered = COVERED_BY_CHECKS if death_is_covered else tuple(rule for rule in COVERED_BY_CHECKS if rule != 'programs.died')
+    return [finding for finding in found if finding.rule not in covered]
 
 
 def _is_about(finding: Finding, result: CheckResult) -> bool:

@@ -10,9 +10,9 @@ from typing import Any
 from edulaunch.advice import reader_here
 from edulaunch.errors import UnusableInput
 
+from .attempts import find_hint, opened, record_attempt
 from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
-from .noted import find_hint, noted, opened
 from .reports.markup import element, joined
 from .reports.page import report_html
 from .reports.terminal import render
@@ -76,7 +76,7 @@ def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = 
         if turn is not None:
             if hint is not None:
                 return Note('The hints of a turn stand below its cell.')
-            return CheckReport(noted(grade_turn(exercise, turn, names), os.getcwd()))
+            return CheckReport(record_attempt(grade_turn(exercise, turn, names), os.getcwd()))
         submission = Submission(find_exercise(os.fspath(exercise)))
         return _graded(submission) if hint is None else _hint(submission, hint)
     except UnusableInput as error:
@@ -118,7 +118,7 @@ def _unknown(name: str, known: list[str]) -> UnusableInput:
 
 def _graded(submission: Submission) -> CheckReport:
     (report,) = grade([plan_work(submission)])
-    return CheckReport(noted(report, os.getcwd()))
+    return CheckReport(record_attempt(report, os.getcwd()))
 
 
 def _hint(submission: Submission, level: int) -> Note:

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Sequence
 
 from edulaunch.errors import UnusableInput
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 from .rubrics.catalogue import exercises
 

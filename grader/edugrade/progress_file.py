@@ -16,11 +16,11 @@ from .course import read_toml
 from .files import write_whole
 
 NAME = 'my_progress.toml'
-HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.\n'
+HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to start over.\n'
 PLACE = 'EDULAUNCH_PROGRESS'
 """An environment variable: a folder in which the file is kept instead."""
-PREDICTIONS, ANSWERS = 'my_predictions', 'my_answers'
-"""The two tables beside those of the exercises: prediction -> what was said, question -> the answers, in their order."""
+PREDICTIONS, ANSWERS, EXPLANATIONS = 'my_predictions', 'my_answers', 'my_explanations'
+"""The tables beside those of the exercises: prediction -> value, question -> the answers in their order, explanation -> text."""
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 
@@ -69,6 +69,7 @@ class ProgressFile:
     :ivar word: what the student must be told about the file, if anything.
     :ivar predictions: what the student said before looking, by the prediction's name.
     :ivar answers: the letters chosen for each question, in the order in which they were given.
+    :ivar explanations: what the student wrote, by the explanation's name.
     """
 
     def __init__(self, folder: str) -> None:
@@ -78,6 +79,7 @@ class ProgressFile:
         self.exercises: dict[str, Progress] = {}
         self.predictions: dict[str, str] = {}
         self.answers: dict[str, list[str]] = {}
+        self.explanations: dict[str, str] = {}
         self._read()
 
     def of(self, exercise: str) -> Progress:
@@ -99,15 +101,20 @@ class ProgressFile:
         if self._unreadable:
             raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')
         exercises = ''.join(_table(name, item) for name, item in self.exercises.items())
-        write_whole(self.path, HEADER + exercises + _lines(PREDICTIONS, self.predictions) + _lines(ANSWERS, self.answers))
+        tables: dict[str, dict[str, Any]] = {
+            PREDICTIONS: self.predictions,
+            ANSWERS: self.answers,
+            EXPLANATIONS: self.explanations,
+        }
+        write_whole(self.path, HEADER + exercises + ''.join(_lines(name, table) for name, table in tables.items()))
 
     def _read(self) -> None:
         try:
             tables = read_toml(self.path)
-            predictions = _texts(tables.pop(PREDICTIONS, {}))
+            predictions, explanations = _texts(tables.pop(PREDICTIONS, {})), _texts(tables.pop(EXPLANATIONS, {}))
             answers = {name: list(_texts(dict(enumerate(given))).values()) for name, given in tables.pop(ANSWERS, {}).items()}
             self.exercises = {name: _progress(table) for name, table in tables.items()}
-            self.predictions, self.answers = predictions, answers
+            self.predictions, self.answers, self.explanations = predictions, answers, explanations
         except FileNotFoundError:
             pass
         except OSError as error:

@@ -75,8 +75,8 @@ def _first_pair(one: Iterator[tuple[float, str, Any]], two: Iterator[tuple[float
         if here != there:
             known = [event for event in (here, there) if event is not None]
             first = min(known, key=lambda event: event[:2])
-            said = [_short(event[2]) if event is not None and event[:2] == first[:2] else 'nothing' for event in (here, there)]
-            return first[0], f'at {first[0]:.3f} s, {first[1]}: {said[0]} the one time, {said[1]} the other'
+            shown = [_short(event[2]) if event is not None and event[:2] == first[:2] else 'nothing' for event in (here, there)]
+            return first[0], f'at {first[0]:.3f} s, {first[1]}: {shown[0]} the one time, {shown[1]} the other'
     return None
 
 

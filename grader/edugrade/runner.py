@@ -12,7 +12,7 @@ from typing import Any
 from .child_run import ChildRun, StarterLink
 from .evidence import Outcome, Scenario
 from .faults import SENTENCES, ComputerFault, fault_here, fault_of, killed_for_memory, looks_like_one, no_mark_for
-from .job import Job, Limits, Ticket
+from .job import GradingJob, Limits, RunRequest
 from .sandbox.remove_tree import remove_tree
 from .submission import Submission
 from .verdicts import verdict
@@ -39,8 +39,8 @@ class Runner:
         self._processors = processors or os.cpu_count() or 1
         self._on_outcome = on_outcome
         self._home = _private_folder()
-        self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
-        self._running: dict[ChildRun, Ticket] = {}
+        self._waiting: list[tuple[GradingJob, Scenario, Submission, Sequence[str]]] = []
+        self._running: dict[ChildRun, GradingJob] = {}
         self._started = 0
         self._killed_for_memory = killed_for_memory()
         self._listened_at = monotonic()
@@ -63,27 +63,27 @@ class Runner:
 
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
-    ) -> Ticket:
+    ) -> GradingJob:
         """Ask for the runs of a submission; runs that were added earlier go first, unless these are the next.
 
         :param workspaces: more folders with the student's packages, searched before the submission's own.
         """
-        ticket = Ticket(scenarios)
+        job = GradingJob(scenarios)
         folders = [*workspaces, *submission.workspaces]
         place = 0 if is_next else len(self._waiting)
-        self._waiting[place:place] = [(ticket, scenario, submission, folders) for scenario in scenarios]
+        self._waiting[place:place] = [(job, scenario, submission, folders) for scenario in scenarios]
         self._start_some()
-        return ticket
+        return job
 
     def homes(self) -> list[str]:
         """The private folders of the runs so far; each is removed when its run is over."""
         return [os.path.join(self._home, str(number + 1)) for number in range(self._started)]
 
-    def wait(self, ticket: Ticket) -> list[Outcome]:
+    def wait(self, job: GradingJob) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
-        while not ticket.is_done:
+        while not job.is_done:
             self._turn(LONGEST_NAP_S)
-        return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
+        return [job.outcomes[scenario.name] for scenario in job.scenarios]
 
     def _attend(self, end: int, seconds: float) -> bool:
         """Go on with the runs until this end can be read, or these seconds are over: a worker judges. Whether it can be read."""
@@ -115,16 +115,16 @@ class Runner:
 
     def _start_some(self) -> None:
         while self._waiting and len(self._running) < self._processors:
-            ticket, scenario, submission, workspaces = self._waiting.pop(0)
+            job, scenario, submission, workspaces = self._waiting.pop(0)
             self._started += 1
             home = os.path.join(self._home, str(self._started))
             try:
                 os.mkdir(home)
-                run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._living_starter())
+                run = ChildRun(RunRequest(submission, scenario, self._limits, workspaces, home), self._living_starter())
             except OSError as error:
-                self._settle(ticket, no_mark_for(Outcome(scenario, 'broke', text=str(error)), fault_of(error) or str(error)))
+                self._settle(job, no_mark_for(Outcome(scenario, 'broke', text=str(error)), fault_of(error) or str(error)))
                 continue
-            self._running[run] = ticket
+            self._running[run] = job
             for end, read in ((run.channel, run.read_channel), (run.output, run.read_output), (run.link, run.read_link)):
                 self._selector.register(end, selectors.EVENT_READ, read)
 
@@ -144,22 +144,22 @@ class Runner:
             self._selector.unregister(end)
 
     def _finish(self, run: ChildRun) -> None:
-        ticket = self._running.pop(run)
+        job = self._running.pop(run)
         for end in (run.channel, run.output, run.link):
             self._forget(end)
         run.end()
         remove_tree(run.home)
         outcome = None if run.was_killed else verdict(run)
         most = _times_again(run, outcome)
-        if most > ticket.again[run.scenario.name]:
-            ticket.again[run.scenario.name] += 1
+        if most > job.again[run.scenario.name]:
+            job.again[run.scenario.name] += 1
             run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own one: there may be another one already
-            self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))
+            self._waiting.insert(0, (job, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return
         self._start_some()
-        found = outcome or verdict(run)
-        self._settle(ticket, self._unless_spoilt(found) if most else found)
+        found = (outcome or verdict(run))._replace(real_s=monotonic() - run.begun_at)
+        self._settle(job, self._unless_spoilt(found) if most else found)
 
     def _unless_spoilt(self, outcome: Outcome) -> Outcome:
         """The outcome of a run that has failed again and again; no mark when the computer is at fault."""
@@ -168,8 +168,8 @@ class Runner:
             fault = SENTENCES[errno.ENOMEM]
         return outcome if fault is None else no_mark_for(outcome, fault)
 
-    def _settle(self, ticket: Ticket, outcome: Outcome) -> None:
-        ticket.outcomes[outcome.scenario.name] = outcome
+    def _settle(self, job: GradingJob, outcome: Outcome) -> None:
+        job.outcomes[outcome.scenario.name] = outcome
         if self._on_outcome is not None:
             self._on_outcome()
 

@@ -7,12 +7,13 @@ form of report as an exercise, is recorded as one is, and never ends in a traceb
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from typing import Any
 
 from edulaunch.errors import EdulaunchError, UnusableInput
 
+from .bare_runs import with_defaults_given
 from .course import HIGHEST
 from .evidence import Outcome, Scenario
 from .judging import judge
@@ -88,7 +89,11 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
     digest = sha256(submission.sha256.encode())
     for beside in rubric.beside:
         digest.update(_bytes(os.path.join(folder, beside)))
-    outcomes = [_outcome(scenario, launch) for scenario in rubric.scenarios(SEED)]
+
+    def runs(scenarios: Sequence[Scenario]) -> list[Outcome]:
+        return [_outcome(scenario, launch) for scenario in scenarios]
+
+    outcomes = with_defaults_given(runs(rubric.scenarios(SEED)), runs)
     results = judge(rubric.checks, outcomes, submission.source)
     return Report(
         **submission.named,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .evidence import Outcome, Scenario
-from .faults import REPORT_IT
+from .faults import REPORT_IT, missing_for, no_mark_for
 from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .source import Place, is_engine
 
@@ -63,11 +63,11 @@ def _verdict(run: ChildRun) -> Outcome:
 
 def _not_begun(run: ChildRun) -> Outcome:
     """Nothing of the submission had been read: whatever it was, the student did not do it."""
-    said = (
+    report = (
         _report(bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced])) if run.complete and run.frame[:1] == b'B' else None
     )
-    text = f'the run could not begin: {_text(said, "text")}' if said else 'a process of the grader was killed from outside'
-    return Outcome(run.scenario, 'broke', text=text, try_='grade it again', detail=_text(said or {}, 'trace'))
+    text = f'the run could not begin: {_text(report, "text")}' if report else 'a process of the grader was killed from outside'
+    return Outcome(run.scenario, 'broke', text=text, try_='grade it again', detail=_text(report or {}, 'trace'))
 
 
 def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:
@@ -99,9 +99,9 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
     return _garbage(run)._replace(detail=_text(report, 'detail'))
 
 
-def _broken(run: ChildRun, said: Any) -> Outcome:
+def _broken(run: ChildRun, report: Any) -> Outcome:
     """edulaunch broke in the process of the submission. It may have been made to: no mark for that."""
-    words = said if isinstance(said, dict) else {}
+    words = report if isinstance(report, dict) else {}
     text = f'edulaunch broke in the process that runs this file: {_text(words, "text") or "it does not say how"}'
     advice = "leave edulaunch's own objects alone; if the file does, this is not your mistake: show this report to your teacher"
     return _stopped(run, text, advice)._replace(detail=_text(words, 'trace'))
@@ -241,6 +241,8 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
 def come_to(scenario: Scenario, recording: Recording) -> Outcome:
     """The outcome of a run that was recorded: whether launch came to its end."""
     launch, programs = recording.launch, recording.processes
+    if missing := missing_for(recording):
+        return no_mark_for(Outcome(scenario, 'recorded'), missing[0])._replace(try_=missing[1])
     if launch.error is not None:
         return _launch_error(scenario, launch)
     stuck = programs[0].exception if programs else None

@@ -1,4 +1,4 @@
-"""Your turn of lesson 14: a client that waits for its service."""
+"""The check of lesson 14, your turn: a client that waits for its service."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ def generate_launch_description():
 
 @check(points=2)
 def turtle1_is_removed(run: Evidence) -> None:
-    """/kill is called once, for turtle1, and is answered"""
+    """The client calls /kill once, for turtle1, and gets a reply"""
     calls = [call.request.name for call in run.first.service_calls if call.service == '/kill' and call.served]
     if calls != ['turtle1']:
         raise Failure(
-            '/kill is not called as it should be',
+            'the calls of /kill are not the expected ones',
             expected='one call, for turtle1',
-            seen=f'answered calls for {", ".join(calls)}' if calls else 'no answered call',
+            seen=f'calls with a reply for {", ".join(calls)}' if calls else 'no call with a reply',
             where=run.source.place,
             try_=[
-                'a client of a service',
-                'the three steps of two_more.py: make the client, wait, call',
+                'use a client of the service',
+                'follow the three steps of two_more.py: create the client, wait, call',
                 'node.create_client(Kill, "kill")',
             ],
         )
@@ -38,15 +38,15 @@ def turtle1_is_removed(run: Evidence) -> None:
 
 @check(points=1, needs=[turtle1_is_removed])
 def it_says_so(run: Evidence) -> None:
-    """Then it writes the line gone"""
+    """Then it logs the line gone"""
     said = [log.message for log in run.first.logs if log.logger == 'clean']
     if said[-1:] != ['gone']:
         raise Failure(
-            'the last line is another one',
+            'the last line of the log is different',
             expected='gone',
-            seen='\n'.join(said) or 'it says nothing',
+            seen='\n'.join(said) or 'no line',
             where=run.source.place,
-            try_="node.get_logger().info('gone')",
+            try_="write node.get_logger().info('gone')",
         )
 
 

@@ -1,4 +1,4 @@
-"""Your turn of lesson 0: an object that counts, and a function that calls what it is given."""
+"""The check of lesson 0, your turn: an object that counts, and a function that calls its argument."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def counter_counts(run: Evidence) -> None:
 
 @check(points=1)
 def each_counter_counts_for_itself(run: Evidence) -> None:
-    """Two counters do not count for each other, and each has its own name"""
+    """Each counter has its own count and its own name"""
     first, second = (call('Counter', defined(run, 'Counter'), name) for name in ('hits', 'laps'))
     call('on_message', getattr(first, 'on_message', None))
     call('on_message', getattr(second, 'on_message', None), wanted='laps: 1')
@@ -26,7 +26,7 @@ def each_counter_counts_for_itself(run: Evidence) -> None:
 
 @check(points=1)
 def three_calls_three_times(run: Evidence) -> None:
-    """three(callback) calls what it is given three times, and returns the results as a list"""
+    """three(callback) calls the function three times, and returns the results as a list"""
     calls: list[int] = []
 
     def callback() -> Any:

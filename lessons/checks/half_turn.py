@@ -8,7 +8,7 @@ from edugrade.library.called import defined
 
 @check(points=1)
 def it_is_half_a_turn(run: Evidence) -> None:
-    """z and w are those of half a turn"""
+    """z and w describe half a turn"""
     seen = defined(run, 'z'), defined(run, 'w')
     numbers = all(isinstance(value, (int, float)) for value in seen)
     if not (numbers and abs(abs(seen[0]) - 1) < 1e-3 and abs(seen[1]) < 1e-3):
@@ -16,7 +16,7 @@ def it_is_half_a_turn(run: Evidence) -> None:
             'the rotation',
             'sin and cos of half of pi',
             f'z = {seen[0]!r}, w = {seen[1]!r}',
-            try_='the formula of section 8.1, with yaw = pi',
+            try_='use the formula of section 8.1, with yaw = pi',
         )
 
 

@@ -1,4 +1,4 @@
-"""Your turn of lesson 11: where was turtle1 two seconds ago?"""
+"""The check of lesson 11, your turn: where was turtle1 two seconds ago?"""
 
 from __future__ import annotations
 
@@ -21,49 +21,49 @@ def generate_launch_description():
     ])
 """
 AGO_S = 2.0
-EARLY = 'now, minus a Duration, and only if buffer.can_transform'
+EARLY = 'subtract a Duration from now, and look up only if buffer.can_transform returns True'
 SAID = re.compile(r'\s*(\d+\.\d+) (\d+\.\d+)\s*')
 
 
 def said(run: Evidence) -> list[tuple[float, str]]:
-    """What lag says, and when."""
+    """Return the lines that lag logged, with their times."""
     return [(log.time_s, log.message) for log in run.first.logs if log.logger == 'lag']
 
 
 @check(points=1)
 def it_says_something(run: Evidence) -> None:
-    """lag says once a second where turtle1 was"""
+    """lag logs once a second where turtle1 was"""
     lines = said(run)
     if not 4 <= len(lines) <= 9:
         seen = f'{len(lines)} lines in 8.5 s'
         raise Failure(
-            'lag does not say it once a second', seen=seen, where=run.source.place, try_='a timer of a second, as in ask.py'
+            'lag does not log once a second', seen=seen, where=run.source.place, try_='use a timer of one second, as in ask.py'
         )
 
 
 @check(points=1, needs=[it_says_something])
 def it_says_only_that(run: Evidence) -> None:
-    """It writes no line about an error"""
+    """It logs no error"""
     wrong = [text for _, text in said(run) if not SAID.fullmatch(text)]
     if wrong:
         raise Failure(
-            'a line is not the two numbers',
+            'a line of the log is not two numbers',
             expected='x y, such as 6.72 9.15',
             seen=wrong[0][:300],
             where=run.source.place,
-            try_='buffer.can_transform says beforehand whether a lookup would work',
+            try_='ask buffer.can_transform whether the lookup would succeed',
         )
 
 
 @check(points=2, needs=[it_says_only_that])
 def it_was_there_two_seconds_ago(run: Evidence) -> None:
-    """turtle1 was there two seconds before"""
+    """The logged position is the one of two seconds before"""
     for time_s, text in said(run):
         frame = run.first.frames_at(max(time_s - AGO_S, 0.0)).get('turtle1')
         if frame is None:
             raise Mismatch(
-                f'what lag says at {time_s:.2f} s',
-                'nothing: two seconds ago nobody knew',
+                f'the line of lag at {time_s:.2f} s',
+                'no line, because tf2 had no transform two seconds ago',
                 text,
                 where=run.source.place,
                 try_=EARLY,
@@ -72,7 +72,11 @@ def it_was_there_two_seconds_ago(run: Evidence) -> None:
         numbers = [float(word) for word in text.split()]
         if not abs(numbers[0] - x) + abs(numbers[1] - y) <= 0.1:
             raise Mismatch(
-                f'what lag says at {time_s:.2f} s', f'{x:.2f} {y:.2f}', text, where=run.source.place, try_='now, minus a Duration'
+                f'the line of lag at {time_s:.2f} s',
+                f'{x:.2f} {y:.2f}',
+                text,
+                where=run.source.place,
+                try_='subtract a Duration from now',
             )
 
 

@@ -1,4 +1,4 @@
-"""Your turn of lesson 7: a setting that belongs to the package."""
+"""The check of lesson 7, your turn: a parameter file in the package."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ def hello_speaks(run: Evidence) -> None:
 
 @check(points=1, needs=[hello_speaks])
 def it_says_it_loud(run: Evidence) -> None:
-    """What it publishes is HELLO"""
+    """It publishes HELLO"""
     said = sorted({message.data for _, message in run.first.messages('/greeting')})
     if said != ['HELLO']:
         raise Mismatch(
-            'what is published', 'HELLO', ', '.join(said), where=run.source.place, try_='which word does config/loud.yaml give?'
+            'the published word', 'HELLO', ', '.join(said), where=run.source.place, try_='check the word in config/loud.yaml'
         )
 
 
 @check(points=1, needs=[hello_speaks])
 def the_word_is_a_parameter(run: Evidence) -> None:
-    """The word comes from a file of parameters"""
+    """The word comes from a parameter file"""
     found = run.first.parameters('/hello').get('word')
     if found is None or '.yaml' not in found.origin:
         seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
@@ -33,7 +33,7 @@ def the_word_is_a_parameter(run: Evidence) -> None:
             'HELLO, from config/loud.yaml',
             seen,
             where=run.source.place,
-            try_='declare it in hello.py; give the Node parameters=[the path of the file]',
+            try_='declare it in hello.py, and write parameters=[the path of the file] in the Node',
         )
 
 

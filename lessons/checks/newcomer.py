@@ -1,4 +1,4 @@
-"""Lesson 14: a newcomer that looks whether it got its name."""
+"""The check of lesson 14: a newcomer that checks whether it got its name."""
 
 from __future__ import annotations
 
@@ -22,33 +22,33 @@ def generate_launch_description():
 
 
 def said(run: Evidence) -> list[str]:
-    """What the two of them say."""
+    """Return the lines that both programs logged."""
     return sorted(log.message for log in run.first.logs if log.logger == 'newcomer')
 
 
 @check(points=1)
 def the_first_is_there(run: Evidence) -> None:
-    """Of two newcomers that want to be turtle3, one says: here is turtle3"""
+    """If two newcomers request the name turtle3, one of them logs: here is turtle3"""
     if said(run).count('here is turtle3') != 1:
         raise Mismatch(
-            'what they say',
+            'the log of both',
             'once: here is turtle3',
             '\n'.join(said(run)) or 'nothing',
             where=run.source.place,
-            try_='the three steps of two_more.py, and a log',
+            try_='follow the steps of two_more.py, and log the result',
         )
 
 
 @check(points=1, needs=[the_first_is_there])
 def the_second_finds_no_place(run: Evidence) -> None:
-    """The other one says: no place for turtle3"""
+    """The other one logs: no place for turtle3"""
     if said(run) != ['here is turtle3', 'no place for turtle3']:
         raise Mismatch(
-            'what they say',
+            'the log of both',
             'here is turtle3\nno place for turtle3',
             '\n'.join(said(run)),
             where=run.source.place,
-            try_='which name does the response have when there is no place?',
+            try_='check which name the response contains when the name is in use',
         )
 
 

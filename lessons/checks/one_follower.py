@@ -1,4 +1,4 @@
-"""Lesson 17: everything that one follower needs."""
+"""The check of lesson 17: everything that one follower needs."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from edugrade import Evidence, Mismatch, Missing, Rubric, Scenario, check
 
 
 def given(run: Evidence, scenario: str, name: str) -> list[object]:
-    """The values that nodes have of a parameter."""
+    """Return the values of a parameter in all nodes."""
     nodes = dict.fromkeys(node.name for node in run[scenario].nodes)
     return [found.value for node in nodes if (found := run[scenario].parameters(node).get(name)) is not None]
 
@@ -16,28 +16,33 @@ def require(run: Evidence, name: str, prefix: str, argument: str, node: str) -> 
         wanted, seen = prefix + run.scenario(scenario).arguments[argument], given(run, scenario, name)
         if not seen:
             raise Missing(
-                f'the parameter {name}', seen='no node has it', where=run.source.place, try_=f'start {node}, with its parameters'
+                f'the parameter {name}',
+                seen='no node has this parameter',
+                where=run.source.place,
+                try_=f'start {node} with its parameters',
             )
         if wanted not in seen:
             words = f'{name}, when launched with {run.scenario(scenario).words}'
-            raise Mismatch(words, wanted, ', '.join(map(str, seen)), where=run.source.place, try_=f'parameters of {node}')
+            raise Mismatch(
+                words, wanted, ', '.join(map(str, seen)), where=run.source.place, try_=f'check the parameters of {node}'
+            )
 
 
 @check(points=1)
 def it_knows_its_target(run: Evidence) -> None:
-    """The follower's parameter target is the carrot of its leader"""
+    """The parameter target of the follower is the carrot of its leader"""
     require(run, 'target', 'carrot_', 'leader', 'follower of fleet')
 
 
 @check(points=1)
 def it_knows_itself(run: Evidence) -> None:
-    """Its parameter me is its own turtle"""
+    """The parameter me of the follower is its own turtle"""
     require(run, 'me', '', 'me', 'follower of fleet')
 
 
 @check(points=1)
 def its_turtle_is_broadcast(run: Evidence) -> None:
-    """The parameter turtlename of a broadcaster is that turtle"""
+    """The parameter turtlename of a broadcaster is the turtle of the follower"""
     require(run, 'turtlename', '', 'me', 'turtle_tf2_broadcaster of turtle_tf2_py')
 
 
@@ -48,10 +53,10 @@ def names_differ(run: Evidence) -> None:
     if one & two:
         raise Mismatch(
             'the names of the nodes',
-            'other names for another turtle',
-            f'both have {", ".join(sorted(one & two))}',
+            'different names for different turtles',
+            f'both followers have {", ".join(sorted(one & two))}',
             where=run.source.place,
-            try_="name=['follower_', me]",
+            try_="write name=['follower_', me]",
         )
 
 

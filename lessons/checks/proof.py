@@ -1,4 +1,4 @@
-"""Your turn of lesson 17: the proof that the fleet drives, for each number of followers."""
+"""The check of lesson 17, your turn: the fleet drives, for each number of followers."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.node_graph import require_started
 
 LATEST_S, NEAR_M = 20.0, 0.8
-ORDER = 'the order of lesson 16: does it exist, is it in the tf tree, does its node find the carrot, does it publish?'
+ORDER = 'follow the order of lesson 16: does it exist, is it in the tf tree, does its node find the carrot, does it publish?'
 
 
 def followers(run: Evidence) -> Iterator[tuple[str, int]]:
-    """Each run with each number of a turtle that follows in it."""
+    """Yield each run with the number of each follower in it."""
     for scenario in run:
         for number in range(2, int(run.scenario(scenario).arguments['count']) + 2):
             yield scenario, number
@@ -21,7 +21,7 @@ def followers(run: Evidence) -> Iterator[tuple[str, int]]:
 
 @check(points=1)
 def everybody_is_there(run: Evidence) -> None:
-    """Each turtle is in the tf tree, at the end"""
+    """Each turtle is in the tf tree at the end"""
     for scenario, number in followers(run):
         if f'turtle{number}' not in run[scenario].frames_at(LATEST_S):
             raise Failure(
@@ -34,17 +34,17 @@ def everybody_is_there(run: Evidence) -> None:
 
 @check(points=1)
 def everybody_came_after_the_simulator(run: Evidence) -> None:
-    """Everybody came after the simulator"""
+    """All followers start after the simulator"""
     for scenario in run:
-        sim = require_started(run, scenario, '/sim', 'the simulator is called sim')
+        sim = require_started(run, scenario, '/sim', 'start the simulator with the name sim')
         early = [node.name for node in run[scenario].nodes if node.started_s < sim and 'ros2' not in node.name]
         if early:
-            raise Failure(f'{early[0]} starts before the simulator', where=run.source.place, try_='OnProcessStart: lesson 5')
+            raise Failure(f'{early[0]} starts before the simulator', where=run.source.place, try_='use OnProcessStart, lesson 5')
 
 
 @check(points=1, needs=[everybody_is_there])
 def everybody_knows_its_own_leader(run: Evidence) -> None:
-    """Each follower goes to the carrot of the turtle in front of it, and of no other"""
+    """The target of each follower is the carrot of the turtle in front of it"""
     for scenario, number in followers(run):
         recording, targets = run[scenario], {}
         for node in dict.fromkeys(node.name for node in recording.nodes):
@@ -55,16 +55,16 @@ def everybody_knows_its_own_leader(run: Evidence) -> None:
         if targets.get(f'turtle{number}') != wanted:
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',
-                expected=f'its target is {wanted}',
+                expected=f'the target {wanted}',
                 seen=str(targets.get(f'turtle{number}', 'no target')),
                 where=run.source.place,
-                try_='which leader does fleet.launch.py give to the include?',
+                try_='check which leader fleet.launch.py passes to the include',
             )
 
 
 @check(points=2, needs=[everybody_knows_its_own_leader])
 def everybody_is_near_its_carrot(run: Evidence) -> None:
-    """After 20 s each is within 0.8 m of its carrot"""
+    """After 20 s each follower is within 0.8 m of its carrot"""
     for scenario, number in followers(run):
         frames = run[scenario].frames_at(LATEST_S)
         leader, me = frames.get(f'turtle{number - 1}'), frames[f'turtle{number}']

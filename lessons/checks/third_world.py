@@ -1,4 +1,4 @@
-"""Your turn of lesson 13: a third world, whose turtle copies the second one."""
+"""The check of lesson 13, your turn: a third world, whose turtle copies the second one."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ SECOND, THIRD = '/turtlesim2/turtle1', '/turtlesim3/turtle1'
 @check(points=1)
 def there_is_a_third_world(run: Evidence) -> None:
     """There is a world /turtlesim3/sim"""
-    require_node(run, '/turtlesim3/sim', 'turtlesim', 'a group with a namespace, as for turtlesim2')
+    require_node(run, '/turtlesim3/sim', 'turtlesim', 'add a group with a namespace, as for turtlesim2')
 
 
 @check(points=1)
 def there_are_two_mimics(run: Evidence) -> None:
-    """There are two mimics, of different names"""
+    """There are two mimics with different names"""
     found = [node.name for node in run.first.nodes if node.name.endswith('/mimic')]
     if len(set(found)) != 2 or len(found) != 2:
         raise Failure(
@@ -33,7 +33,7 @@ def there_are_two_mimics(run: Evidence) -> None:
 
 @check(points=1, needs=[there_is_a_third_world, there_are_two_mimics])
 def one_leads_from_the_second_to_the_third(run: Evidence) -> None:
-    """One mimic hears the turtle of the second world, and speaks to that of the third"""
+    """One mimic subscribes to the turtle of the second world, and publishes to that of the third"""
     ends = {
         node.name: ([name for name, _ in node.subscriptions], [name for name, _ in node.publishers])
         for node in run.first.nodes
@@ -46,22 +46,25 @@ def one_leads_from_the_second_to_the_third(run: Evidence) -> None:
             for name, (heard, spoken) in ends.items()
         )
         raise Failure(
-            'no mimic leads from the second world to the third',
+            'no mimic connects the second world to the third',
             expected=f'{SECOND}/pose -> {THIRD}/cmd_vel',
             seen=seen,
             where=run.source.place,
-            try_=['the arguments of an include', 'leader and copier are full names', "leader='/turtlesim2/turtle1'"],
+            try_=['check the arguments of an include', 'write leader and copier as full names', "leader='/turtlesim2/turtle1'"],
         )
 
 
 @check(points=1, needs=[one_leads_from_the_second_to_the_third])
 def it_copies_the_second(run: Evidence) -> None:
-    """The turtle of the third world does what that of the second does"""
-    require_copy(run, SECOND, THIRD, 'who else commands it?')
+    """The turtle of the third world copies that of the second"""
+    require_copy(run, SECOND, THIRD, 'check which other node sends it commands')
     (*_, x, y), (*_, u, v) = (turtle_track(run.first, f'{name}/pose')[-1] for name in (SECOND, THIRD))
     if not hypot(u - x, v - y) < 0.2:
         raise Failure(
-            'they end in different places', expected=f'{x:.2f} {y:.2f}', seen=f'{u:.2f} {v:.2f}', where=run.source.place
+            'the two turtles end in different places',
+            expected=f'{x:.2f} {y:.2f}',
+            seen=f'{u:.2f} {v:.2f}',
+            where=run.source.place,
         )
 
 

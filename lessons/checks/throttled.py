@@ -1,4 +1,4 @@
-"""Lesson 11: a watcher that says "not yet" every two seconds, and not ten times a second."""
+"""The check of lesson 11: a watcher that logs every two seconds, and not ten times a second."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from edugrade import Evidence, Mismatch, Rubric, Scenario, check
 
 @check(points=1)
 def it_is_said_every_two_seconds(run: Evidence) -> None:
-    """A frame that is missing is told of every two seconds"""
+    """The node logs a missing frame every two seconds"""
     told = [log.time_s for log in run.first.logs if 'Could not transform' in log.message]
     if not 3 <= len(told) <= 4:
         raise Mismatch(
-            'how often it is told in 7 s',
-            '3 or 4 times',
-            f'{len(told)} times',
+            'the number of log lines in 7 s',
+            '3 or 4',
+            f'{len(told)}',
             where=run.source.place_in('watching.py', r'\.info\('),
-            try_=['an argument of info', 'throttle_duration_sec is in seconds, and a number with a point'],
+            try_=['add an argument to info', 'throttle_duration_sec is in seconds, as a floating-point number'],
         )
 
 

@@ -1,4 +1,4 @@
-"""Lesson 5: a handler that watches the action that runs."""
+"""The check of lesson 5: a handler that watches the action that runs."""
 
 from __future__ import annotations
 
@@ -7,26 +7,26 @@ from edugrade import Evidence, Failure, Rubric, Scenario, check
 
 @check(points=1)
 def the_line_is_written_once(run: Evidence) -> None:
-    """The line is written, once"""
+    """Launch prints the line once"""
     said = sum('the sim runs' in line.text for line in run.first.output)
     if said != 1:
         raise Failure(
-            'the line "the sim runs" is not written once',
+            'the line "the sim runs" does not appear exactly once',
             seen=f'{said} times',
             where=run.source.place,
-            try_=['an action that is made twice', 'simulator() makes a new one each time that it is called', 'sim = simulator()'],
+            try_=['check which action the handler watches', 'each call of simulator() creates a new action', 'sim = simulator()'],
         )
 
 
 @check(points=1)
 def there_is_one_simulator(run: Evidence) -> None:
-    """There is one simulator"""
+    """There is exactly one simulator"""
     if len(run.first.nodes) != 1:
         raise Failure(
-            'there is not one simulator',
+            'the number of simulators is not one',
             seen=f'{len(run.first.nodes)} nodes',
             where=run.source.place,
-            try_='which action stands in the list?',
+            try_='check which action is in the list',
         )
 
 

@@ -1,4 +1,4 @@
-"""Lesson 15: how far did the turtle of the bag go?"""
+"""The check of lesson 15: how far did the turtle of the bag drive?"""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
 
 @check(points=1)
 def the_way_is_right(run: Evidence) -> None:
-    """way says how far the turtle went"""
+    """way logs how far the turtle drove"""
     said = [log.message for log in run.first.logs if log.logger == 'way']
     poses = [pose for _, pose in run.first.messages('/turtle1/pose')] if '/turtle1/pose' in run.first.topics else []
     wanted = sum(
@@ -19,20 +19,20 @@ def the_way_is_right(run: Evidence) -> None:
         seen = float(said[-1])
     except (IndexError, ValueError):
         raise Failure(
-            'way says no number', seen='\n'.join(said[-3:]) or 'it says nothing', try_='run the cells of way.py once more'
+            'way logs no number', seen='\n'.join(said[-3:]) or 'no line', try_='run the cells of way.py again'
         ) from None
     if not abs(seen - wanted) < 0.4:
         raise Mismatch(
-            'the way in m',
+            'the distance in m',
             f'{wanted:.2f}',
             f'{seen:.2f}',
             where=run.source.place_in('way.py', 'way'),
-            try_='hypot(dx, dy) of this pose and the last one',
+            try_='add hypot(dx, dy) of this pose and the last one',
         )
 
 
 RUBRIC = Rubric(
-    title='The way of the turtle',
+    title='The distance that the turtle drove',
     of='my_launch/way.launch.py',
     beside=['my_launch/way.py'],
     scenarios=lambda random: [Scenario('run', {}, 20.0)],

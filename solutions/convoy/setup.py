@@ -16,7 +16,7 @@ setup(
     install_requires=['setuptools'],
     maintainer='student',
     maintainer_email='student@example.org',
-    description='A row of turtles, each behind the one before it.',
+    description='A row of turtles that follow each other.',
     license='Apache-2.0',
     entry_points={'console_scripts': [
         'follower = convoy.follower:main',

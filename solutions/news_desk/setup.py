@@ -17,7 +17,7 @@ setup(
     install_requires=['setuptools'],
     maintainer='student',
     maintainer_email='student@example.org',
-    description='Somebody who says the news, and somebody who hears it.',
+    description='A publisher of news and a subscriber.',
     license='Apache-2.0',
     entry_points={'console_scripts': [
         'hello = news_desk.hello:main',

@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 
 import edulaunch
-from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
+from edulaunch.advice import Finding, judge, judge_plan, judge_sources, rendered
 from edulaunch.advice.reader import Reader
 from edulaunch.advice.rule import KINDS, all_rules, rules_over
 from edulaunch.runtime.session import Session
@@ -85,7 +85,7 @@ def told_text(rule: str, found: list[Finding]) -> str:
     """Findings as `told.txt` has them: each with its sentences, the example's folder left out."""
     blocks = []
     for one in found:
-        words = told(one, Reader(folder=str(EXAMPLES / rule)))
+        words = rendered(one, Reader(folder=str(EXAMPLES / rule)))
         parts = (f'[{one.rule}] {words.what}', f'where: {words.where}', f'why: {words.why}', f'do: {words.do}')
         blocks.append('\n'.join(part for part in parts if not part.endswith(': ')))
     return '\n\n'.join(blocks).replace(str(EXAMPLES) + os.sep, '') + '\n'

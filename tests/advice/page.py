@@ -1,4 +1,4 @@
-"""`docs/advice.md`: every rule with its failing example and what is told of it. `python -m tests.advice.page` writes it anew."""
+"""`docs/advice.md` and `docs/advice/`: every rule with its failing example and what edulaunch reports. `python -m tests.advice.page` writes them."""
 
 from __future__ import annotations
 
@@ -9,25 +9,27 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import edulaunch
+from edulaunch.advice.reference import PAGES, ReferencePage, anchor_of, page_of
 from edulaunch.advice.rule import GROUPS, Rule, all_rules, rules_over
 from tests.advice.harness import EXAMPLES, WITHOUT, example
 
-PAGE = Path(__file__).parents[2] / 'docs' / 'advice.md'
+DOCS = Path(__file__).parents[2] / 'docs'
 HEAD = """# Advice
 
-The commonest mistakes in ROS 2 raise no error: nothing happens, and nobody says why. edulaunch looks at each run, launch file and
-package by the rules on this page and says what is wrong, where, and what to do. It says so
+Many mistakes in ROS 2 raise no error: nothing happens, and no message explains why. edulaunch checks each run, launch file and package with the rules
+on these pages. It reports what is wrong, where, and what to do. You see this advice:
 
-- at the end of `ros2 launch`, `ros2 run`, `edulaunch launch` and `edulaunch.run` (the worst five; `--quiet` is silent), also under a
-  notebook's cell, and as `recording.warnings`; `recording.advice` has the findings as data,
-- on the live view and the replay: a mark on the node, topic or frame opens the sentence,
-- in the feedback of `edugrade`, as the likely cause of a check that failed,
-- when asked: `ros2 doctor` for what runs, `edulaunch doctor FILE|FOLDER|RECORDING|PACKAGE [--json]` for everything else.
+- at the end of `ros2 launch`, `ros2 run`, `edulaunch launch` and `edulaunch.run`, at most five messages (`--quiet` hides them);
+- below a notebook's cell, and in `recording.warnings`; `recording.advice` has the findings as data;
+- in the live view and the replay, as a mark on the node, topic or frame;
+- in reports of `edugrade`, as the likely cause of a failed check;
+- from `ros2 doctor` for running programs, and from `edulaunch doctor FILE|FOLDER|RECORDING|PACKAGE` for everything else.
 
-A rule *states* what it is sure of, and *asks* where it cannot know what was meant. `LANG`, `LC_ALL` and `LANGUAGE` choose the language as for other programs, and `EDULAUNCH_LANG=de` chooses German anywhere;
-recordings have no sentences in them, and are the same in every language.
+`edulaunch explain RULE` prints a rule with an example and its page. A rule is *stated* if it is certain, and *asked* if it cannot know what you meant.
 
-This page is made from the rules and their examples, which are tests (`tests/advice/examples`): `python -m tests.advice.page`.
+`LANG`, `LC_ALL` and `LANGUAGE` select the language, and `EDULAUNCH_LANG=de` selects German. Recordings are the same in every language.
+
+`python -m tests.advice.page` writes these pages from the rules and their examples, which are tests (`tests/advice/examples`).
 """
 SHOWN = Path(edulaunch.__file__).parent / 'advice' / 'examples.json'
 KINDS = {
@@ -41,20 +43,42 @@ KINDS = {
 LANGUAGES = {'.py': 'python', '.xml': 'xml', '.yaml': 'yaml', '.txt': 'cmake', '.md': 'text'}
 
 
-def page() -> str:
-    """The text of the page."""
-    rules = all_rules()
+def documents() -> dict[str, str]:
+    """Return the content of each page by its path in docs/."""
+    return {'advice.md': _index(), **{f'advice/{page.name}.md': _page(page) for page in PAGES if _rules_of(page)}}
+
+
+def _rules_of(page: ReferencePage) -> list[Rule]:
+    return [rule for rule in all_rules().values() if page_of(rule) == page]
+
+
+def _index() -> str:
+    """Return the page with the names of all rules, by group."""
+    lines = [HEAD, f'There are {len(all_rules())} rules. Select one to read what it reports.']
+    for group in GROUPS:
+        pages = [page for page in PAGES if page.group == group and _rules_of(page)]
+        if pages:
+            lines += ['', f'## {group}', '']
+            for page in pages:
+                links = (f'[{rule.name.partition(".")[2]}](advice/{page.name}.md#{anchor_of(rule)})' for rule in _rules_of(page))
+                lines += [f'- **{_title(page)}**: ' + ', '.join(links)]
+    return '\n'.join(lines) + '\n'
+
+
+def _title(page: ReferencePage) -> str:
+    """Return the title of a page, such as 'launch errors, a to i'."""
+    name = page.name.partition('-')[2].split('-')[0]
+    what = f' {name}' if len(name) > 1 else ''
+    letters = '' if page.letters == 'az' else f', {page.letters[0]} to {page.letters[1]}'
+    return f'{page.group}{what}{letters}'
+
+
+def _page(page: ReferencePage) -> str:
+    """Return the page that describes some rules."""
     kinds = {rule.name: kind for kind in KINDS for rule in rules_over(kind)}
-    counted = {group: [rule for rule in rules.values() if rule.group == group] for group in GROUPS}
-    lines = [
-        HEAD,
-        f'There are {len(rules)} rules: ' + ', '.join(f'{len(of)} on {group}' for group, of in counted.items() if of) + '.',
-    ]
-    for group, of_group in counted.items():
-        if of_group:
-            lines += ['', f'## {group}']
-            for rule in of_group:
-                lines += ['', *_section(rule, kinds[rule.name])]
+    lines = [f'# Advice on {_title(page)}', '', '[Advice](../advice.md) lists all rules and explains these pages.']
+    for rule in _rules_of(page):
+        lines += ['', *_section(rule, kinds[rule.name])]
     return '\n'.join(lines) + '\n'
 
 
@@ -79,10 +103,10 @@ def _difference(rule: str) -> str:
 
 
 def _section(rule: Rule, kind: str) -> Iterator[str]:
-    yield f'### {rule.name}'
+    yield f'## {rule.name}'
     yield ''
     lesson = f', lesson `lessons/{rule.lesson}.ipynb`' if rule.lesson else ''
-    yield f'Looks at {KINDS[kind]}; {rule.level}, {rule.confidence}{lesson}.'
+    yield f'Checks {KINDS[kind]}; {rule.level}, {rule.confidence}{lesson}.'
     if rule.name in WITHOUT:
         yield ''
         yield f'> {rule.what[0]}'
@@ -108,7 +132,7 @@ def _example(path: Path) -> Iterator[str]:
             yield from _shown(file, names[file])
     gone = [twin.relative_to(healthy).as_posix() for twin in sorted(healthy.rglob('*')) if twin.is_file()]
     missing = [name for name in gone if name not in names.values() and '__pycache__' not in name]
-    for heading, others in (('Beside it', [names[file] for file in same]), ('The healthy one has', missing)):
+    for heading, others in (('Other files', [names[file] for file in same]), ('The correct package also has', missing)):
         if others:
             yield ''
             yield f'{heading}: {", ".join(f"`{name}`" for name in others)}.'
@@ -134,6 +158,12 @@ def _text(file: Path) -> str:
 
 if __name__ == '__main__':
     edulaunch.source()
-    PAGE.write_text(page(), encoding='utf-8')
+    (DOCS / 'advice').mkdir(exist_ok=True)
+    written = documents()
+    for old in (DOCS / 'advice').glob('*.md'):
+        if f'advice/{old.name}' not in written:
+            old.unlink()
+    for name, text in written.items():
+        (DOCS / name).write_text(text, encoding='utf-8')
     SHOWN.write_text(examples(), encoding='utf-8')
-    sys.stdout.write(f'{PAGE.name}: {len(all_rules())} rules\n')
+    sys.stdout.write(f'{len(written)} pages: {len(all_rules())} rules\n')

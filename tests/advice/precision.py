@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import edulaunch
-from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
+from edulaunch.advice import Finding, judge, judge_plan, judge_sources, rendered
 from edulaunch.advice.judging import in_order
 from edulaunch.runtime.session import Session
 
@@ -76,7 +76,7 @@ def _of_launch(folder: Path, words: list[str], workspace: list[Path], seconds: f
 def is_named_first(name: str) -> bool:
     """Whether the first remark is about the planted mistake, and names it."""
     mistake, said = planted(name), remarks(name)
-    return bool(said) and said[0].rule in mistake.rules and mistake.word in str(told(said[0]))
+    return bool(said) and said[0].rule in mistake.rules and mistake.word in str(rendered(said[0]))
 
 
 def main(names: list[str]) -> None:
@@ -86,7 +86,7 @@ def main(names: list[str]) -> None:
             'twin  ' if name in TWINS else 'first ' if is_named_first(name) else 'MISSED', name, f'({len(remarks(name))} remarks)'
         )
         for finding in remarks(name):
-            print(f'    [{finding.rule}] {told(finding).what}')
+            print(f'    [{finding.rule}] {rendered(finding).what}')
 
 
 if __name__ == '__main__':

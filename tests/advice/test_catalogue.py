@@ -77,3 +77,9 @@ def test_a_place_that_has_moved_is_an_error_and_no_loss(monkeypatch: pytest.Monk
     monkeypatch.setattr('edulaunch.advice.catalogue.REPORTS', ('edugrade/gone.py',))
     with pytest.raises(FileNotFoundError, match='its sentences would be lost'):
         messages()
+
+
+def test_the_sentences_of_checks_in_yaml_are_in_it_and_names_of_their_fields_are_not() -> None:
+    known = messages()
+    assert {'The parameter {name} of {node} has its value', 'it goes on until the run is over', 'who spawns it?'} <= set(known)
+    assert not {'node package name value', 'tolerance near share', 'package executable'} & set(known)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.advice import told
+from edulaunch.advice import rendered
 from edulaunch.advice.rule import all_rules
 from tests.advice.harness import EXAMPLES, WITHOUT, findings, told_text
 
@@ -15,7 +15,7 @@ RULES = [name for name in all_rules() if name not in WITHOUT]
 def test_a_rule_speaks_first_on_its_failing_example(rule: str) -> None:
     found = findings(rule, 'failing')
     assert [one.rule for one in found][:1] == [rule]
-    assert all(words.what and words.do for words in map(told, found)), 'a fact that the sentence needs is missing'
+    assert all(words.what and words.do for words in map(rendered, found)), 'a fact that the sentence needs is missing'
     assert told_text(rule, found) == (EXAMPLES / rule / 'told.txt').read_text(encoding='utf-8')
 
 

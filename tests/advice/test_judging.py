@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import edulaunch
-from edulaunch.advice import Failure, Rule, judge, judge_failure, told
+from edulaunch.advice import Failure, Rule, judge, judge_failure, judging, rendered
 from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader
 from edulaunch.advice.rule import Finding, found, rule
@@ -53,7 +53,7 @@ def test_a_rule_that_fails_is_told_and_the_others_are_heard(monkeypatch: pytest.
     error = TypeError("Expected <class 'std_msgs.msg._string.String'>, got <class 'str'>")
     findings = judge_failure(error)
     assert [one.rule for one in findings] == ['messages.published-no-message', 'programs.rule-failed']
-    assert "a rule of edulaunch, 'launch.broken', could not look at this: KeyError: 'x'" in told(findings[1], ENGLISH).what
+    assert "a rule of edulaunch, 'launch.broken', could not look at this: KeyError: 'x'" in rendered(findings[1], ENGLISH).what
 
 
 def test_a_death_that_another_rule_explains_is_not_told_beside_it() -> None:
@@ -61,7 +61,7 @@ def test_a_death_that_another_rule_explains_is_not_told_beside_it() -> None:
     recording = edulaunch.run(EXAMPLES / 'program.launch.py', arguments={'file': file}, console=lambda *_: None)
     assert [one.rule for one in recording.advice] == ['messages.published-no-message']
     assert recording.advice[0].process == 'python3-1' and str(file) in str(recording.advice[0].file)
-    assert recording.warnings == [str(told(recording.advice[0]))]
+    assert recording.warnings == [str(rendered(recording.advice[0]))]
 
 
 def test_a_recording_from_a_file_is_judged_alike(tmp_path: Path) -> None:
@@ -89,3 +89,51 @@ def test_the_recording_is_the_same_in_every_language(monkeypatch: pytest.MonkeyP
         digests.add(recording.digest())
         said.add(recording.warnings[0])
     assert (len(digests), len(said)) == (1, 2)
+
+
+LISTENER = """
+import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('ear')
+node.create_subscription(String, 'words', print, 10)
+rclpy.spin(node)
+"""
+
+
+@pytest.mark.parametrize(
+    ('other', 'rules'),
+    [
+        ('pass', {'messages.nobody-publishes'}),
+        ('import gazebo_msgs.msg', {'packages.absent-module'}),
+        ('raise SystemExit(3)', {'programs.died'}),
+    ],
+)
+def test_nobody_is_missed_where_a_program_could_not_run(tmp_path: Path, other: str, rules: set[str]) -> None:
+    (tmp_path / 'ear.py').write_text(LISTENER)
+    (tmp_path / 'other.py').write_text(other)
+    path = tmp_path / 'a.launch.py'
+    path.write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
+        'def generate_launch_description():\n'
+        f'    files = [{str(tmp_path / "ear.py")!r}, {str(tmp_path / "other.py")!r}]\n'
+        "    return LaunchDescription([ExecuteProcess(cmd=['python3', file]) for file in files])\n"
+    )
+    recording = edulaunch.run(path, duration_s=3.0, console=lambda *_: None)
+    assert {finding.rule for finding in judge(recording)} == rules
+
+
+def test_a_launch_file_is_judged_once_until_it_changes(tmp_path: Path) -> None:
+    path = tmp_path / 'a.launch.py'
+    body = 'def generate_launch_description():\n    left = Node(package="turtlesim", executable="mimic")\n    return LaunchDescription([{}])\n'
+    head = 'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
+    counts = []
+    for listed in ('', None, 'left'):
+        if listed is not None:
+            path.write_text(head + body.format(listed))
+        recording = edulaunch.run(path, duration_s=1.0, console=lambda *_: None)
+        before = judging.of_scripts.cache_info().misses
+        counts.append(([one.rule for one in judge(recording)][:1], judging.of_scripts.cache_info().misses - before))
+    assert [count for _, count in counts] == [1, 0, 1]
+    assert [rules for rules, _ in counts[:2]] == [['launch.not-added']] * 2 and counts[2][0] != ['launch.not-added']

@@ -146,3 +146,34 @@ def test_a_python_if_says_how_it_always_comes_out(tmp_path: Path, test: str, out
     )
     (finding,) = judge_plan(rehearse(path, {}, index_for([]), {}))
     assert (finding.rule, finding.facts['outcome'], finding.facts['argument']) == ('launch.python-if', outcome, 'mode')
+
+
+def test_an_action_that_was_taken_out_by_a_comment_is_no_mistake(rules: Any) -> None:
+    body = (
+        "    other = Node(package='turtlesim', executable='mimic')\n    return LaunchDescription([\n        sim,\n{line}    ])\n"
+    )
+    assert rules(body.format(line='')) == ['launch.not-added']
+    assert rules(body.format(line='        # other,  # not today\n')) == []
+
+
+def test_a_file_for_the_other_nodes_is_no_mistake(rules: Any, tmp_path: Path) -> None:
+    file = tmp_path / 'both.yaml'
+    body = f"    return LaunchDescription([\n        Node(package='turtlesim', executable='turtlesim_node', name=one, parameters=[{str(file)!r}])\n        for one in ('a', 'b')])\n"
+    file.write_text('a: {ros__parameters: {background_r: 1}}\n')
+    assert rules(body) == []
+    file.write_text('x: {ros__parameters: {background_r: 1}}\n')
+    assert set(rules(body)) == {'launch.key-for-no-node'}
+
+
+def test_a_component_container_hands_its_parameters_on(rules: Any, tmp_path: Path) -> None:
+    file = tmp_path / 'nav.yaml'
+    file.write_text('amcl: {ros__parameters: {a: 1}}\n')
+    node = "Node(package='rclcpp_components', executable='component_container', name='box', parameters=[" + repr(str(file)) + '])'
+    assert rules(f'    return LaunchDescription([{node}])\n') == []
+
+
+def test_an_element_that_another_package_brings_is_no_mistake(tmp_path: Path) -> None:
+    path = tmp_path / 'a.launch.xml'
+    path.write_text('<launch>\n  <gz_server world_sdf_file="empty.sdf"/>\n</launch>\n')
+    found = judge_plan(rehearse(path, {}, index_for([]), {}))
+    assert [(one.rule, one.facts['package'], one.line) for one in found] == [('launch.needs-elsewhere', 'ros_gz_sim', 2)]

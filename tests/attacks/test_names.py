@@ -7,25 +7,27 @@ from edugrade.grading import grade, plan_work
 from edugrade.results import Report
 from edugrade.submission import Submission
 
+from tests.attacks.forgeries import FORGERIES
 from tests.attacks.names import NAMES
 
 pytestmark = pytest.mark.attacks
+ATTACKS = NAMES | FORGERIES
 
 
 @pytest.fixture(scope='module')
 def graded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Report]:
     folder, works = tmp_path_factory.mktemp('names'), []
-    for number, attack in enumerate(NAMES.values()):
-        file = folder / str(number) / f'{attack.exercise}.launch.py'
+    for number, attack in enumerate(ATTACKS.values()):
+        file = folder / str(number) / f'{attack.exercise}.launch.{"xml" if attack.text.startswith("<") else "py"}'
         file.parent.mkdir()
         file.write_text(attack.text)
         works.append(plan_work(Submission(str(file))))
-    return dict(zip(NAMES, grade(works), strict=True))
+    return dict(zip(ATTACKS, grade(works), strict=True))
 
 
-@pytest.mark.parametrize('name', NAMES)
+@pytest.mark.parametrize('name', ATTACKS)
 def test_names_earn_what_the_rest_deserves(graded: dict[str, Report], name: str) -> None:
     report = graded[name]
     told = [f'{result.name}: {result.status} {result.earned} {result.reason}' for result in report.results]
     assert report.earned is not None, told
-    assert report.earned <= NAMES[name].most, told
+    assert report.earned <= ATTACKS[name].most, told

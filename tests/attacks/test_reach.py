@@ -27,11 +27,7 @@ pytestmark = [
 ROOT = Path(__file__).resolve().parents[2]
 CIRCLE = ROOT / 'solutions' / 'circle.launch.py'
 REFUSED = {
-    'chmod': 'os.chmod("../b/circle.launch.py", 0)',
-    'chmod of itself': 'os.chmod(__file__, 0)',
-    'chmod of an open file': 'os.fchmod(os.open(__file__, 0), 0)',
     'chown': 'os.chown(__file__, os.getuid(), os.getgid())',
-    'utime': 'os.utime(__file__)',
     'setxattr': 'os.setxattr(__file__, "user.a", b"x")',
     'socket': 'socket.socket()',
     'datagrams': 'socket.socketpair(socket.AF_UNIX, socket.SOCK_DGRAM)',
@@ -45,12 +41,51 @@ REFUSED = {
     'ionice': 'checked(lib.syscall(251, 1, 0, 3 << 13))',
     'inotify': 'checked(lib.inotify_init())',
     'memory that is a file': 'os.memfd_create("x")',
+    'secret memory': 'checked(lib.syscall(447, 0))',
+    'ptrace of its parent': 'checked(lib.ptrace(0x4206, posix.getppid(), 0, 0))',
+    'ptrace of itself': 'checked(lib.ptrace(0, 0, 0, 0))',
+    'memory of its parent': 'checked(lib.syscall(310, posix.getppid(), None, 0, None, 0, 0))',
+    'memory of its parent, written': 'checked(lib.syscall(311, posix.getppid(), None, 0, None, 0, 0))',
+    'descriptors of its parent': 'checked(lib.syscall(438, os.pidfd_open(posix.getppid()), 0, 0))',
+    'comparing with its parent': 'checked(lib.syscall(312, posix.getppid(), os.getpid(), 0, 0, 0))',
+    'advice on memory of its parent': 'checked(lib.syscall(440, os.pidfd_open(posix.getppid()), None, 0, 4, 0))',
+    'limits of its parent': 'resource.prlimit(posix.getppid(), resource.RLIMIT_CPU, (1, 1))',
+    'inotify by another name': 'checked(lib.inotify_init1(0))',
+    'a lease of a file': 'fcntl.fcntl(os.open(__file__, 0), fcntl.F_SETLEASE, fcntl.F_RDLCK)',
+    'notes about a folder': 'fcntl.fcntl(os.open("/usr", 0), fcntl.F_NOTIFY, 1)',
+    'signals about a file to its parent': 'fcntl.fcntl(socket.socketpair()[0], fcntl.F_SETOWN, posix.getppid())',
+    'large pipes': 'fcntl.fcntl(os.pipe()[0], 1031, 1 << 20)',
+    'fanotify': 'checked(lib.syscall(300, 0, 0))',
+    'perf events': 'checked(lib.syscall(298, None, 0, -1, -1, 0))',
     'shared memory': 'checked(lib.shmget(0, 4096, 0o1600))',
     'personality': 'checked(lib.personality(0))',
     'prctl': 'checked(lib.prctl(4, 0, 0, 0, 0))',
     'ioctl': 'checked(lib.ioctl(0, 0x5412, b"x"))',
 }
 """Each fails with EPERM."""
+READ_ONLY = {  # with the modes that they have: an attempt that succeeds does no harm
+    'chmod of itself': 'os.chmod(__file__, 0)',
+    'chmod of an open file': 'os.fchmod(os.open(__file__, 0), 0)',
+    'chmod by a newer call': 'checked(lib.syscall(452, -100, __file__.encode(), 0, 0))',
+    'chmod of its input': 'os.fchmod(0, 0o666)',
+    'chmod of a device': 'os.chmod("/dev/null", 0o666)',
+    'chmod of a device that is open': 'os.fchmod(os.open("/dev/null", 2), 0o666)',
+    'chmod of Python': 'os.chmod(os.path.realpath(sys.executable), 0o755)',
+    'chmod of a folder above': 'os.chmod(os.path.dirname(os.getcwd()), 0o755)',
+    'chmod of the root': 'os.chmod("/", 0o755)',
+    'utime of itself': 'os.utime(__file__)',
+    'utime of a device': 'os.utime("/dev/null")',
+    'utime of a package': 'os.utime(os.__file__)',
+}
+"""Each fails with EROFS: nothing but the run's own folder can be changed."""
+OWN = {
+    'chmod': '[open("own", "w").close(), os.chmod("own", 0o600), os.stat("own").st_mode & 0o777 == 0o600][-1]',
+    'copy': 'shutil.copy(__file__, "copied") == "copied"',
+    'copy with its times': 'shutil.copy2(__file__, "copied2") == "copied2" and os.stat("copied2").st_mtime_ns > 0',
+    'a tree': '[os.makedirs("tree/a"), shutil.copytree("tree", "tree2"), os.path.isdir("tree2/a")][-1]',
+    'times': '[open("timed", "w").close(), os.utime("timed", (1, 1)), os.stat("timed").st_mtime == 1][-1]',
+}
+"""Each is allowed in the run's own folder."""
 HARMLESS = {
     'a pair of sockets': 'socket.socketpair()[0].fileno() > 0',
     'a thread': 'threading.Thread(target=int).start()',
@@ -60,6 +95,7 @@ HARMLESS = {
     'how many processors': 'len(os.sched_getaffinity(0)) > 0',
 }
 UNSEEN = {
+    'the mode of a neighbour': 'os.chmod(settings["neighbour"], 0)',
     'a neighbour': 'os.stat(settings["neighbour"])',
     'a neighbour by opening': 'os.open(settings["neighbour"], os.O_PATH)',
     'a neighbour by a link': '[os.symlink(settings["neighbour"], "link"), os.stat("link")]',
@@ -75,8 +111,14 @@ FULL = {
     'inodes': '[open(f"small{number}", "w").close() for number in range(6000)]',
 }
 """Each ends with ENOSPC, in a file system of the run's own."""
+FEW = {
+    'timers': '[checked(lib.timer_create(1, None, ctypes.byref(ctypes.c_void_p()))) for number in range(20000)]',
+    'descriptors': 'dup_all()',
+}
+"""Each has an end, long before others of this user find none."""
+ENDS = (11, 24)
 PROBE = """
-import ctypes, json, os, socket, subprocess, sys, tempfile, threading
+import ctypes, fcntl, json, os, posix, resource, shutil, socket, subprocess, sys, tempfile, threading
 settings = json.loads(%r)
 lib = ctypes.CDLL(None, use_errno=True)
 
@@ -84,6 +126,16 @@ lib = ctypes.CDLL(None, use_errno=True)
 def checked(result):
     if result < 0:
         raise OSError(ctypes.get_errno(), 'refused')
+
+
+def dup_all():
+    held = []
+    try:
+        while len(held) < 20000:
+            held.append(os.dup(1))
+    finally:
+        for each in held:
+            os.close(each)
 
 
 found = {}
@@ -94,6 +146,9 @@ for name, code in settings['attempts'].items():
         found[name] = error.errno
     except BaseException as error:
         found[name] = repr(error)
+for name in os.listdir():  # what comes next may need a temporary file
+    if name.startswith(('big', 'small')):
+        os.remove(name)
 raise ValueError('<<<' + json.dumps(found) + '>>>')
 """
 ORDINARY = ['setpriv', '--reuid=1000', '--regid=1000', '--clear-groups', '--bounding-set=-all', '--inh-caps=-all']
@@ -123,7 +178,7 @@ def found(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     (folder / 'b').mkdir()
     (folder / 'b' / 'circle.launch.py').write_text(CIRCLE.read_text())
     settings = {
-        'attempts': {**REFUSED, **HARMLESS, **UNSEEN, **FULL},
+        'attempts': {**REFUSED, **READ_ONLY, **OWN, **HARMLESS, **UNSEEN, **FULL, **FEW},
         'neighbour': str(folder / 'b' / 'circle.launch.py'),
         'rubric': str(ROOT / 'grader' / 'checks' / 'circle.py'),
         'grader': str(ROOT / 'grader' / 'edugrade' / 'cli.py'),
@@ -150,6 +205,16 @@ def test_it_is_refused(found: dict[str, Any], name: str) -> None:
     assert found[name] == 1
 
 
+@pytest.mark.parametrize('name', READ_ONLY)
+def test_it_is_read_only(found: dict[str, Any], name: str) -> None:
+    assert found[name] == 30
+
+
+@pytest.mark.parametrize('name', OWN)
+def test_its_own_files_are_its_own(found: dict[str, Any], name: str) -> None:
+    assert found[name] == 'True'
+
+
 @pytest.mark.parametrize('name', HARMLESS)
 def test_it_is_allowed(found: dict[str, Any], name: str) -> None:
     assert found[name] in ('True', 'None', "'hi\\n'", '1', '0')
@@ -165,10 +230,15 @@ def test_there_is_an_end_to_it(found: dict[str, Any], name: str) -> None:
     assert found[name] == 28
 
 
+@pytest.mark.parametrize('name', FEW)
+def test_there_are_few_of_it(found: dict[str, Any], name: str) -> None:
+    assert found[name] in ENDS
+
+
 def test_the_report_names_the_calls(found: dict[str, Any]) -> None:
     (scenario, *_) = found['report']['scenarios']
-    assert {'chmod', 'fchmod', 'chown', 'utimensat', 'setxattr', 'socket', 'bind', 'sendto'} <= set(scenario['refused_calls'])
-    assert 'A graded run may not make the system call chmod or ' in scenario['text']
+    assert {'chown', 'setxattr', 'socket', 'bind', 'sendto', 'ptrace'} <= set(scenario['refused_calls'])
+    assert 'A graded run may not make the system call chown or ' in scenario['text']
 
 
 def test_the_neighbour_is_as_it_was(found: dict[str, Any]) -> None:

@@ -104,7 +104,7 @@ ANSWERS: dict[tuple[str, str], list[Edit]] = {
         (LAUNCH + 'choose.launch.py', "name='sim'),", "name='sim', parameters=[{'background_r': red}]),")
     ],
     ('01_first_launch', 'mimic-check'): [
-        (LAUNCH + 'mimic.launch.py', '# here the second pair is missing', "('output/cmd_vel', '/second/turtle1/cmd_vel'),")
+        (LAUNCH + 'mimic.launch.py', '# TODO: the second pair', "('output/cmd_vel', '/second/turtle1/cmd_vel'),")
     ],
     ('01_first_launch', 'your-turn-check'): [
         (LAUNCH + 'square.launch.py', "name='driver'", "name='artist'"),
@@ -156,7 +156,7 @@ ANSWERS: dict[tuple[str, str], list[Edit]] = {
         (
             ROBOT + 'my_robot/listen.py',
             '        # TODO: subscribe to greeting\n\n    def on_greeting(self, message):\n'
-            '        pass  # TODO: write what message.data says\n',
+            '        pass  # TODO: log message.data\n',
             LISTEN,
         ),
     ],

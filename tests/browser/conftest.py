@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,10 +17,12 @@ from typing import Any
 
 import pytest
 
-from tests.browser.lab import Lab
+from tests.browser.desk import Desk
+from tests.browser.lab import WAIT_MS, Lab
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 240.0
+DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
 GO_S = 15.0
 NOBODY_ELSE = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'
 """A browser that finds no other machine, whatever a page asks for."""
@@ -36,7 +39,7 @@ QUIET = ['--LabApp.news_url=None', '--LabApp.check_for_updates_class=jupyterlab.
 @pytest.fixture(scope='package')
 def browser() -> Iterator[Any]:
     """Debian's Chromium without a window, driven by playwright."""
-    api = pytest.importorskip('playwright.sync_api', reason='playwright is not installed: pip install "edulaunch[browser]"')
+    api = pytest.importorskip('playwright.sync_api', reason='playwright is not installed: pip install ".[browser]"')
     program = shutil.which('chromium') or shutil.which('chromium-browser')
     if program is None:
         pytest.skip('no Chromium on this machine: apt-get install chromium')
@@ -110,3 +113,32 @@ def _address(server: subprocess.Popen[bytes], home: Path) -> str:
                 return url
         time.sleep(0.2)
     pytest.fail(f'JupyterLab did not start:\n{(home / "log.txt").read_text(errors="replace")[-2000:]}')
+
+
+@pytest.fixture
+def page(browser: Any) -> Iterator[Any]:
+    context = browser.new_context(viewport={'width': 1280, 'height': 860})
+    yield context.new_page()
+    context.close()
+
+
+@pytest.fixture
+def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
+    """The page of a machine of this test's own, on which the demo runs."""
+    env = {**os.environ, 'XDG_RUNTIME_DIR': str(tmp_path), 'EDULAUNCH_GRACE_S': '1', 'ROS_DOMAIN_ID': '88', 'BROWSER': 'true'}
+    tmp_path.chmod(0o700)
+    words = [sys.executable, '-m', 'edulaunch']
+    quiet = {'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL, 'env': env, 'text': True}
+    launch = subprocess.Popen([*words, 'ros2', 'launch', *DEMO], **quiet)  # type: ignore[call-overload]
+    view = subprocess.Popen([*words, 'view', '--no-browser'], **quiet)  # type: ignore[call-overload]
+    address = re.search(r'http://\S+', view.stdout.readline())
+    assert address
+    desk = Desk(page, (address[0], address[0].replace('http', 'ws'), 'blob:'))
+    desk.processes, desk.address, desk.env = {'launch': launch, 'view': view}, address[0], env
+    page.goto(address[0])
+    page.locator('.worlds canvas').first.wait_for()
+    yield desk
+    for process in desk.processes.values():
+        process.terminate()
+        process.wait(timeout=WAIT_MS / 1000)
+        process.stdout.close()

@@ -58,7 +58,7 @@ def live_view(browser: Any, scheme: str) -> Iterator[Desk]:
                 process.stdout.close()
 
 
-def film(desk: Desk) -> list[Image.Image]:
+def timeline(desk: Desk) -> list[Image.Image]:
     """Drive a curve, show the graph, and let the live view report a misspelt topic."""
     page, frames = desk.page, []
 
@@ -101,7 +101,7 @@ def main(folder: Path = FOLDER) -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program, args=['--no-sandbox', '--disable-dev-shm-usage'])
         with live_view(browser, 'light') as desk:
-            save(film(desk), folder / 'live_view.gif')
+            save(timeline(desk), folder / 'live_view.gif')
         for scheme in ('light', 'dark'):
             with live_view(browser, scheme) as desk:
                 desk.page.locator('.worlds canvas').first.click()

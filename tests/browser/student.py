@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from edulaunch.course.questions import Questions
 from tests.browser.answers import ANSWERS, Edit
 from tests.browser.lab import WAIT_MS, Page
 from tests.lessons.notebook import Cell, Lesson
@@ -32,18 +33,19 @@ SOURCE = 'index => window.jupyterapp.shell.currentWidget.content.widgets[index].
 OUTPUTS = """index => window.jupyterapp.shell.currentWidget.content.widgets[index].model.outputs.toJSON().map(output => ({
   output_type: output.output_type, text: output.text || (output.data || {})['text/plain'] || ''}))"""
 PREDICT = re.compile(r"predict\('([\w-]+)', \.\.\.\)")
+QUIZ, EXPLAIN = re.compile(r"quiz\('([\w-]+)', \.\.\.\)"), re.compile(r"explain\('([\w-]+)', \.\.\.\)")
 COMPARE = re.compile(r"compare\('([\w-]+)'")
 CHECK = re.compile(r"(?m)^(?:edulaunch\.)?check\('(\w+)'\)")
-WAS = re.compile(r'It was (.*?)\. You had not said anything')
+WAS = re.compile(r'It was (.*?)\. You had no prediction')
 
 
 class BrowserStudent:
     """Somebody at one lesson, in a folder where nothing of theirs lies yet.
 
-    :param questions: the quiz questions of the course, by name: the right letter, and what is told of each choice.
+    :param questions: the questions and explanations of the course.
     """
 
-    def __init__(self, page: Page, lesson: Lesson, course: Path, questions: dict[str, tuple[str, list[str]]]) -> None:
+    def __init__(self, page: Page, lesson: Lesson, course: Path, questions: Questions) -> None:
         self.page = page
         self.lesson = lesson
         self.course = course
@@ -61,6 +63,7 @@ class BrowserStudent:
             assert 'Traceback' not in told or is_told, f'{cell.id}: {told}'
             self.compared(cell, told)
             self.answer(cell)
+            self.explain(cell, told)
             self.complete(cell, told)
             if cell.source.lstrip('# ').startswith('%ros2 view') and 'nbval-ignore-output' not in cell.tags:
                 self.drive(cell)
@@ -98,22 +101,35 @@ class BrowserStudent:
         """What was said is held against what happened."""
         for name in COMPARE.findall(cell.source):
             said, is_right = self.guesses[name]
-            assert f'You said {said}, it was' in told, f'{cell.id}: {told}'
+            assert f'You predicted {said}, it was' in told, f'{cell.id}: {told}'
             assert 'exactly' in told or ': right' in told or not is_right, f'{cell.id}: {told}'
 
     def answer(self, cell: Cell) -> None:
-        """Choose a wrong answer first; the page says why it is wrong. Then the right one."""
-        found = re.search(r"quiz\('([\w-]+)'\)", cell.source)
+        """Choose a wrong answer first; the comment says why it is wrong. Then the right one."""
+        found = QUIZ.search(cell.source)
         if found is None:
             return
-        right, told = self.questions[found[1]]
-        letters = 'abcdefgh'[: len(told)]
-        wrong = next(letter for letter in letters if letter != right)
+        question = self.questions.questions[found[1]]
+        letters = 'abcdefgh'[: len(question.choices)]
+        wrong = next(letter for letter in letters if letter != question.right)
         self.page.show(cell.id, cell.id)
-        box = self._outputs(cell.id)
-        for letter in (wrong, right):
-            box.get_by_role('button', name=letter, exact=True).click()
-            box.locator('[aria-live=polite]').filter(has_text=told[letters.index(letter)][:40]).wait_for(timeout=WAIT_MS)
+        for letter in (wrong, question.right):
+            self.type(cell.id, cell.source.replace('...', repr(letter), 1))
+            assert question.choices[letters.index(letter)].feedback in self.run(cell.id)
+        self.page.show(cell.id, f'{cell.id}-answered')
+        self.done.append(found[1])
+
+    def explain(self, cell: Cell, told: str) -> None:
+        """Write an explanation; only then the answer is shown."""
+        found = EXPLAIN.search(cell.source)
+        if found is None:
+            return
+        answer = self.questions.explanations[found[1]].answer
+        assert answer not in told
+        self.type(cell.id, cell.source.replace('...', repr('because the name is not the same'), 1))
+        told = self.run(cell.id)
+        assert answer in told and 'because the name is not the same' in told, told
+        self.page.show(cell.id, f'{cell.id}-written')
         self.done.append(found[1])
 
     def complete(self, cell: Cell, told: str) -> None:

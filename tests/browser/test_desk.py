@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,42 +13,13 @@ import pytest
 
 import edulaunch
 from edulaunch.desk.view.page import recorded_page
-from edulaunch.desk.view.replay import film_of
+from edulaunch.desk.view.replay import timeline_of
 from tests.browser.desk import Desk
 from tests.browser.lab import WAIT_MS, Lab
 
 pytestmark = pytest.mark.browser
 
 DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
-
-
-@pytest.fixture
-def page(browser: Any) -> Iterator[Any]:
-    context = browser.new_context(viewport={'width': 1280, 'height': 860})
-    yield context.new_page()
-    context.close()
-
-
-@pytest.fixture
-def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
-    """The page of a machine of this test's own, on which the demo runs."""
-    env = {**os.environ, 'XDG_RUNTIME_DIR': str(tmp_path), 'EDULAUNCH_GRACE_S': '1', 'ROS_DOMAIN_ID': '88', 'BROWSER': 'true'}
-    tmp_path.chmod(0o700)
-    words = [sys.executable, '-m', 'edulaunch']
-    quiet = {'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL, 'env': env, 'text': True}
-    launch = subprocess.Popen([*words, 'ros2', 'launch', *DEMO], **quiet)  # type: ignore[call-overload]
-    view = subprocess.Popen([*words, 'view', '--no-browser'], **quiet)  # type: ignore[call-overload]
-    address = re.search(r'http://\S+', view.stdout.readline())
-    assert address
-    desk = Desk(page, (address[0], address[0].replace('http', 'ws'), 'blob:'))
-    desk.processes, desk.address, desk.env = {'launch': launch, 'view': view}, address[0], env
-    page.goto(address[0])
-    page.locator('.worlds canvas').first.wait_for()
-    yield desk
-    for process in desk.processes.values():
-        process.terminate()
-        process.wait(timeout=WAIT_MS / 1000)
-        process.stdout.close()
 
 
 def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) -> None:
@@ -233,7 +202,7 @@ def test_a_page_of_another_origin_gets_nothing(beside_terminal: Desk) -> None:
 def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path) -> None:
     recording = edulaunch.run(*DEMO, duration_s=20)
     file = tmp_path / 'demo.html'
-    file.write_text(recorded_page(film_of(recording), 'demo'), encoding='utf-8')
+    file.write_text(recorded_page(timeline_of(recording), 'demo'), encoding='utf-8')
     assert file.stat().st_size < 400_000
     desk = Desk(page, (file.as_uri(),))
     page.goto(file.as_uri())
@@ -256,7 +225,7 @@ def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path
 def test_dark_and_narrow(browser: Any, tmp_path: Path, shots: Path, scheme: str, width: int) -> None:
     recording = edulaunch.run(*DEMO, duration_s=8)
     file = tmp_path / 'demo.html'
-    file.write_text(recorded_page(film_of(recording), 'demo'), encoding='utf-8')
+    file.write_text(recorded_page(timeline_of(recording), 'demo'), encoding='utf-8')
     context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
     desk = Desk(context.new_page())
     desk.page.goto(file.as_uri())

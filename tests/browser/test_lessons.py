@@ -10,16 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.course.quizzes import FILE, read_questions
+from edulaunch.course.questions import FILE, read_questions
 from tests.browser.lab import WANTED, Lab
 from tests.browser.student import BrowserStudent
 from tests.lessons.notebook import LESSONS, ORDER, Lesson
 
 pytestmark = pytest.mark.browser
 
-QUESTIONS = {
-    name: (one.right, [choice.feedback for choice in one.choices]) for name, one in read_questions(str(LESSONS / FILE)).items()
-}
+QUESTIONS = read_questions(str(LESSONS / FILE))
 
 
 @pytest.mark.parametrize('name', ORDER)

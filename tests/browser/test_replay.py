@@ -13,9 +13,9 @@ import edulaunch
 from edulaunch.advice.wording import Mark
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
-from edulaunch.desk.view.film import Film
 from edulaunch.desk.view.page import recorded_page
-from edulaunch.desk.view.replay import OfRecording
+from edulaunch.desk.view.replay import RecordingSource
+from edulaunch.desk.view.timeline import Timeline
 from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
 
@@ -160,10 +160,10 @@ ADVICE = [
 
 
 def test_what_the_rules_say_stands_on_what_it_is_about(browser: Any, tmp_path: Path, recording: Recording, shots: Path) -> None:
-    film = Film(OfRecording(recording))
-    film.mark(ADVICE)
+    timeline = Timeline(RecordingSource(recording))
+    timeline.mark(ADVICE)
     file = tmp_path / 'advice.html'
-    file.write_text(recorded_page(film.piece(), 'advice'), encoding='utf-8')
+    file.write_text(recorded_page(timeline.delta(), 'advice'), encoding='utf-8')
     page = browser.new_page(viewport={'width': 1200, 'height': 800})
     desk = Desk(page)
     page.goto(file.as_uri())

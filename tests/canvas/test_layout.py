@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+from typing import Any
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -19,6 +23,8 @@ graphs = st.lists(sizes, min_size=1, max_size=14).flatmap(
         ),
     )
 )
+CASES = json.loads(Path(__file__).with_name('layouts.json').read_text(encoding='utf-8'))
+"""Layouts that the page's own code (`desk/view/page/layout.js`) makes, too: see tests/browser/test_layout.py."""
 Graph = tuple[list[tuple[float, float]], list[tuple[int, int]]]
 
 
@@ -88,3 +94,12 @@ def test_an_arrow_begins_and_ends_at_its_boxes() -> None:
 @pytest.mark.parametrize(('count', 'direction'), [(3, 'right'), (12, 'down')])
 def test_a_long_chain_goes_down(count: int, direction: str) -> None:
     assert lay_out([(120.0, 30.0)] * count, [(number, number + 1) for number in range(count - 1)]).direction == direction
+
+
+@pytest.mark.parametrize('case', CASES)
+def test_layouts_are_those_that_the_page_makes(case: dict[str, Any]) -> None:
+    edges = [(a, b) for a, b in case['edges']]
+    found = lay_out([(width, height) for width, height in case['sizes']], edges, case['direction'])
+    assert (found.width, found.height, found.direction) == (case['width'], case['height'], case['chosen'])
+    assert [list(corner) for corner in found.corners] == case['corners']
+    assert [[list(point) for point in route.points] for route in found.routes] == case['routes']

@@ -10,6 +10,7 @@ from zipfile import ZipFile
 
 import pytest
 
+from edulaunch.course.questions import read_questions
 from edulaunch.desk.cli.main import main
 from tests.house import ROOT
 
@@ -63,7 +64,9 @@ def test_our_course_for_students_gives_nothing_away(tmp_path: Path) -> None:
     assert lessons == sorted(f'lessons/{path.name}' for path in (ROOT / 'lessons').glob('*.ipynb'))
     stubs = subprocess.run(['git', 'ls-files', 'exercises'], cwd=ROOT, capture_output=True, text=True)
     assert stubs.returncode != 0 or [name for name in found if name.startswith('exercises/')] == sorted(stubs.stdout.split())
-    assert {'lessons/questions.toml', 'lessons/checkpoints/after_lesson_9/setup.py'} <= set(found)
+    assert {'lessons/.questions', 'lessons/checkpoints/after_lesson_9/setup.py'} <= set(
+        found
+    ) and 'lessons/questions.toml' not in found
     assert not [
         name
         for name in found
@@ -90,7 +93,8 @@ def test_a_changed_file_is_never_overwritten(mine: Path, tmp_path: Path, capsys:
         assert course('copy', copy, '--course', mine, '--update') == 0
         assert 'left alone, for you changed it: exercises/spin.launch.py' in capsys.readouterr().out
     assert (copy / 'exercises' / 'spin.launch.py').read_text() == '# my work\n'
-    assert '3.0 m/s' in (copy / 'lessons' / 'questions.toml').read_text() and (copy / 'lessons' / '02_more.ipynb').is_file()
+    assert '3.0 m/s' in read_questions(str(copy / 'lessons' / '.questions')).questions['radius-of-circle'].text
+    assert (copy / 'lessons' / '02_more.ipynb').is_file()
 
 
 def test_a_damaged_record_takes_every_other_file_for_the_students(mine: Path, tmp_path: Path) -> None:
@@ -110,7 +114,7 @@ def test_a_release_has_neither_solutions_nor_outputs_nor_rubrics(mine: Path, tmp
     for name in ('lessons/my_circle.launch.py', 'lessons/my_progress.toml', 'exercises/solutions/spin.launch.py', 'notes.txt'):
         (mine / name).parent.mkdir(exist_ok=True)
         (mine / name).write_text('GIVEN AWAY')
-    wanted = ['README.md', 'course.toml', 'exercises/spin.launch.py', 'lessons/01_circle.ipynb', 'lessons/questions.toml']
+    wanted = ['README.md', 'course.toml', 'exercises/spin.launch.py', 'lessons/.questions', 'lessons/01_circle.ipynb']
     for out in ('one.zip', 'two.zip', 'folder'):
         assert course('release', mine, tmp_path / out) == 0
     zipped = ZipFile(tmp_path / 'one.zip')
@@ -181,7 +185,7 @@ def test_open_says_how_jupyterlab_is_installed(
 ) -> None:
     monkeypatch.setattr('importlib.util.find_spec', lambda name: None)
     assert course('open', mine) == 2
-    assert "pip install 'edulaunch[notebook]'" in capsys.readouterr().err
+    assert "pip install '.[notebook]'" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize('verb', ['lint', 'list', 'open'])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from edulaunch.course.lesson_parts import Part, lesson_parts, markdown
+from edulaunch.course.questions import Explanation, Questions
 
 
 def text(source: str) -> dict[str, Any]:
@@ -17,7 +18,8 @@ def code(ident: str, source: str) -> dict[str, Any]:
 
 def parts(*cells: dict[str, Any], teacher: bool = False, **outputs: Any) -> list[Part]:
     given = {ident.replace('_', '-'): output for ident, output in outputs.items()}
-    return list(lesson_parts(list(cells), given, {}, teacher))
+    questions = Questions({}, {'why': Explanation('why', '01', 'Because.')})
+    return list(lesson_parts(list(cells), given, questions, teacher))
 
 
 def said(words: str) -> list[dict[str, Any]]:
@@ -38,7 +40,7 @@ def test_what_comes_between_guess_and_answer_is_folded() -> None:
     outputs = {
         'guess': result('No prediction yet: ...'),
         'get': said('86'),
-        'was': result('It was 86. You had not said'),
+        'was': result('It was 86. You had no prediction'),
         'on': said('1'),
     }
     found = parts(*cells, **outputs)
@@ -69,9 +71,15 @@ def test_a_prediction_said_aloud_is_folded_until_the_next_text() -> None:
 
 def test_the_other_lines_of_a_comparing_cell_stay() -> None:
     cell = code('both', "run = launch()\ncompare('nodes', len(run.nodes))")
-    found = parts(cell, both=[*said('started'), *result('It was 3. You had not said anything')])
+    found = parts(cell, both=[*said('started'), *result('It was 3. You had no prediction')])
     assert [(part.kind, part.text) for part in found] == [('code', 'run = launch()')]
     assert [output.text for output in found[0].outputs] == ['started']
+
+
+def test_an_explanation_is_a_place_to_write_and_a_folded_answer() -> None:
+    found = parts(code('x', "explain('why', ...)"), x=result('Replace the three dots ...'))
+    assert [part.kind for part in found] == ['guess', 'text']
+    assert found[1].text.startswith('<details>') and 'Because.' in found[1].text
 
 
 def test_outputs_are_shown_in_their_best_form() -> None:

@@ -20,29 +20,29 @@ def _in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_was_said_is_put_beside_what_was() -> None:
-    assert repr(predict('square-end', (7.5, 5.5))) == 'Kept: (7.5, 5.5). Now look.'
-    assert repr(compare('square-end', (5.5, 5.5))) == 'You said (7.5, 5.5), it was (5.5, 5.5): 2 off.'
+    assert repr(predict('square-end', (7.5, 5.5))) == 'Kept: (7.5, 5.5). Now run the next cell.'
+    assert repr(compare('square-end', (5.5, 5.5))) == 'You predicted (7.5, 5.5), it was (5.5, 5.5): 2 off.'
 
 
 def test_three_dots_are_no_guess_and_nothing_is_written() -> None:
     assert 'No prediction yet' in repr(predict('square-end', ...))
     assert not Path(NAME).exists()
-    assert repr(compare('square-end', 3)).startswith('It was 3. You had not said anything')
+    assert repr(compare('square-end', 3)).startswith('It was 3. You had no prediction')
 
 
 @pytest.mark.parametrize(
     ('said', 'was', 'told'),
     [
-        (4, 4.0, 'You said 4, it was 4: exactly.'),
-        ('/sim', '/sim', 'You said /sim, it was /sim: right.'),
-        ('Error', 'error', 'You said Error, it was error: right.'),
-        ('an error', 255, 'You said an error, it was 255.'),
-        (True, False, 'You said True, it was False.'),
-        (3, (1, 2), 'You said 3, it was (1, 2): 2 numbers were asked for.'),
-        ((3, 4), 5, 'You said (3, 4), it was 5: one number was asked for.'),
-        ((0, 0), np.array([3.0, 4.0]).tolist(), 'You said (0, 0), it was (3, 4): 5 off.'),
-        (1, np.float64(1.5), 'You said 1, it was 1.5: 0.5 off.'),
-        ('a\x07b\ud800', 'x', 'You said a?b?, it was x.'),
+        (4, 4.0, 'You predicted 4, it was 4: exactly.'),
+        ('/sim', '/sim', 'You predicted /sim, it was /sim: right.'),
+        ('Error', 'error', 'You predicted Error, it was error: right.'),
+        ('an error', 255, 'You predicted an error, it was 255.'),
+        (True, False, 'You predicted True, it was False.'),
+        (3, (1, 2), 'You predicted 3, it was (1, 2): write 2 numbers.'),
+        ((3, 4), 5, 'You predicted (3, 4), it was 5: write one number.'),
+        ((0, 0), np.array([3.0, 4.0]).tolist(), 'You predicted (0, 0), it was (3, 4): 5 off.'),
+        (1, np.float64(1.5), 'You predicted 1, it was 1.5: 0.5 off.'),
+        ('a\x07b\ud800', 'x', 'You predicted a?b?, it was x.'),
     ],
 )
 def test_verdicts(said: object, was: object, told: str) -> None:
@@ -62,7 +62,7 @@ def test_the_last_word_counts_and_exercises_stay() -> None:
 
 def test_a_file_that_nobody_can_write_costs_no_answer() -> None:
     Path(NAME).mkdir()
-    assert 'This is not kept: ' in repr(predict('it', 1))
+    assert 'Your answer is not kept: ' in repr(predict('it', 1))
 
 
 def test_html_holds_no_markup_of_the_student() -> None:

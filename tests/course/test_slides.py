@@ -34,6 +34,12 @@ def test_an_answer_is_never_on_the_slide_of_its_question() -> None:
     assert shown(Part('guess', 'a', 'a number'), run, Part('answer', 'c', '42'))[0] == ['a number', 'run()']
 
 
+def test_the_line_before_a_list_stays_with_it() -> None:
+    long = text('# 1. T\n\n' + '\n\n'.join(f'Sentence {number}.' for number in range(5)) + '\n\nYou can\n\n- one,\n- two.')
+    assert shown(long)[-1][-1] == 'You can\n\n- one,\n- two.'
+    assert shown(text('So.\n\n- one'))[0] == ['So.', '- one']
+
+
 def test_of_a_paragraph_the_first_sentence_is_shown_and_the_rest_is_told() -> None:
     (slide,) = split((text('`a.b` is *one* thing. It has more.\n\n**Explain:** why? And how?\n\n- one. Two.'),))
     assert [part.text for part in slide.parts] == ['`a.b` is *one* thing.', '**Explain:** why? And how?', '- one. Two.']

@@ -71,3 +71,19 @@ def test_a_lesson_that_is_not_there_is_told_with_the_nearest(tmp_path: Path, cap
     assert main(['course', 'store', str(tmp_path / '16_silent_system.ipynb')]) == 2
     near = tmp_path / '16_silent_systems.ipynb'
     assert capsys.readouterr().err.endswith(f"16_silent_system.ipynb does not exist\n  help: did you mean '{near}'?\n")
+
+
+@pytest.mark.processes
+def test_a_cell_that_fails_is_named_without_frames_and_colours(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = notebook(tmp_path / 'one.ipynb', 'x = 1', 'def inner():\n    return missing\n\n\ninner()')
+    assert main(['course', 'store', str(path)]) == 2
+    assert capsys.readouterr().err == (
+        f"error: {path}: the cell cell-1 failed: NameError: name 'missing' is not defined\n"
+        '  help: a cell that shall fail has the tag raises-exception\n'
+    )
+
+
+def test_what_is_no_notebook_is_said_in_a_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'one.ipynb').write_text('3')
+    assert main(['course', 'store', str(tmp_path / 'one.ipynb')]) == 2
+    assert 'cannot be read as a notebook' in capsys.readouterr().err

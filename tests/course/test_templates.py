@@ -54,7 +54,7 @@ def run(command: str, folder: Path, **env: str) -> subprocess.CompletedProcess[s
 
 
 def test_every_template_has_files_and_says_what_to_do() -> None:
-    assert set(os.listdir(FOLDER)) | {'classroom', 'gradescope'} == set(NEXT)
+    assert set(os.listdir(FOLDER)) | {'classroom', 'gradescope', 'vscode'} == set(NEXT)
 
 
 def test_every_file_is_of_its_form_and_names_the_course(course: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from edulaunch.desk.cli.plugin_options import add_plugin_options, plugins_of
 from edulaunch.runtime import plugins
 
-OURS = ('classes', 'comparing', 'course', 'grader', 'network')
+OURS = ('classes', 'comparing', 'course', 'editor', 'grader', 'network')
 
 
 def test_every_word_of_our_own_plug_ins_can_be_named_when_it_is_missing() -> None:

@@ -15,7 +15,7 @@ REPOSITORY = str(Path(__file__).resolve().parents[2])
 @pytest.fixture(autouse=True)
 def _no_progress_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """What tests grade in the repository itself is nobody's try: no file is left there, and no test changes another's report."""
-    from edugrade import noted
+    from edugrade import attempts
 
-    found = noted.progress_folder
-    monkeypatch.setattr(noted, 'progress_folder', lambda file: None if file.startswith(REPOSITORY) else found(file))
+    found = attempts.progress_folder
+    monkeypatch.setattr(attempts, 'progress_folder', lambda file: None if file.startswith(REPOSITORY) else found(file))

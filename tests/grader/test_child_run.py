@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from edugrade import Scenario
 from edugrade.child_run import StarterLink
-from edugrade.job import Job, Limits
+from edugrade.job import Limits, RunRequest
 from edugrade.submission import Submission
 
 pytestmark = pytest.mark.processes
@@ -29,7 +29,7 @@ def begin(link: StarterLink, folder: Path, text: str) -> tuple[int, socket.socke
     (folder / 'a.launch.py').write_text(text)
     (folder / 'home').mkdir()
     heard, channel = os.pipe()
-    job = Job(Submission(str(folder / 'a.launch.py')), Scenario('s'), Limits(5.0), [], str(folder / 'home'))
+    job = RunRequest(Submission(str(folder / 'a.launch.py')), Scenario('s'), Limits(5.0), [], str(folder / 'home'))
     guard = link.begin(job, channel, channel)
     os.close(channel)
     return heard, guard

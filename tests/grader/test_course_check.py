@@ -63,7 +63,7 @@ def test_an_exercise_that_does_not_say_why_is_found(copy: Path) -> None:
 
 def test_a_short_hint_is_found(copy: Path) -> None:
     text = (copy / 'exercises' / 'course.toml').read_text()
-    start = text.index("'A launch file describes")
+    start = text.index('"The launch file needs three things')
     (copy / 'exercises' / 'course.toml').write_text(text[:start] + "'short',\n" + text[text.index('\n', start) + 1 :])
     assert problems(copy) == ['circle needs 3 hints of at least 40 characters']
 
@@ -159,3 +159,22 @@ def test_the_program_says_what_it_takes(capsys: pytest.CaptureFixture[str]) -> N
         main(['--help'])
     assert end.value.code == 0
     assert '--quick' in capsys.readouterr().out
+
+
+@pytest.mark.processes
+def test_everything_is_listed_at_once_and_a_rubric_that_exits_ends_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from edulaunch.course.copying import new_course
+
+    folder = tmp_path / 'course'
+    new_course(str(folder))
+    (folder / 'rubrics' / 'odd.py').write_text('raise SystemExit(3)')
+    with open(folder / 'course.toml', 'a') as file:
+        file.write("\n[[exercise]]\nfile = 'odd.launch.py'\ntitle = 'Odd'\npoints = 3\n")
+    edit(folder / 'solutions' / 'spin.launch.py', "'-r', '10'", "'-r', '1'")
+    assert main([str(folder)]) == 1
+    told = capsys.readouterr().out
+    assert 'course: a file of the course ended the check: SystemExit: 3\n' in told
+    assert 'course: odd needs 3 hints' in told
+    assert 'spin.launch.py: some failed: ' in told

@@ -8,14 +8,16 @@ import os
 import socket
 import struct
 from collections.abc import Callable, Iterator
+from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from edugrade import Scenario
 from edugrade.cli import main
 from edugrade.evidence import Outcome
-from edugrade.faults import ComputerFault, fault_here, fault_of, looks_like_one, words_of
+from edugrade.faults import ComputerFault, fault_here, fault_of, looks_like_one, missing_for, words_of
 from edugrade.job import Limits
 from edugrade.runner import Runner
 from edugrade.submission import Submission
@@ -162,3 +164,30 @@ def test_each_call_of_the_grader_fails_once(
         assert code in (0, 3) or (code == 2 and 'cannot be written' in said.err), what
         assert 'Traceback' not in said.err, what
         assert code == 0 or 'no mark' in said.out or 'not graded' in said.err or 'cannot be written' in said.err, what
+
+
+@pytest.mark.parametrize(
+    ('argv', 'module', 'sentence', 'extra'),
+    [
+        (['/x/bin/ros2', 'bag', 'record'], 'rosbags', 'ros2 bag needs rosbags, which is not installed', 'bags'),
+        (['/x/lib/xacro/xacro', 'a.xacro'], 'xacro', 'xacro needs xacro, which is not installed', 'urdf'),
+        (
+            ['/x/lib/robot_state_publisher/robot_state_publisher'],
+            'urdf_parser_py',
+            'robot_state_publisher needs urdf-parser-py, which is not installed',
+            'urdf',
+        ),
+    ],
+)
+def test_a_package_that_this_computer_lacks_gives_no_mark(
+    argv: list[str], module: str, sentence: str, extra: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Ran:
+        processes = [
+            SimpleNamespace(argv=['/x/bin/ros2', 'launch'], executable=None),
+            SimpleNamespace(argv=argv, executable=None),
+        ]
+
+    assert missing_for(Ran) is None  # type: ignore[arg-type]
+    monkeypatch.setattr('edugrade.faults.find_spec', lambda name: None if name == module else find_spec(name))
+    assert missing_for(Ran) == (sentence, f"in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'")  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Launch files that reach into their own process for marks: they find only the confined half, and gain nothing.
+"""Launch files that reach into their own process for marks: they find only the confined peer, and gain nothing.
 
 Each is a circle whose node is not told the radius (which leaves 6 of 12 points), and does something more.
 """
@@ -16,12 +16,12 @@ CIRCLE = (Path(__file__).parents[2] / 'solutions' / 'circle.launch.py').read_tex
 LAZY = CIRCLE.replace("        parameters=[{'radius': LaunchConfiguration('circle_radius')}],\n", '')
 HONEST = 6
 
-HALF = """
+PEER = """
 import gc, json, posix, struct
-half = next(one for one in gc.get_objects() if type(one).__name__ == 'Half')
+peer = next(one for one in gc.get_objects() if type(one).__name__ == 'Peer')
 session = next(one for one in gc.get_objects() if type(one).__name__ == 'ConfinedSession')
 def frame(kind, *values):
-    half._add(kind, json.dumps(values if len(values) > 1 else values[0]).encode())
+    peer._add(kind, json.dumps(values if len(values) > 1 else values[0]).encode())
 """
 LATER = """
 from launch.actions import OpaqueFunction, TimerAction
@@ -31,14 +31,14 @@ def generate_launch_description():
 """
 SHIPPED = "path = session.index.find_executable('part3_beyond_basics', 'param_circle.py')\n"
 ATTACKS = {
-    'hosts everything itself': HALF + "session.host.start.__globals__['is_hosted'] = lambda program: False\n",
-    'hosts the robot itself': HALF
+    'hosts everything itself': PEER + "session.host.start.__globals__['is_hosted'] = lambda program: False\n",
+    'hosts the robot itself': PEER
     + "session.host.start.__globals__['is_hosted'] = lambda program: 'waffle' not in program.executable\n",
     'sends a recording': "import posix\nposix.write(3, b'R' + (5).to_bytes(8, 'big') + b'[[]]\\n')\nposix._exit(0)\n",
     'says that edulaunch broke': "import posix\nposix.write(3, b'B' + (2).to_bytes(8, 'big') + b'{}')\nposix._exit(0)\n",
     'ends like a good one': 'import posix\nposix._exit(0)\n',
-    'kills the trusted half': 'import posix\ntry:\n    posix.kill(posix.getppid(), 9)\nexcept OSError:\n    pass\n',
-    'looks into the trusted half': """
+    'kills the trusted peer': 'import posix\ntry:\n    posix.kill(posix.getppid(), 9)\nexcept OSError:\n    pass\n',
+    'looks into the trusted peer': """
 import posix
 for name in ('mem', 'environ', 'maps', 'fd/3'):
     try:
@@ -47,19 +47,19 @@ for name in ('mem', 'environ', 'maps', 'fd/3'):
     except OSError:
         pass
 """,
-    'claims the program': HALF
+    'claims the program': PEER
     + SHIPPED
     + """
 frame(17, 1002, [[path], 'circle', None, {}, False, None, 'part3_beyond_basics', 'param_circle.py', {}, False, False])
 """,
-    'sets the parameter for the node': HALF
+    'sets the parameter for the node': PEER
     + LATER
     + """
 def do():
     for node in session.graph.nodes:
         frame(16, node.index, 'radius', float(session.launches[0].arguments['circle_radius']), 'launch argument')
 """,
-    'has a node of the same name': HALF
+    'has a node of the same name': PEER
     + LATER
     + """
 def do():
@@ -68,14 +68,14 @@ def do():
     frame(5, index, 1001, 'my_param_circle_node', '/')
     frame(16, index, 'radius', radius, 'launch argument')
 """,
-    'is the odometry': HALF
+    'is the odometry': PEER
     + LATER
     + """
 def do():
     pub = next(pub for pub in session.graph.publishers['/odom'])
-    half._add(9, struct.pack('<I', pub.index) + b'\\x02[]')
+    peer._add(9, struct.pack('<I', pub.index) + b'\\x02[]')
 """,
-    'publishes odometry': HALF
+    'publishes odometry': PEER
     + LATER
     + """
 import math
@@ -89,12 +89,12 @@ def do():
         message = Odometry()
         message.pose.pose.position.x = radius * math.cos(step / 20)
         message.pose.pose.position.y = radius * math.sin(step / 20)
-        half._add(9, struct.pack('<I', end) + b'\\x02' + json.dumps(Odometry.to_wire(message), default=list).encode())
+        peer._add(9, struct.pack('<I', end) + b'\\x02' + json.dumps(Odometry.to_wire(message), default=list).encode())
 """,
-    'goes ahead in time': HALF + "half._add(3, struct.pack('<q', session.sim.now_ns + 10**9))\n",
+    'goes ahead in time': PEER + "peer._add(3, struct.pack('<q', session.sim.now_ns + 10**9))\n",
     'never answers': 'import _thread\nlock = _thread.allocate_lock()\nlock.acquire()\nlock.acquire()\n',
-    'floods': HALF + "while True:\n    frame(21, None, 'x', 'y' * 1000000)\n",
-    'leaves half a frame': HALF + "half._end.sendall(b'\\xff\\x00\\x00\\x00\\x15abc')\nposix._exit(0)\n",
+    'floods': PEER + "while True:\n    frame(21, None, 'x', 'y' * 1000000)\n",
+    'leaves half a frame': PEER + "peer._end.sendall(b'\\xff\\x00\\x00\\x00\\x15abc')\nposix._exit(0)\n",
 }
 
 

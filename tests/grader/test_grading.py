@@ -32,7 +32,7 @@ def test_reports_come_in_the_order_of_the_submissions_and_each_run_is_counted() 
     work = [plan_work(Submission(str(path))) for path in (BROKEN, STATIC)]
     reports = list(grade(work, on_outcome=lambda: done.append(1)))
     assert [report.rubric for report in reports] == ['broken_follow', 'static_frame']
-    assert (len(done), [report.exit_code for report in reports]) == (4, [0, 0])
+    assert (len(done), [report.exit_code for report in reports]) == (5, [0, 0])
 
 
 @pytest.mark.processes

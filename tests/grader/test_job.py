@@ -11,27 +11,27 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.job import Job, Limits, import_path, readable_by_all, readable_by_run
+from edugrade.job import Limits, RunRequest, import_path, readable_by_all, readable_by_run
 from edugrade.submission import Submission
 
 import edulaunch
 
 
 @pytest.fixture
-def job(tmp_path: Path) -> Job:
+def job(tmp_path: Path) -> RunRequest:
     (tmp_path / 'a.launch.py').touch()
     scenario = Scenario('s', {'x': '1'}, 5.0, 9)
-    return Job(Submission(str(tmp_path / 'a.launch.py')), scenario, Limits(7.0), ['ws'], '/private')
+    return RunRequest(Submission(str(tmp_path / 'a.launch.py')), scenario, Limits(7.0), ['ws'], '/private')
 
 
-def test_the_message_is_plain_data_with_absolute_paths(job: Job, tmp_path: Path) -> None:
+def test_the_message_is_plain_data_with_absolute_paths(job: RunRequest, tmp_path: Path) -> None:
     told = json.loads(json.dumps(job.message))
     assert told['file'] == str(tmp_path / 'a.launch.py')
     assert told['workspaces'] == [str(Path('ws').absolute())]
     assert (told['arguments'], told['duration_s'], told['seed'], told['wall_s']) == ({'x': '1'}, 5.0, 9, 7.0)
 
 
-def test_nothing_of_the_callers_environment_gets_in(job: Job, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nothing_of_the_callers_environment_gets_in(job: RunRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('SECRET', 'x')
     given = job.message['environment']
     assert 'SECRET' not in given

@@ -12,7 +12,7 @@ import pytest
 from edugrade import Check, Evidence, Failure, Scenario, check
 from edugrade.evidence import Outcome
 from edugrade.judging import judge, with_causes
-from edugrade.reports.wording import KIND, ShortPaths, at_level, explained, retold
+from edugrade.reports.wording import KIND, ShortPaths, at_level, explained, translated
 from edugrade.results import FAILED, PASSED, CheckResult
 from edugrade.source import Place, Source
 from fake_recording import FakeRecording, circle_run, graded
@@ -176,9 +176,9 @@ def test_a_report_is_retold_in_german() -> None:
         cause=FRAME,
     )
     german = Reader('de')
-    told = retold(result, german)
-    assert told.reason != result.reason and 'laser' in told.reason
-    shown = explained(told, ShortPaths(''), german)
+    result_in_german = translated(result, german)
+    assert result_in_german.reason != result.reason and 'laser' in result_in_german.reason
+    shown = explained(result_in_german, ShortPaths(''), german)
     assert list(shown) == ['gesehen', 'versuch', 'Ursache'] and 'carrot1' in shown['Ursache']
 
 

@@ -57,8 +57,8 @@ def test_the_report_is_that_of_the_command(lessons: Path, capsys: pytest.Capture
     found = check('static_frame')
     assert isinstance(found, CheckReport)
     main(['../exercises/static_frame.launch.py', '--advice', '1'])
-    assert repr(found) == f'static_frame: some failed, 2 of 12 points\n\n{capsys.readouterr().out}'.rstrip()
-    assert '<b>static_frame: some failed, 2 of 12 points</b> ../exercises/static_frame.launch.py' in found._repr_html_()
+    assert repr(found) == f'static_frame: some failed, 1 of 12 points\n\n{capsys.readouterr().out}'.rstrip()
+    assert '<b>static_frame: some failed, 1 of 12 points</b> ../exercises/static_frame.launch.py' in found._repr_html_()
     assert found.passed is False
 
 

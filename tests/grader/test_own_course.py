@@ -1,4 +1,4 @@
-"""A course of two exercises, written down from docs/course_authors.md and from nothing else: checked, graded, exported, verified."""
+"""A course of two exercises, written down from docs/own_course_example.md and from nothing else: checked, graded, exported, verified."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BLOCK = re.compile(r'`my_course/([\w./]+)`[^\n]*\n```\w+\n(.*?)```\n', re.S)
 
 
 def write_course(folder: Path) -> Path:
-    for name, text in BLOCK.findall((ROOT / 'docs' / 'course_authors.md').read_text('utf-8')):
+    for name, text in BLOCK.findall((ROOT / 'docs' / 'own_course_example.md').read_text('utf-8')):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     return folder
@@ -65,7 +65,7 @@ def test_a_class_is_graded_and_a_mark_made_again(course: Path) -> None:
         (course / 'submissions' / name).mkdir(parents=True)
         shutil.copy(course / ('solutions' if name == 'anna' else 'exercises') / 'spin.launch.py', course / 'submissions' / name)
     assert main(['batch', 'submissions', '--csv', 'marks.csv']) == 0
-    assert [line.split(',')[5] for line in Path('marks.csv').read_text().splitlines()[1:]] == ['6', '2']
+    assert [line.split(',')[5] for line in Path('marks.csv').read_text().splitlines()[1:]] == ['6', '1']
     assert main(['verify', 'submissions.results/bert/spin.launch.py.json']) == 0
 
 
@@ -116,14 +116,14 @@ def test_a_course_gives_other_points_for_a_rubric_of_ours(tmp_path: Path, monkey
         sent.write_bytes(found.text)  # as it goes to Gradescope and to a cluster
         assert sum(check.points for check in find_rubric('', str(sent))[1].checks) == total
     course.write_text(entry.format('water.launch.py', 13, '{no_such = 2}'))
-    with pytest.raises(UnusableInput, match='check_points of water: there is no check no_such; there are alive, green'):
+    with pytest.raises(UnusableInput, match='check_points of water: there is no check no_such; there are alive, red_water'):
         find_rubric('water')
 
 
 @pytest.mark.processes
 def test_whoever_is_done_reads_why_it_matters(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(ROOT / 'solutions' / 'water.launch.py'), '--sandbox', 'off']) == 0
-    assert 'On a robot: Speeds, gains and limits' in capsys.readouterr().out
+    assert 'On a robot: If you can set speeds, gains and limits' in capsys.readouterr().out
     assert main([str(ROOT / 'exercises' / 'water.launch.py'), '--sandbox', 'off']) == 1
     assert 'On a robot' not in capsys.readouterr().out
-    assert 'Speeds, gains and limits' in contents(str(ROOT))
+    assert 'speeds, gains and limits' in contents(str(ROOT))

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 EXPECTED = """\
-# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.
+# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to start over.
 
 [circle]
 done = false

@@ -111,7 +111,7 @@ def test_a_submission_that_kills_the_starter_spoils_only_itself(tmp_path: Path) 
         submissions.append(Submission(str(tmp_path / f'{name}.launch.py')))
     with Runner(Limits(10.0, sandbox='off'), processors=1) as runner:
         bad, good = (runner.add(submission, [Scenario('only', {}, 1.0)]) for submission in submissions)
-        outcomes = [runner.wait(ticket)[0] for ticket in (bad, good)]
+        outcomes = [runner.wait(job)[0] for job in (bad, good)]
     assert [outcome.kind == 'recorded' for outcome in outcomes] == [False, True]
 
 
@@ -120,14 +120,14 @@ def test_of_a_starter_that_was_killed_no_run_is_lost(tmp_path: Path) -> None:
     file = tmp_path / 'good.launch.py'
     file.write_text(HARMLESS)
     with Runner(Limits(20.0), processors=2) as runner:
-        ticket = runner.add(Submission(str(file)), [Scenario('one', {}, 1.0), Scenario('two', {}, 1.0)])
+        job = runner.add(Submission(str(file)), [Scenario('one', {}, 1.0), Scenario('two', {}, 1.0)])
         first = runner._starter
         assert first is not None
         first._process.kill()
-        outcomes = runner.wait(ticket)
+        outcomes = runner.wait(job)
         assert runner._starter is not first
     assert [outcome.kind for outcome in outcomes] == ['recorded', 'recorded']
-    assert list(ticket.again.values()) == [1, 1]
+    assert list(job.again.values()) == [1, 1]
 
 
 def test_a_run_finds_nothing_of_the_one_before_it(tmp_path: Path) -> None:

@@ -74,8 +74,17 @@ def test_a_copy_for_a_student_names_the_values_in_the_task_and_is_graded_by_them
     }
     assert main(['exercises/two_rooms.launch.py', '--hint', '3']) == 0
     assert f'/{variant.values["hall"]}/' in capsys.readouterr().out
+    words = ['--submission', 'exercises/two_rooms.launch.py', '--sandbox', 'off']
+    assert main(['verify', '../report.json', *words]) == 0
+    report = json.loads((tmp_path / 'report.json').read_text())
+    report['variant']['values']['hall'] = 'nowhere'
+    (tmp_path / 'forged.json').write_text(json.dumps(report))
+    capsys.readouterr()
+    assert main(['verify', '../forged.json', *words]) == 1
+    assert 'variant: not the one that the course gives this student' in capsys.readouterr().out
     monkeypatch.chdir(tmp_path)
-    assert main(['verify', 'report.json', '--submission', 'carl/exercises/two_rooms.launch.py', '--sandbox', 'off']) == 0
+    assert main(['verify', 'report.json', '--submission', 'carl/exercises/two_rooms.launch.py', '--sandbox', 'off']) == 2
+    assert 'nothing here says whose values are whose' in capsys.readouterr().err
 
 
 @pytest.mark.processes

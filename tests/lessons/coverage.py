@@ -1,4 +1,4 @@
-"""What of the seed tutorials our lessons teach, from lessons/coverage.toml: `python -m tests.lessons.coverage` writes docs/coverage.md."""
+"""What of the seed tutorials our lessons teach, from lessons/coverage.toml: `python -m tests.lessons.coverage` writes docs/coverage*."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ else:
     import tomli as tomllib
 
 TABLE = LESSONS / 'coverage.toml'
-PAGE = LESSONS.parent / 'docs' / 'coverage.md'
+DOCS = LESSONS.parent / 'docs'
 TITLES = {
     'launch_lesson': 'Launch files and parameters (a lesson)',
     'launch_advanced': 'Launch files, advanced',
@@ -27,10 +27,11 @@ TITLES = {
 }
 HEAD = """# What the lessons cover
 
-Five public tutorials were the seeds of this course. This page says of each part of theirs where our lessons have it, and what they do
-not have. It is made from `lessons/coverage.toml` by `python -m tests.lessons.coverage`; do not edit it. The tests see to it that each
-cell exists, and that no part, listing or command of the five texts is left out. They do not judge how well a cell teaches it.
+This course began with five public tutorials. For each part of a tutorial, these pages name the sections of our lessons that teach it, or the
+reason why none does. `python -m tests.lessons.coverage` writes them from `lessons/coverage.toml`. Tests check that each section exists, and that
+the table contains every part, listing and command. They do not judge how well a section teaches it.
 """
+SUBHEAD = '[What the lessons cover](../coverage.md) explains this table. *1.2* is a section of lesson 1.'
 
 
 class Part(NamedTuple):
@@ -100,20 +101,20 @@ def _section(heading: str, lesson: str) -> str:
     return number[0].strip() if number else f'end of lesson {int(lesson[:2])}'
 
 
-def page() -> str:
-    """The text of docs/coverage.md."""
-    text = [
-        HEAD,
-        '| tutorial | parts | in a lesson | left out, with a reason | with something missing |',
-        '|---|---|---|---|---|',
-    ]
-    text += [_count(TITLES[seed], parts) for seed, parts in seeds().items()]
-    text += [_count('listings', listings()), _count('commands', commands())]
-    for seed, parts in seeds().items():
-        text += ['', f'## {TITLES[seed]}', '', *_table('part', [part._replace(heading=_short(part.heading)) for part in parts])]
-    text += ['', '## Listings', '', *_table('listing', [part._replace(heading=f'`{part.heading}`') for part in listings()])]
-    text += ['', '## Commands', '', *_table('command', [part._replace(heading=f'`{part.heading}`') for part in commands()])]
-    return '\n'.join(text) + '\n'
+def pages() -> dict[str, str]:
+    """Return the content of each page by its path in docs/."""
+    found = {f'coverage/{seed}.md': _page(TITLES[seed], 'part', [part._replace(heading=_short(part.heading)) for part in parts]) for seed, parts in seeds().items()}
+    text = [HEAD, '| tutorial | parts | in a lesson | left out, with a reason | with something missing |', '|---|---|---|---|---|']
+    text += [_count(f'[{TITLES[seed]}](coverage/{seed}.md)', parts) for seed, parts in seeds().items()]
+    for name, rows in (('listing', listings()), ('command', commands())):
+        title = f'{name.capitalize()}s of the five tutorials'
+        found[f'coverage/{name}s.md'] = _page(title, name, [part._replace(heading=f'`{part.heading}`') for part in rows])
+        text.append(_count(f'[{title}](coverage/{name}s.md)', rows))
+    return {'coverage.md': '\n'.join(text) + '\n', **found}
+
+
+def _page(title: str, what: str, parts: list[Part]) -> str:
+    return '\n'.join([f'# {title}', '', SUBHEAD, '', *_table(what, parts)]) + '\n'
 
 
 def _count(title: str, parts: list[Part]) -> str:
@@ -128,7 +129,7 @@ def _short(heading: str) -> str:
 
 
 def _table(what: str, parts: list[Part]) -> Iterator[str]:
-    yield f'| {what} | where | |'
+    yield f'| {what} | where | remark |'
     yield '|---|---|---|'
     for part in parts:
         yield f'| {part.heading} | {", ".join(_where(part.cells))} | {part.remark} |'
@@ -146,4 +147,6 @@ def source(cell: str) -> str:
 
 
 if __name__ == '__main__':
-    PAGE.write_text(page(), 'utf-8')
+    (DOCS / 'coverage').mkdir(exist_ok=True)
+    for name, text in pages().items():
+        (DOCS / name).write_text(text, 'utf-8')

@@ -16,6 +16,7 @@ MINUTES = {
     'compare': 0.5,
     'predict': 1.0,
     'quiz': 1.5,
+    'explain': 1.5,
     'drive': 2.0,
     'write': 3.0,
     'turn': 5.0,
@@ -46,6 +47,8 @@ def kind(cell: Cell, before: str) -> str:
         return 'predict'
     if re.search(r'(?m)^quiz\(', source):
         return 'quiz'
+    if re.search(r'(?m)^explain\(', source):
+        return 'explain'
     if source.startswith('%ros2 view'):
         return 'drive'
     if 'TODO' in source or ASKS.search(before):

@@ -17,10 +17,10 @@ else:
 PAGE = LESSONS.parent / 'docs' / 'features.md'
 HEAD = """# What a lesson has
 
-Fifteen features that the best lessons on launch and tf2 have between them, as we found them when we compared; none has all. For each: what shows
-it in a lesson (a cell of that kind, by its id), and the tests that fail when it is gone. Made by `python -m tests.lessons.features`;
-do not edit it. A count is of cells; `-` means that the lesson does not have it, for instance because it is not about frames.
-What is linked in 7 is the instant: pointing at a frame in one view does not mark it in the others.
+We found these fifteen features in the best lessons on launch and tf2; none had all. The first table counts the cells
+of our lessons that have a feature. A `-` means that a lesson does not have it, for example because it is not about frames. The second table names the
+first cell of each lesson, and the tests that fail without the feature. `python -m tests.lessons.features` writes this page.
+In 7, the views show the same time; selecting a frame in one view does not select it in the others.
 """
 
 Shown = Callable[[Lesson], list[str]]
@@ -88,76 +88,76 @@ def _exercises(lesson: Lesson, key: str = '') -> list[str]:
 
 FEATURES = [
     Feature(
-        'one installation by pip, no ROS, no window system; also in a browser tab',
+        'one installation with pip, without ROS or windows; also in a browser tab',
         _code(r'load_ext edulaunch'),
         ('tests/test_packaging.py', 'tests/browser/test_lite.py'),
         18,
     ),
     Feature(
-        'predict, run, explain: a guess is entered, kept and compared',
+        'predict, run, explain: the lesson stores and compares predictions',
         _predicted,
         ('tests/course/test_predictions.py', 'tests/browser/test_lessons.py'),
         18,
     ),
     Feature(
-        'checks in a cell, the same as on the command line',
+        'checks in a cell that are the same as on the command line',
         _code(r'^(edulaunch\.)?check\('),
         ('tests/lessons/test_your_turn.py', 'tests/lessons/test_gaps.py'),
         18,
     ),
     Feature(
-        'failures in the words of ROS: what, where, what to try',
+        'error messages in ROS terms, with place and suggestion',
         _told(r'help: |try: |expected'),
         ('tests/advice/test_examples.py', 'tests/lessons/test_mistakes.py'),
         17,
     ),
-    Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/reports/test_wording.py',), 18),
+    Feature('three levels of hints', _text(r'Hint 3'), ('tests/grader/reports/test_wording.py',), 18),
     Feature(
-        'time can be stopped, stepped and taken back',
+        'time that stops, steps and goes back',
         _code(r'%ros2 view|\.replay\(|interact\('),
         ('tests/browser/test_replay.py', 'tests/browser/test_desk.py'),
         12,
     ),
     Feature(
-        'linked views: world, frames, graph, timeline, plot, log of one instant',
+        'linked views of one time: world, frames, graph, timeline, plot, log',
         _code(r'%ros2 view|\.replay\('),
         ('tests/browser/test_desk.py',),
         12,
     ),
     Feature(
-        'tf at any time: lookups in the past and too early, with the errors of ROS',
+        'tf lookups in the past and too early, with the errors of ROS',
         _code(r'frames_at\(|lookup|tf2_echo|view frames'),
         ('tests/browser/test_desk.py', 'tests/ros/underlay/test_tf2_buffer.py'),
         7,
     ),
     Feature(
-        'where a value comes from: arguments, defaults, files, lines',
+        'origin of values: arguments, defaults, files, lines',
         _code(r'parameter_table|--show-args| -s$|explain|plan|param (get|describe|dump)|\.origin'),
         ('tests/advice/explaining', 'tests/advice/plan'),
         6,
     ),
     Feature(
-        'things that are broken, to be diagnosed',
+        'broken systems to diagnose',
         _broken,
         ('tests/lessons/test_mistakes.py', 'tests/grader/checks/test_small_exercises.py'),
         17,
     ),
-    Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/desk/terminals', 'tests/jupyter/test_magics.py'), 17),
+    Feature('the real commands of ROS 2', _code(r'%%?ros2 (?!view)'), ('tests/desk/terminals', 'tests/jupyter/test_magics.py'), 17),
     Feature(
-        "exercises with numbers and names of one's own",
+        'personalised exercises',
         lambda lesson: _exercises(lesson, 'variants'),
         ('tests/grader/test_variant.py',),
         8,
     ),
     Feature(
-        'progress that is kept, and what to repeat',
+        'stored progress, and what to repeat',
         _code(r'^(edulaunch\.)?(check|quiz)\(|course\.progress'),
         ('tests/course/test_progress_page.py', 'tests/grader/test_progress_file.py'),
         18,
     ),
-    Feature('a text for each picture', _pictures, ('tests/browser/test_lessons.py', 'tests/course/test_reader.py'), 11),
+    Feature('a description of each picture', _pictures, ('tests/browser/test_lessons.py', 'tests/course/test_reader.py'), 11),
     Feature(
-        'what differs on a real robot, and the same files there',
+        'differences on a real robot, with the same files',
         _text(r'^## On a real robot'),
         ('tests/extras/network', 'tests/test_docs.py'),
         18,
@@ -177,7 +177,7 @@ def page() -> str:
     text = [HEAD, '| | feature | ' + ' | '.join(name[:2] for name in ORDER) + ' |', '|---|---|' + '---|' * len(ORDER)]
     for number, (feature, row) in enumerate(zip(FEATURES, rows, strict=True), 1):
         text.append(f'| {number} | {feature.name} | ' + ' | '.join(str(len(cells) or '-') for cells in row) + ' |')
-    text += ['', '## The evidence', '', '| | first cell in each lesson | tests |', '|---|---|---|']
+    text += ['', '## The evidence', '', '| | first cell of each lesson | tests |', '|---|---|---|']
     for number, (feature, row) in enumerate(zip(FEATURES, rows, strict=True), 1):
         first = ', '.join(f'{name[:2]}: `{cells[0]}`' for name, cells in zip(ORDER, row, strict=True) if cells)
         text.append(f'| {number} | {first} | {", ".join(f"`{test}`" for test in feature.tests)} |')

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tests.lessons.coverage import PAGE, Part, commands, everything, listings, page, places, seeds, source
+from tests.lessons.coverage import DOCS, Part, commands, everything, listings, pages, places, seeds, source
 from tests.lessons.notebook import LESSONS
 
 SEEDS = LESSONS.parents[1] / 'shared' / 'seeds'
@@ -74,7 +74,8 @@ def test_each_named_cell_exists() -> None:
 
 
 def test_the_page_is_what_the_table_says() -> None:
-    assert PAGE.read_text('utf-8') == page(), 'python -m tests.lessons.coverage writes it anew'
+    for name, text in pages().items():
+        assert (DOCS / name).read_text('utf-8') == text, 'python -m tests.lessons.coverage writes it'
 
 
 @with_seeds

@@ -125,10 +125,10 @@ def test_the_fleet_is_built_of_the_parts_of_the_lessons_before(walk: Begin, monk
     student.run_all(until='one-check')
     assert 'not yet' in turn(student, 'one-check')
     student.edit(
-        FLEET + 'fleet/follower.py', 'pass  # TODO: where is the target, as seen from me? Publish what steer says\n', ON_TIMER
+        FLEET + 'fleet/follower.py', 'pass  # TODO: find the target, as seen from self.me; publish what steer returns\n', ON_TIMER
     )
     student.edit(
-        FLEET + 'launch/follower.launch.py', "# TODO: its broadcaster, and its node, which follows ['carrot_', leader]\n", PARTS
+        FLEET + 'launch/follower.launch.py', "# TODO: the broadcaster, and the node, which follows ['carrot_', leader]\n", PARTS
     )
     assert set(turn(student, 'one-check')) == {'done'}
     top = FLEET + 'launch/fleet.launch.py'

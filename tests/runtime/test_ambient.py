@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -16,6 +17,7 @@ from edulaunch.engine.processes import current_process
 from edulaunch.engine.sim import real_threads
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.engine.sim.task import AmbientTask
+from edulaunch.runtime import ambient
 from edulaunch.runtime.ambient import script_sees_the_clock
 
 
@@ -108,3 +110,61 @@ def test_a_script_sees_it_when_its_code_has_a_name_for_it(
     finally:
         here.task = before if before is not None else AmbientTask(Simulation())
     assert (found['sees'], found['start_ns'] != EPOCH_NS) == (sees, sees)
+
+
+@pytest.fixture
+def script(world: World, monkeypatch: pytest.MonkeyPatch) -> Iterator[AmbientTask]:
+    """The task of a plain script in that world, which runs here."""
+    monkeypatch.setattr(ambient, 'script_sees_the_clock', lambda: True)
+    here: Any = getcurrent()
+    before = here.__dict__.pop('task', None)
+    task = here.task = AmbientTask(Simulation())
+    task.owner = ambient.make_ambient_process(task)
+    yield task
+    here.task = before if before is not None else AmbientTask(Simulation())
+
+
+def test_timers_and_stamps_follow_the_wall_while_the_script_is_busy(world: World, script: AmbientTask) -> None:
+    import rclpy
+
+    log: list[tuple[float, str]] = []
+    began = world.now_ns
+
+    def note(what: str) -> None:
+        log.append((round((node.get_clock().now().nanoseconds - began) / 1e9, 2), what))
+
+    rclpy.init(args=[])
+    node = rclpy.create_node('busy')
+    world.now_ns += 800_000_000  # it computes
+    note('computed')
+    timer = node.create_timer(0.5, lambda: note('timer'))
+    for _ in range(2):
+        rclpy.spin_once(node)
+    world.now_ns += 300_000_000
+    timer.reset()
+    rclpy.spin_once(node)
+    rclpy.shutdown()
+    assert log == [(0.8, 'computed'), (1.3, 'timer'), (1.8, 'timer'), (2.6, 'timer')]
+
+
+def test_a_lifespan_ends_while_the_script_is_busy(world: World, script: AmbientTask) -> None:
+    import rclpy
+    from rclpy.duration import Duration
+    from rclpy.qos import QoSProfile
+    from std_msgs.msg import String
+
+    heard: list[str] = []
+    rclpy.init(args=[])
+    node = rclpy.create_node('slow')
+    qos = QoSProfile(depth=10, lifespan=Duration(seconds=0.5))
+    publisher = node.create_publisher(String, 'news', qos)
+    node.create_subscription(String, 'news', lambda message: heard.append(message.data), 10)
+    world.now_ns += 700_000_000
+    publisher.publish(String(data='old'))
+    world.now_ns += 600_000_000
+    publisher.publish(String(data='new'))
+    world.now_ns += 200_000_000
+    for _ in range(2):
+        rclpy.spin_once(node, timeout_sec=0.01)
+    rclpy.shutdown()
+    assert heard == ['new']

@@ -15,6 +15,7 @@ import pytest
 import edulaunch
 from edulaunch.desk.cli.main import main
 from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.views import _VIEWS
 from edulaunch.runtime.keeping import DESCRIPTORS, Ending, Reserve, spent
 from edulaunch.runtime.session import Session
 
@@ -107,6 +108,32 @@ def test_what_is_spent_is_a_sentence_after_the_recording(
     assert 'error: the programs of the run took all ' in capsys.readouterr().err
 
 
+@pytest.mark.parametrize('presses', [1, 2])
+def test_ctrl_c_while_the_recording_is_written(
+    launch_file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], presses: int
+) -> None:
+    """The first one does not cost the recording. The second one ends the command."""
+    save = Recording.save
+
+    def slow(recording: Recording, path: Path) -> None:
+        for _ in range(presses):
+            signal.raise_signal(signal.SIGINT)
+        save(recording, path)
+
+    launch_file.with_name('steps.py').write_text('import time\nfor step in range(9):\n    time.sleep(1)\n')
+    monkeypatch.setattr(Recording, 'save', slow)
+    target = launch_file.parent / 'run.rec'
+    words = ['launch', str(launch_file), '--fast', '--for', '2', '--record', str(target)]
+    if presses == 1:
+        assert main(words) == 0 and Recording.load(target).duration_s == 2.0
+    else:
+        with pytest.raises(KeyboardInterrupt):
+            main(words)
+        assert not target.exists()
+    assert 'note: the recording is being written; press Ctrl-C again to end without it\n' in capsys.readouterr().err
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
 def test_a_fault_of_ours_is_raised_after_the_recording(launch_file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     break_the_engine(monkeypatch, ZeroDivisionError('ours'))
     target = launch_file.parent / 'run.rec'
@@ -122,7 +149,7 @@ def test_advice_that_breaks_costs_no_recording(
         raise ValueError('a rule')
 
     strike_with(monkeypatch)
-    monkeypatch.setattr('edulaunch.engine.recording.views._VIEWS', {'judge': judge, 'closing_lines': judge})
+    monkeypatch.setattr('edulaunch.engine.recording.views._VIEWS', {**_VIEWS, 'judge': judge, 'closing_lines': judge})
     target = launch_file.parent / 'run.rec'
     line = 'warning: edulaunch could not look for advice on this run (ValueError: a rule)\n'
     assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 0

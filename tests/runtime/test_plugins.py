@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from importlib.metadata import entry_points
@@ -111,7 +112,7 @@ def test_what_our_own_would_bring_is_named_with_how_to_install_it(monkeypatch: p
     error = plugins.absent('edulaunch network')
     assert str(error) == (
         "edulaunch network needs the plug-in 'network', which is not installed.\n"
-        "  help: install it: pip install --force-reinstall 'edulaunch[network]'"
+        "  help: install it: pip install --force-reinstall '.[network]' in the folder of edulaunch's setup.sh"
     )
     assert plugins.absent('edulaunch launch') is None
 
@@ -145,3 +146,11 @@ def test_a_built_in_verb_looks_for_no_plug_in(monkeypatch: pytest.MonkeyPatch, c
     monkeypatch.setattr(plugins, 'entries', lambda: pytest.fail('looked for plug-ins'))
     forget()
     assert main(['env']) == 0
+
+
+@pytest.mark.processes
+def test_help_loads_the_descriptions_of_plug_ins_and_nothing_that_they_use() -> None:
+    code = 'import sys\nfrom edulaunch.desk.cli.main import all_verbs\nall_verbs()\n'
+    code += "print([name for name in sys.modules if name.startswith('edugrade.')])"
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, check=True)
+    assert done.stdout == "['edugrade.classes', 'edugrade.classes.plugin', 'edugrade.plugin']\n"

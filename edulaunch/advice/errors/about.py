@@ -20,12 +20,12 @@ def about(
 
     def look(failure: Failure) -> Iterator[Finding]:
         if failure.facts.get('about') == name or failure.type in types or failure.message in texts:
-            yield speak(failure)
+            yield report(failure)
 
     return rule(name, what=what, do=do, **{'level': 'error', **options})(look)
 
 
-def speak(failure: Failure, **facts: Any) -> Finding:
+def report(failure: Failure, **facts: Any) -> Finding:
     """A finding about an error, with the facts that came with it and further ones."""
     kind, name = ('process', failure.process) if failure.process else ('file', os.path.basename(failure.file or ''))
     return Finding(kind, name or '', {**failure.facts, **facts}, failure.file, failure.line, failure.time_s)

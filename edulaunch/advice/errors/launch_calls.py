@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import class_named, keywords_of
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest
@@ -37,19 +37,20 @@ OLD_KEYWORDS = {
     do=('write {near}=', 'choose one of these: {known}'),
     level='error',
     lesson='01_first_launch',
+    edits=(('{keyword}=', '{near}='),),
 )
 def keyword(failure: Failure) -> Iterator[Finding]:
     """An argument that the constructor does not know."""
-    said = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
-    cls = class_named(said[1]) if said is not None else None
+    match = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
+    cls = class_named(match[1]) if match is not None else None
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
-    if said is not None and known and failure.process is None:
-        action = failure.facts.get('class') or said[1]
-        if said[2] in known and cls is not None:  # it stands inside of the parentheses of what is handed to that action
-            action, known = said[1], keywords_of(cls)
-        old = OLD_KEYWORDS.get(said[2])
-        near = old if old in known else nearest(said[2], known)
-        yield speak(failure, action=action, keyword=said[2], near=near, known=[f'{name}=' for name in known])
+    if match is not None and known and failure.process is None:
+        action = failure.facts.get('class') or match[1]
+        if match[2] in known and cls is not None:  # it stands inside of the parentheses of what is handed to that action
+            action, known = match[1], keywords_of(cls)
+        old = OLD_KEYWORDS.get(match[2])
+        near = old if old in known else nearest(match[2], known)
+        yield report(failure, action=action, keyword=match[2], near=near, known=[f'{name}=' for name in known])
 
 
 @rule(
@@ -60,14 +61,14 @@ def keyword(failure: Failure) -> Iterator[Finding]:
 )
 def positional(failure: Failure) -> Iterator[Finding]:
     """`LogInfo('hello')`, `LaunchDescription(node, node)`."""
-    said = re.match(r'(\w+)\.__init__\(\) takes .*positional arguments? but \d+ .*were given', failure.message)
-    cls = class_named(said[1]) if said is not None and failure.process is None else None
-    if said is None or cls is None:
+    match = re.match(r'(\w+)\.__init__\(\) takes .*positional arguments? but \d+ .*were given', failure.message)
+    cls = class_named(match[1]) if match is not None and failure.process is None else None
+    if match is None or cls is None:
         return
     code, lists = cls.__init__.__code__, {'actions', 'initial_entities'}
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     first = None if lists & set(names) else next(iter(names[code.co_argcount :] or names[1:]), None)
-    yield speak(failure, action=said[1], first=first)
+    yield report(failure, action=match[1], first=first)
 
 
 @rule(
@@ -76,15 +77,16 @@ def positional(failure: Failure) -> Iterator[Finding]:
     do=('write {needed}= where you wrote {near}=', 'add {needed}=...'),
     level='error',
     lesson='01_first_launch',
+    edits=(('{near}=', '{needed}='),),
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
     """A misspelt one is taken for one of the many that an action passes on, so that only its absence is seen."""
-    said = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
-    cls = class_named(said[1]) if said is not None else None
-    if said is not None and cls is not None and failure.process is None:
+    match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
+    cls = class_named(match[1]) if match is not None else None
+    if match is not None and cls is not None and failure.process is None:
         known = keywords_of(cls)
         given = [name for name in failure.facts.get('given_names') or () if name not in known]
-        yield speak(failure, action=said[1], needed=said[2], near=nearest(said[2], given))
+        yield report(failure, action=match[1], needed=match[2], near=nearest(match[2], given))
 
 
 NOT_A_TEXT = about(
@@ -98,9 +100,11 @@ NOT_A_TEXT = about(
         "write '{as_text}'",
         'write {keyword}=str(...), so that the path becomes a text',
         'write {as_path}, so that the path becomes a text',
+        "give {joiner} one text or substitution for each part, and put what ends a part behind it: [{joiner}([...]), '.yaml']",
         'take the inner brackets away: {nested}',
         'write a text, or a substitution such as LaunchConfiguration(...)',
     ),
+    edits=(('{keyword}={value}', "{keyword}='{as_text}'"),),
 )
 
 
@@ -115,17 +119,18 @@ NOT_A_TEXT = about(
     ),
     level='error',
     lesson='01_first_launch',
+    edits=(('{argument}={value}', '{argument}={as_float}'),),
 )
 def wrong_type(failure: Failure) -> Iterator[Finding]:
     """launch's own check of types."""
-    said = re.search(
+    match = re.search(
         r"xpected '(\w+)' to be one of \[(.*)\], but got '(.*)' of type '<class '(.*)'>'", failure.message, re.DOTALL
     )
-    if said is None or failure.process is not None:
+    if match is None or failure.process is not None:
         return
-    argument, expected, value, given = said.groups()
+    argument, expected, value, given = match.groups()
     is_list = expected in ("<class 'list'>", "<class 'collections.abc.Iterable'>")
-    yield speak(
+    yield report(
         failure,
         argument=argument,
         given=given,
@@ -151,10 +156,10 @@ NO_PAIRS = about(
 )
 def not_a_list(failure: Failure) -> Iterator[Finding]:
     """One action where several can stand."""
-    said = re.match(r"'(\w+)' object is not iterable", failure.message)
-    cls = class_named(said[1]) if said is not None and failure.process is None else None
-    if said is not None and hasattr(cls, 'visit'):
-        yield speak(failure, action=said[1])
+    match = re.match(r"'(\w+)' object is not iterable", failure.message)
+    cls = class_named(match[1]) if match is not None and failure.process is None else None
+    if match is not None and hasattr(cls, 'visit'):
+        yield report(failure, action=match[1])
 
 
 @rule(
@@ -166,12 +171,12 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
 )
 def missing_comma(failure: Failure) -> Iterator[Finding]:
     """Two items of a list, one after the other."""
-    said = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
-    if said is None or failure.process is not None:
+    match = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
+    if match is None or failure.process is not None:
         return
-    cls = class_named(said[1])
-    if cls is not None or said[1] in ('dict', 'tuple', 'list', 'str'):
-        yield speak(failure, item='the item of the list' if cls is None else f'{said[1]}(...)')
+    cls = class_named(match[1])
+    if cls is not None or match[1] in ('dict', 'tuple', 'list', 'str'):
+        yield report(failure, item='the item of the list' if cls is None else f'{match[1]}(...)')
 
 
 @rule(
@@ -182,9 +187,9 @@ def missing_comma(failure: Failure) -> Iterator[Finding]:
 )
 def not_an_action(failure: Failure) -> Iterator[Finding]:
     """A text, a list or None in the list of a launch description."""
-    said = re.match(r"'(\w+)' object has no attribute '(visit|describe_sub_entities)'", failure.message)
-    if said is not None and failure.process is None:
-        yield speak(failure, given='None' if said[1] == 'NoneType' else f'a {said[1]}')
+    match = re.match(r"'(\w+)' object has no attribute '(visit|describe_sub_entities)'", failure.message)
+    if match is not None and failure.process is None:
+        yield report(failure, given='None' if match[1] == 'NoneType' else f'a {match[1]}')
 
 
 @rule(
@@ -196,9 +201,9 @@ def not_an_action(failure: Failure) -> Iterator[Finding]:
 )
 def condition_object(failure: Failure) -> Iterator[Finding]:
     """`condition=LaunchConfiguration('x')`."""
-    said = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
-    if said is not None and failure.process is None:
-        yield speak(failure, given=said[1])
+    match = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
+    if match is not None and failure.process is None:
+        yield report(failure, given=match[1])
 
 
 @rule(
@@ -210,7 +215,7 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
     """`on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -221,10 +226,10 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
     """`LaunchConfiguration('count') > 1`, and `.perform()` of it."""
-    said = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
-    cls = class_named(said[1] or said[2]) if said is not None and failure.process is None else None
-    if said is not None and hasattr(cls, 'perform'):
-        yield speak(failure, given=said[1] or said[2])
+    match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
+    cls = class_named(match[1] or match[2]) if match is not None and failure.process is None else None
+    if match is not None and hasattr(cls, 'perform'):
+        yield report(failure, given=match[1] or match[2])
 
 
 @rule(
@@ -235,9 +240,9 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
 )
 def default_no_choice(failure: Failure) -> Iterator[Finding]:
     """`choices='true false'`, which is a list of letters, or `choices=[True, False]`."""
-    said = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
-    if said is not None:
-        yield speak(failure, default=said[1])
+    match = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
+    if match is not None:
+        yield report(failure, default=match[1])
 
 
 @rule(
@@ -248,9 +253,9 @@ def default_no_choice(failure: Failure) -> Iterator[Finding]:
 )
 def bool_wanted(failure: Failure) -> Iterator[Finding]:
     """`respawn='yes'`."""
-    said = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
-    if said is not None and failure.process is None:
-        yield speak(failure, value=said[1])
+    match = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
+    if match is not None and failure.process is None:
+        yield report(failure, value=match[1])
 
 
 @rule(
@@ -262,9 +267,9 @@ def bool_wanted(failure: Failure) -> Iterator[Finding]:
 )
 def number_wanted(failure: Failure) -> Iterator[Finding]:
     """`period='2 s'`."""
-    said = re.match(r"could not convert string to float: '(.*)'", failure.message)
-    if said is not None and failure.process is None:
-        yield speak(failure, value=said[1])
+    match = re.match(r"could not convert string to float: '(.*)'", failure.message)
+    if match is not None and failure.process is None:
+        yield report(failure, value=match[1])
 
 
 @rule(
@@ -276,4 +281,4 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
 def target_no_action(failure: Failure) -> Iterator[Finding]:
     """`target_action='sim'`."""
     if failure.message.startswith("action_matcher must be an '"):
-        yield speak(failure)
+        yield report(failure)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_in, nearest_anywhere
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest, nearest_spelling
@@ -21,25 +21,31 @@ from edulaunch.engine.packages.absent import absent_module_kind
     ),
     level='error',
     lesson='01_first_launch',
+    edits=(('def {near}', 'def generate_launch_description'),),
 )
 def no_generate(failure: Failure) -> Iterator[Finding]:
     """The function that every Python launch file has."""
     if 'does not contain the required function' in failure.message and failure.facts.get('about') != 'launch.test-description':
-        yield speak(failure)
+        yield report(failure)
+
+
+IS_TEST = 'this file describes a launch test: it has generate_test_description(), and no generate_launch_description()'
+NOT_STARTED = '`ros2 launch` starts launch files only'
+RUN_TEST = 'run it with: launch_test {file}'
 
 
 @rule(
     'launch.test-description',
-    what='this file describes a launch test: it has generate_test_description(), and no generate_launch_description()',
-    why='`ros2 launch` starts launch files only',
-    do='run it with: launch_test {file}',
+    what=IS_TEST,
+    why=NOT_STARTED,
+    do=RUN_TEST,
     level='info',
     hides=('launch.no-generate', 'launch.fails'),
 )
 def test_description(failure: Failure) -> Iterator[Finding]:
     """The function that every launch test has."""
     if failure.facts.get('about') == 'launch.test-description':
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -51,21 +57,27 @@ def test_description(failure: Failure) -> Iterator[Finding]:
 )
 def no_return(failure: Failure) -> Iterator[Finding]:
     """A forgotten `return`, or a list that was returned."""
-    said = re.match(r"'(\w+)' object has no attribute 'get_launch_arguments", failure.message)
-    if said is not None:
-        yield speak(failure, returned='nothing' if said[1] == 'NoneType' else f'a {said[1]}')
+    match = re.match(r"'(\w+)' object has no attribute 'get_launch_arguments", failure.message)
+    if match is not None:
+        yield report(failure, returned='nothing' if match[1] == 'NoneType' else f'a {match[1]}')
 
 
 @rule(
     'launch.no-file',
     what=('there is no folder {no_folder}', 'there is no file {wanted}'),
-    do=("write '{near}'", 'look at the path: a launch file needs whole paths, such as PathJoinSubstitution makes'),
+    do=(
+        "write '{near}'",
+        "find it by its package: PathJoinSubstitution([FindPackageShare('{package}'), ...]); is {package} built on this machine?",
+        'look at the path: a launch file needs whole paths, such as PathJoinSubstitution makes',
+    ),
     level='error',
 )
 def no_file(failure: Failure) -> Iterator[Finding]:
     """A file that a launch file opens or includes."""
     if failure.type == 'FileNotFoundError' and failure.process is None and failure.facts.get('wanted'):
-        yield speak(failure)
+        built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
+        package = built[1] if built and failure.facts.get('no_folder') else None
+        yield report(failure, package=package)
 
 
 ABSENT_FILE = about(
@@ -86,11 +98,12 @@ UNKNOWN_PACKAGE = about(
         'look at the <name> in the package.xml files below {searched}',
         'go to its workspace with cd, or name that with --workspace DIR',
     ),
+    edits=(('{package}', '{near}'),),
 )
 NO_MANIFEST = about(
     'packages.no-manifest',
     what='there is a folder {folder}, but it has no package.xml, so it is no package',
-    do='write a package.xml in it; `ros2 pkg create` makes one',
+    do=('copy {template} to package.xml there', 'write a package.xml in it; `ros2 pkg create` makes one'),
 )
 NOT_THIS_FOLDER = about(
     'packages.not-this-folder',
@@ -112,6 +125,7 @@ NOT_INSTALLED = about(
         'move it into the folder {move}, and add install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
         'add install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
     ),
+    edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 BUILT_BEFORE = about(
     'packages.built-before',
@@ -135,16 +149,19 @@ NO_ENTRY_POINT = about(
         "add '{entry}' to console_scripts of setup.py",
         'add install(PROGRAMS {program} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt',
     ),
+    edits=(('', "'{entry}'", 'console_scripts'),),
 )
 NO_EXECUTABLE = about(
     'packages.no-executable',
     what='{package} has no executable {executable}',
     do=(
         "write '{near}'",
+        'try it where the package is built: {unread} of its CMakeLists.txt may install it, and edulaunch does not read that',
         'choose one of these: {known}',
         'name it in entry_points of setup.py, or install(PROGRAMS ...) in CMakeLists.txt',
     ),
     lesson='01_first_launch',
+    edits=(('{executable}', '{near}'),),
 )
 
 _NOT_IN = re.compile(r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
@@ -157,15 +174,17 @@ _NO_ATTRIBUTE = re.compile(r"(?:partially initialized )?module '(?P<module>[\w.]
     do=('write: {line}', 'look into the documentation of {module} for the name that you mean'),
     level='error',
     lesson='01_first_launch',
+    edits=(('{missing}', '{near_here}'), ('from {module} import {missing}', '{line}', 'line')),
 )
 def import_name(failure: Failure) -> Iterator[Finding]:
     """A name that lives in another module of launch, or is misspelt."""
-    said = _NOT_IN.match(failure.message) or _NO_ATTRIBUTE.match(failure.message)
-    if said is None or failure.process is not None or said['module'].partition('.')[0] not in ('launch', 'launch_ros'):
+    match = _NOT_IN.match(failure.message) or _NO_ATTRIBUTE.match(failure.message)
+    if match is None or failure.process is not None or match['module'].partition('.')[0] not in ('launch', 'launch_ros'):
         return
-    name, module = said['name'], said['module']
+    name, module = match['name'], match['module']
     near = name if home_of(name) else nearest(name, names_in(module)) or nearest_anywhere(name)
-    yield speak(failure, module=module, missing=name, line=import_line(near))
+    near_here = near if near is not None and near in names_in(module) else None
+    yield report(failure, module=module, missing=name, line=import_line(near), near_here=near_here)
 
 
 @rule(
@@ -177,7 +196,7 @@ def import_name(failure: Failure) -> Iterator[Finding]:
 def relative_import(failure: Failure) -> Iterator[Finding]:
     """`from .other import x`."""
     if failure.process is None and failure.message.startswith('attempted relative import'):
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -188,22 +207,36 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
         'there is no module {wanted_module}',
     ),
     do=(
+        "in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'",
         'write: from {near} import ...',
         'move {file_beside} into your Python package, and import it from there',
         'try this launch file on a machine that has {absent}',
         'go to the workspace with this module, or name that with --workspace DIR',
     ),
     level='error',
+    edits=(('{wanted_module}', '{near}'),),
 )
 def no_module(failure: Failure) -> Iterator[Finding]:
     """A module that the launch file imports."""
-    said = re.match(r"No module named '([\w.]+)'", failure.message)
-    if said is None or failure.process is not None:
+    match = re.match(r"No module named '([\w.]+)'", failure.message)
+    if match is None or failure.process is not None:
         return
-    top = said[1].partition('.')[0]
+    top = match[1].partition('.')[0]
     kind, beside = absent_module_kind(top), failure.facts.get('file_beside')
-    near = None if kind or beside else misspelt(said[1])
-    yield speak(failure, wanted_module=said[1], module=top, absent=top if kind else None, belongs_to=kind, near=near)
+    near = None if kind or beside else misspelt(match[1])
+    yield report(
+        failure,
+        wanted_module=match[1],
+        module=top,
+        absent=top if kind else None,
+        belongs_to=kind,
+        near=near,
+        extra=EXTRAS.get(top),
+    )
+
+
+EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
+"""Modules that an extra of edulaunch brings."""
 
 
 def misspelt(module: str) -> str | None:
@@ -228,18 +261,22 @@ def misspelt(module: str) -> str | None:
         'look whether it is spelled as where it is made',
     ),
     level='error',
+    edits=(('{missing}', '{python}'), ('{missing}', '{near_bound}'), ('', '{line}', 'import')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
     """A name without an import, misspelt, or from another language."""
-    said = re.match(r"name '(\w+)' is not defined", failure.message)
-    if said is None or failure.process is not None:
+    match = re.match(r"name '(\w+)' is not defined", failure.message)
+    if match is None or failure.process is not None:
         return
-    name = said[1]
+    name = match[1]
     bare = name if failure.facts.get('expression') else None
     python = {'true': 'True', 'false': 'False', 'null': 'None', 'none': 'None'}.get(name)
     line = import_line(name)
     near = None if bare or python or line else nearest_anywhere(name)
-    yield speak(failure, missing=name, bare=bare, python=python, line=line, near=near, near_line=import_line(near))
+    near_bound = None if bare or python or line else nearest_spelling(name, failure.facts.get('bound') or ())
+    yield report(
+        failure, missing=name, bare=bare, python=python, line=line, near=near, near_line=import_line(near), near_bound=near_bound
+    )
 
 
 @rule(
@@ -251,4 +288,4 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
 def expression(failure: Failure) -> Iterator[Finding]:
     """A PythonExpression that is no Python once its parts are put together."""
     if failure.facts.get('expression') and failure.type in ('SyntaxError', 'TypeError'):
-        yield speak(failure)
+        yield report(failure)

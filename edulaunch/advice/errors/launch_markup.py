@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest
 
@@ -90,7 +90,7 @@ def unknown_element(failure: Failure) -> Iterator[Finding]:
         near = None
         inside = [shown.replace(name, place) for place in HOMES[name][0]]
         for_all = shown.replace(name, HOMES[name][1] or '') if HOMES[name][1] else None
-    yield speak(
+    yield report(
         failure,
         ros_1=shown if name in ROS_1_ELEMENTS else None,
         near=shown.replace(name, str(near)) if near else None,
@@ -114,6 +114,7 @@ def unknown_element(failure: Failure) -> Iterator[Finding]:
         'take it out, or look at the spelling',
     ),
     level='error',
+    edits=(('{attribute}', '{near_name}'),),
 )
 def unknown_attribute(failure: Failure) -> Iterator[Finding]:
     """An attribute, key or child that the element does not have."""
@@ -123,10 +124,11 @@ def unknown_attribute(failure: Failure) -> Iterator[Finding]:
     instead = _instead(failure, name)
     near = None if kind else instead or failure.facts.get('near')
     markup = near if near and near.startswith('<') else None
-    yield speak(
+    yield report(
         failure,
         markup=markup,
         near=near,
+        near_name=None if markup else near,
         as_attribute=name if kind == 'attribute' else None,
         as_element=name if kind == 'element' else None,
     )
@@ -137,13 +139,14 @@ def unknown_attribute(failure: Failure) -> Iterator[Finding]:
     what="{shown} needs '{needed}'",
     do=("write '{needed}' where you wrote '{near}'", "add '{needed}'"),
     level='error',
+    edits=(('{near}', '{needed}'),),
 )
 def missing_attribute(failure: Failure) -> Iterator[Finding]:
     """What an element cannot do without."""
     if failure.facts.get('about') == 'launch.missing-attribute':
         needed, given = str(failure.facts.get('needed')), list(failure.facts.get('given_names') or ())
         near = next((one for one in given if _instead(failure, one) == needed), None) or nearest(needed, given)
-        yield speak(failure, near=near)
+        yield report(failure, near=near)
 
 
 @rule(
@@ -161,6 +164,7 @@ def missing_attribute(failure: Failure) -> Iterator[Finding]:
         'choose another one, such as $(var ...), $(env ...), $(find-pkg-share ...) or $(eval ...)',
     ),
     level='error',
+    edits=(('$({call} ', '$({ros_2} '), ('$({call}', '$({near}')),
 )
 def call(failure: Failure) -> Iterator[Finding]:
     """A `$(name ...)` that is unknown or has the wrong arguments."""
@@ -170,7 +174,8 @@ def call(failure: Failure) -> Iterator[Finding]:
         near = None if is_known else failure.facts.get('near')
         evaluated = name if name == 'eval' else None
         unknown, written = (None, name) if is_known else (name, None)
-        yield speak(failure, instead=instead, near=near, evaluated=evaluated, unknown=unknown, written=written)
+        ros_2 = {'arg': 'var', 'find': 'find-pkg-share'}.get(name)
+        yield report(failure, instead=instead, near=near, evaluated=evaluated, unknown=unknown, written=written, ros_2=ros_2)
 
 
 CALL_SYNTAX = about(

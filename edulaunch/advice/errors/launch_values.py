@@ -4,15 +4,34 @@ together too early; parameters, their types, their files, and the rules of the c
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import class_named
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest
 
-NO_CONFIGURATION = about(
+
+@rule(
+    'launch.command-failed',
+    what=("the command '{command}' fails: {said}", "the command '{command}' fails"),
+    why='a launch file that asks for the output of a command cannot go on without it',
+    do='run it in a terminal and mend what it reports: {command}',
+    level='error',
+    hides=('programs.died',),
+)
+def command_failed(failure: Failure) -> Iterator[Finding]:
+    """Of the substitution Command; `said` is the first line of its standard error."""
+    said = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
+    if said is not None:
+        words = [os.path.realpath(word) if os.path.exists(word) else word for word in said[1].split()]
+        lines = [line.strip() for line in (said[2] or '').splitlines() if line.strip()]
+        yield report(failure, command=' '.join(words), said=lines[0] if lines else None)
+
+
+@rule(
     'launch.no-configuration',
     what=(
         "the launch configuration '{scoped}' was set inside a GroupAction that is over by now",
@@ -22,10 +41,18 @@ NO_CONFIGURATION = about(
     do=(
         "write '{near}', if that is the one you mean",
         'give the group scoped=False, or take the value of {scoped} in an OpaqueFunction inside it',
+        'write <arg name="{xml}" default="..."/> before its use, or give it in the <include> of the file that includes this one',
         "put DeclareLaunchArgument('{configuration}', default_value='...') before its use",
     ),
     lesson='01_first_launch',
+    level='error',
+    edits=(('{configuration}', '{near}', 'near'),),
 )
+def no_configuration(failure: Failure) -> Iterator[Finding]:
+    """`LaunchConfiguration('x')`, or $(var x), of what nobody has declared."""
+    if failure.facts.get('about') == 'launch.no-configuration':
+        is_markup = (failure.file or '').endswith(('.xml', '.launch'))
+        yield report(failure, xml=failure.facts['configuration'] if is_markup else None)
 
 
 @rule(
@@ -37,10 +64,10 @@ NO_CONFIGURATION = about(
 )
 def no_argument(failure: Failure) -> Iterator[Finding]:
     """An argument without a default that nobody passes."""
-    said = re.search(r"missing required argument '(.*?)' .*given: \[(.*)\]", failure.message, re.DOTALL)
-    if said is not None:
-        given = [name for name in said[2].split(', ') if name]
-        yield speak(failure, needed=said[1], near=nearest(said[1], given))
+    match = re.search(r"missing required argument '(.*?)' .*given: \[(.*)\]", failure.message, re.DOTALL)
+    if match is not None:
+        given = [name for name in match[2].split(', ') if name]
+        yield report(failure, needed=match[1], near=nearest(match[1], given))
 
 
 @rule(
@@ -51,12 +78,13 @@ def no_argument(failure: Failure) -> Iterator[Finding]:
         "give it a default: EnvironmentVariable('{variable}', default_value='...')",
     ),
     level='error',
+    edits=(('{variable}', '{near}', 'near'),),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
     """An environment variable without a default."""
-    said = re.search(r"environment variable '(.*)' does not exist", failure.message)
-    if said is not None:
-        yield speak(failure, variable=said[1])
+    match = re.search(r"environment variable '(.*)' does not exist", failure.message)
+    if match is not None:
+        yield report(failure, variable=match[1])
 
 
 @rule(
@@ -69,7 +97,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
 def condition_value(failure: Failure) -> Iterator[Finding]:
     """`IfCondition('maybe')`."""
     if failure.message.startswith('invalid condition expression'):
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -81,7 +109,7 @@ def condition_value(failure: Failure) -> Iterator[Finding]:
 def namespace(failure: Failure) -> Iterator[Finding]:
     """A namespace that ROS 2 refuses."""
     if failure.message.startswith('The resulting namespace is invalid'):
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -93,7 +121,7 @@ def namespace(failure: Failure) -> Iterator[Finding]:
 def executed_twice(failure: Failure) -> Iterator[Finding]:
     """The same `ExecuteProcess` object in two places."""
     if 'executed more than once' in failure.message:
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -105,7 +133,7 @@ def executed_twice(failure: Failure) -> Iterator[Finding]:
 def too_deep(failure: Failure) -> Iterator[Finding]:
     """Endless recursion in a launch file."""
     if failure.process is None and failure.message.startswith('maximum recursion depth'):
-        yield speak(failure)
+        yield report(failure)
 
 
 INCLUDE_RING = about(
@@ -134,14 +162,14 @@ _JOINED = re.compile(
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
     """`'carrot_' + LaunchConfiguration('leader')`, an f-string around it, or a minus in front."""
-    said = _JOINED.match(failure.message)
+    match = _JOINED.match(failure.message)
     given = (
-        next(filter(None, said.groups()), None)
-        if said is not None and not failure.facts.get('about') and failure.process is None
+        next(filter(None, match.groups()), None)
+        if match is not None and not failure.facts.get('about') and failure.process is None
         else None
     )
     if given not in (None, 'TextSubstitution') and hasattr(class_named(given), 'perform'):
-        yield speak(failure, given=given)
+        yield report(failure, given=given)
 
 
 @rule(
@@ -160,7 +188,7 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-type':
         pair, value = (facts.get('given'), facts.get('expected')), str(facts.get('value'))
-        yield speak(
+        yield report(
             failure,
             as_double=f'{value}.0' if pair == ('INTEGER', 'DOUBLE') else None,
             as_integer=value.partition('.')[0] if pair == ('DOUBLE', 'INTEGER') else None,
@@ -178,18 +206,26 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
     ),
     lesson='03_parameters',
     level='error',
+    edits=(('{parameter}', '{near}', 'near'),),
 )
 def parameter_undeclared(failure: Failure) -> Iterator[Finding]:
     """By get_parameter, set_parameters and the like."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-undeclared':
-        yield speak(failure, near=nearest(str(facts.get('parameter')), map(str, facts.get('declared') or ())))
+        yield report(failure, near=nearest(str(facts.get('parameter')), map(str, facts.get('declared') or ())))
 
 
 PARAMETER_FILE = about(
     'launch.parameter-file',
     what='this parameter file has no node name, or no ros__parameters, above its values',
     do='write the name of the node (or /**), below it ros__parameters, and below that the parameters',
+)
+PARAMETER_NO_SPACE = about(
+    'launch.parameter-no-space',
+    what="line {at} of the parameter file is the text '{squeezed}': YAML needs a space behind the colon",
+    do="write '{spaced}'",
+    lesson='03_parameters',
+    edits=(('{squeezed}', '{spaced}'),),
 )
 NO_PARAMETER_FILE = about(
     'launch.no-parameter-file',
@@ -202,7 +238,10 @@ PARAMETER_FILE_ENCODING = about(
     do='save it again with the encoding UTF-8',
 )
 PARAMETERS_KEY = about(
-    'launch.parameters-key', what="'{found}' is no word of parameter files", do='write ros__parameters, with two underscores'
+    'launch.parameters-key',
+    what="'{found}' is no word of parameter files",
+    do='write ros__parameters, with two underscores',
+    edits=(('{found}', 'ros__parameters'),),
 )
 PARAMETER_VALUE = about(
     'launch.parameter-value', what='this value of a parameter cannot be read', do='write a value or a list of values'
@@ -234,4 +273,4 @@ def yaml(failure: Failure) -> Iterator[Finding]:
     """A parameter file that is no YAML."""
     if failure.facts.get('about') == 'launch.yaml':
         has_tab = 'cannot start any token' in str(failure.facts.get('problem'))
-        yield speak(failure, tab='tab' if has_tab else None)
+        yield report(failure, tab='tab' if has_tab else None)

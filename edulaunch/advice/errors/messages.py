@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, found, rule
+from edulaunch.engine.nearest import nearest_spelling
 
 FIELD = about(
     'messages.field',
     what=('a {type} has no field {field}; its fields are: {fields}', 'a {type} has no field {field}; it has no fields at all'),
     do=('write {near}', 'choose one of its fields; `ros2 interface show` shows them', 'take this out'),
+    edits=(('.{field}', '.{near}', 'near'),),
 )
 FIELD_VALUE = about(
     'messages.field-value',
@@ -38,6 +40,7 @@ NO_INTERFACE = about(
     'messages.no-interface',
     what='{module} has no {interface}',
     do=('import it from {homes}', 'write {near}', 'choose another one: `ros2 interface package` lists them'),
+    edits=(('{interface}', '{near}', 'near'),),
 )
 CLASS_GIVEN = about(
     'messages.class-given', what='{wanted} is a class; an object of it is needed', do='write {wanted}(), with its brackets'
@@ -71,10 +74,10 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
     """rclpy's own TypeError names both classes."""
-    said = _SAID.search(failure.message) if failure.type == 'TypeError' else None
-    if said is not None:
+    match = _SAID.search(failure.message) if failure.type == 'TypeError' else None
+    if match is not None:
         yield found(
-            'process', failure.process or '', file=failure.file, line=failure.line, time_s=failure.time_s, **said.groupdict()
+            'process', failure.process or '', file=failure.file, line=failure.line, time_s=failure.time_s, **match.groupdict()
         )
 
 
@@ -103,14 +106,16 @@ _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split(
     what='the name {missing} is not known here',
     do=('add the line: {line}', 'look whether it is spelled as where it is made, and whether that is inside another function'),
     level='error',
+    edits=(('', '{line}', 'import'), ('{missing}', '{near_bound}')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
     """A name without an import, or misspelt, in a program of a node."""
-    said = re.match(r"name '(\w+)' is not defined", failure.message)
-    if said is not None and failure.process is not None and failure.type == 'NameError':
-        home = 'rclpy' if said[1] == 'rclpy' else _HOME_OF.get(said[1])
-        line = None if home is None else 'import rclpy' if said[1] == 'rclpy' else f'from {home} import {said[1]}'
-        yield speak(failure, missing=said[1], line=line)
+    match = re.match(r"name '(\w+)' is not defined", failure.message)
+    if match is not None and failure.process is not None and failure.type == 'NameError':
+        home = 'rclpy' if match[1] == 'rclpy' else _HOME_OF.get(match[1])
+        line = None if home is None else 'import rclpy' if match[1] == 'rclpy' else f'from {home} import {match[1]}'
+        near_bound = None if line else nearest_spelling(match[1], failure.facts.get('bound') or ())
+        yield report(failure, missing=match[1], line=line, near_bound=near_bound)
 
 
 @rule(
@@ -126,17 +131,17 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
 def no_number(failure: Failure) -> Iterator[Finding]:
     """`Duration(0.5)`, `now - 0.5`, `get_clock().now - Duration(...)`."""
     made = re.match(r'(Duration|Time)\.__init__\(\) takes 1 positional argument', failure.message)
-    said = re.match(r"unsupported operand type\(s\) for \S+: '(\w+)' and '(\w+)'", failure.message)
+    match = re.match(r"unsupported operand type\(s\) for \S+: '(\w+)' and '(\w+)'", failure.message)
     if (
         failure.process is None
         or failure.facts.get('about')
         or made is None
-        and (said is None or not {'Time', 'Duration'} & set(said.groups()))
+        and (match is None or not {'Time', 'Duration'} & set(match.groups()))
     ):
         return
-    left, right = said.groups() if said is not None else (None, None)
+    left, right = match.groups() if match is not None else (None, None)
     callee = next(iter({'method', 'function'}.intersection((left, right))), None)
-    yield speak(failure, made=made[1] if made else None, left=left, right=right, callee=callee)
+    yield report(failure, made=made[1] if made else None, left=left, right=right, callee=callee)
 
 
 @rule(
@@ -148,4 +153,4 @@ def no_number(failure: Failure) -> Iterator[Finding]:
 def no_period(failure: Failure) -> Iterator[Finding]:
     """`create_timer(self.on_timer)`, or `create_timer(1.0)`."""
     if failure.process is not None and re.match(r'Node\.create_timer\(\) missing 1 required positional', failure.message):
-        yield speak(failure)
+        yield report(failure)

@@ -7,7 +7,7 @@ import linecache
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import speak
+from edulaunch.advice.errors.about import report
 from edulaunch.advice.launch_names import class_named
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.advice.run_sources import keyword_of, name_of_call, script_of
@@ -34,9 +34,9 @@ def _line(failure: Failure) -> str:
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
     """`os.environ['NAME']` in a launch file or a program."""
-    said = re.fullmatch(r"'(\w+)'", failure.message)
-    if failure.type == 'KeyError' and said is not None and 'environ' in _line(failure):
-        yield speak(failure, variable=said[1], example=MODELS.get(said[1]), quoted=repr(said[1]))
+    match = re.fullmatch(r"'(\w+)'", failure.message)
+    if failure.type == 'KeyError' and match is not None and 'environ' in _line(failure):
+        yield report(failure, variable=match[1], example=MODELS.get(match[1]), quoted=repr(match[1]))
 
 
 @rule(
@@ -57,10 +57,10 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
     above = [
         linecache.getline(failure.file or '', number) for number in range(max(1, (failure.line or 1) - 8), failure.line or 1)
     ]
-    held = {said[1] for line in above if (said := re.match(r'\s*([\w.]+)\s*(?::[^=]+)?=\s*.*\.result\(\)', line))}
+    held = {match[1] for line in above if (match := re.match(r'\s*([\w.]+)\s*(?::[^=]+)?=\s*.*\.result\(\)', line))}
     line = _line(failure)
     if '.result()' in line or any(re.search(rf'(?<![\w.]){re.escape(name)}\.', line) for name in held):
-        yield speak(failure)
+        yield report(failure)
 
 
 @rule(
@@ -78,9 +78,9 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
 )
 def path_too_early(failure: Failure) -> Iterator[Finding]:
     """`os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
-    said = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
-    if said is not None and hasattr(class_named(said[1]), 'perform'):
-        yield speak(failure, given=said[1])
+    match = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
+    if match is not None and hasattr(class_named(match[1]), 'perform'):
+        yield report(failure, given=match[1])
 
 
 @rule(
@@ -94,13 +94,13 @@ def path_too_early(failure: Failure) -> Iterator[Finding]:
 )
 def condition_word(failure: Failure) -> Iterator[Finding]:
     """`IfCondition('gui')`, in the file that failed."""
-    said = re.match(r"invalid condition expression.* but got '(\w+)'", failure.message)
-    lines = _lines(failure.file) if said is not None and failure.file else []
-    if said is not None and any(re.search(rf"""DeclareLaunchArgument\(.*['"]{said[1]}['"]""", line) for line in lines):
+    match = re.match(r"invalid condition expression.* but got '(\w+)'", failure.message)
+    lines = _lines(failure.file) if match is not None and failure.file else []
+    if match is not None and any(re.search(rf"""DeclareLaunchArgument\(.*['"]{match[1]}['"]""", line) for line in lines):
         for number, line in enumerate(lines, 1):
-            written = re.search(rf"""(IfCondition|UnlessCondition)\(\s*(['"]){said[1]}\2\s*\)""", line)
+            written = re.search(rf"""(IfCondition|UnlessCondition)\(\s*(['"]){match[1]}\2\s*\)""", line)
             if written is not None:
-                yield speak(failure._replace(line=number), word=said[1], condition=written[1])
+                yield report(failure._replace(line=number), word=match[1], condition=written[1])
                 return
 
 
@@ -115,11 +115,11 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
 )
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
     """The declaration stands further below in the same file."""
-    said = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
-    if said is not None and failure.file and failure.line:
+    match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
+    if match is not None and failure.file and failure.line:
         for number, line in enumerate(_lines(failure.file), 1):
-            if number > failure.line and re.search(rf"""DeclareLaunchArgument\(\s*(name=)?['"]{re.escape(said[1])}['"]""", line):
-                yield speak(failure, configuration=said[1], declared=number)
+            if number > failure.line and re.search(rf"""DeclareLaunchArgument\(\s*(name=)?['"]{re.escape(match[1])}['"]""", line):
+                yield report(failure, configuration=match[1], declared=number)
                 return
 
 
@@ -134,15 +134,15 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
 )
 def set_in_group(failure: Failure) -> Iterator[Finding]:
     """A SetLaunchConfiguration or DeclareLaunchArgument of that name stands in the list of a GroupAction of the same file."""
-    said = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
-    tree = script_of(failure.file) if said is not None else None
-    if said is None or tree is None:
+    match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
+    tree = script_of(failure.file) if match is not None else None
+    if match is None or tree is None:
         return
     for group in ast.walk(tree):
         if isinstance(group, ast.Call) and name_of_call(group) == 'GroupAction' and keyword_of(group, 'scoped') is None:
             sets = [call for call in ast.walk(group) if isinstance(call, ast.Call) and name_of_call(call) in SETTING]
-            if any(isinstance(word, ast.Constant) and word.value == said[1] for call in sets for word in call.args[:1]):
-                yield speak(failure, configuration=said[1])
+            if any(isinstance(word, ast.Constant) and word.value == match[1] for call in sets for word in call.args[:1]):
+                yield report(failure, configuration=match[1])
                 return
 
 
@@ -160,9 +160,9 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
 )
 def class_for_action(failure: Failure) -> Iterator[Finding]:
     """`on_exit=Shutdown`, in the file that failed or in one that the launch began with."""
-    said = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
-    if said is not None:
-        yield speak(failure, given=said[1], keyword='on_exit' if said[1] == 'Shutdown' else 'on_start')
+    match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
+    if match is not None:
+        yield report(failure, given=match[1], keyword='on_exit' if match[1] == 'Shutdown' else 'on_start')
 
 
 def _lines(file: str) -> list[str]:
@@ -184,9 +184,9 @@ CONVERTERS = {'geometry_msgs': 'tf2_geometry_msgs', 'sensor_msgs': 'tf2_sensor_m
 )
 def no_converter(failure: Failure) -> Iterator[Finding]:
     """`buffer.transform(pose, 'map')` without the import."""
-    said = re.match(r"Type <class '(\w+)\.msg\.\w+\.(\w+)'> is not loaded or supported", failure.message)
-    if said is not None and said[1] in CONVERTERS:
-        yield speak(failure, package=said[1], kind_of=said[2], converter=CONVERTERS[said[1]])
+    match = re.match(r"Type <class '(\w+)\.msg\.\w+\.(\w+)'> is not loaded or supported", failure.message)
+    if match is not None and match[1] in CONVERTERS:
+        yield report(failure, package=match[1], kind_of=match[2], converter=CONVERTERS[match[1]])
 
 
 ELSEWHERE = {
@@ -207,6 +207,6 @@ ELSEWHERE = {
 )
 def other_module(failure: Failure) -> Iterator[Finding]:
     """`rclpy.remove_ros_args(...)`."""
-    said = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
-    if said is not None and said[1] in ELSEWHERE:
-        yield speak(failure, part=said[1], module=ELSEWHERE[said[1]])
+    match = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
+    if match is not None and match[1] in ELSEWHERE:
+        yield report(failure, part=match[1], module=ELSEWHERE[match[1]])

@@ -23,11 +23,13 @@ UNKNOWN_MODULE = about(
         'write {near}',
         'go to its workspace, if it is yours; a Python package from elsewhere has to be installed in this environment',
     ),
+    edits=(('{module}', '{near}', 'near'),),
 )
 UNKNOWN_INTERFACES = about(
     'messages.unknown-package',
     what='there is no package {module} with interfaces',
     do=('write {near}', 'put the package with these interfaces into the workspace'),
+    edits=(('{module}', '{near}', 'near'),),
 )
 MODULE_PART = about(
     'programs.module-part',
@@ -37,6 +39,7 @@ MODULE_PART = about(
         'there is no module {module}; {parent} has no modules',
     ),
     do=('write {parent}.{near}', 'look at the folder of {parent}, and name the file without .py'),
+    edits=(('{module}', '{parent}.{near}'),),
 )
 COMPILED = about(
     'programs.compiled-module',
@@ -49,6 +52,7 @@ NATIVE = about(
     what='this program is built from C++ ({built_from}); only Python programs run here',
     why='this program ends, and the others go on',
     do='try it where ROS 2 is installed, or write the node in Python',
+    level='info',
 )
 LIBRARY = about(
     'programs.library',
@@ -72,6 +76,7 @@ IMPORT_NAME = about(
     'programs.import-name',
     what=('{module} has no {missing}; it has: {known}', '{module} has no {missing}'),
     do=('write {near}', 'look into {module} for the name that you mean'),
+    edits=(('{missing}', '{near}', 'near'),),
 )
 HIDES_MODULE = about(
     'programs.hides-module', what="{own_file} is taken for Python's own module {module}", do='give that file another name'

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
 
 NO_INIT = about(
@@ -95,6 +95,7 @@ RUNAWAY = about(
     'programs.runaway',
     what='a loop goes on and on and never waits, so nobody else gets a turn',
     do='let it wait in each round: time.sleep(), rclpy.spin_once(), rate.sleep(); or make a timer of it',
+    hides=('programs.never-spun',),
 )
 WITH_INIT = about(
     'programs.with-init',
@@ -164,9 +165,9 @@ TIMEOUT_NO_DURATION = about(
 )
 def forgotten_self(failure: Failure) -> Iterator[Finding]:
     """A method of a class without any argument. Python before 3.10 does not name the class."""
-    said = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
-    if said is not None and failure.type == 'TypeError':
-        yield speak(failure, method=said[1])
+    match = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
+    if match is not None and failure.type == 'TypeError':
+        yield report(failure, method=match[1])
 
 
 @rule(
@@ -178,9 +179,9 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
 )
 def called_too_early(failure: Failure) -> Iterator[Finding]:
     """`create_subscription(String, 'chatter', self.heard(), 10)`. ROS 2's own functions were meant to be called."""
-    said = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
-    if said is not None and failure.process is not None and not said[1].startswith(('__', 'create_')):
-        yield speak(failure, method=said[1], argument=said[2])
+    match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
+    if match is not None and failure.process is not None and not match[1].startswith(('__', 'create_')):
+        yield report(failure, method=match[1], argument=match[2])
 
 
 @rule(
@@ -191,9 +192,9 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
 )
 def no_depth(failure: Failure) -> Iterator[Finding]:
     """`create_subscription(String, 'chatter', self.heard)`."""
-    said = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
-    if said is not None and failure.process is not None:
-        yield speak(failure, method=said[1])
+    match = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
+    if match is not None and failure.process is not None:
+        yield report(failure, method=match[1])
 
 
 @rule(
@@ -216,8 +217,8 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
 )
 def sign_in_name(failure: Failure) -> Iterator[Finding]:
     """A blank, a minus or a letter with an accent in the name of a node, namespace or topic."""
-    said = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
-    if said is not None:
-        name, at = said[1], len(said[2]) - len("  '")
+    match = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
+    if match is not None:
+        name, at = match[1], len(match[2]) - len("  '")
         better = re.sub(r'\{[^{}]*$|[^A-Za-z0-9_/~{}]', lambda part: '_' + re.sub(r'[^A-Za-z0-9_/~]', '', part[0]), name)
-        yield speak(failure, name=name, sign=name[at : at + 1], better=better)
+        yield report(failure, name=name, sign=name[at : at + 1], better=better)

@@ -22,7 +22,7 @@ _BLOCK = re.compile(r"expected an indented block after (?:'(\w+)' statement|(\w+
 _CHARACTER = re.compile(r"invalid (?:character '.' \(|non-printable character )U\+([0-9A-F]{4,6})")
 
 
-def _said(failure: Failure, pattern: str, types: tuple[str, ...] = SYNTAX) -> re.Match[str] | None:
+def _matched(failure: Failure, pattern: str, types: tuple[str, ...] = SYNTAX) -> re.Match[str] | None:
     return re.search(pattern, failure.message) if failure.type in types else None
 
 
@@ -38,12 +38,12 @@ def _in_line(failure: Failure, **facts: Any) -> Finding:
 )
 def typographic_quotes(failure: Failure) -> Iterator[Finding]:
     """Quotes and dashes that look almost the same."""
-    said = _said(failure, _CHARACTER.pattern)
-    if said is not None:
-        character = chr(int(said[1], 16))
+    match = _matched(failure, _CHARACTER.pattern)
+    if match is not None:
+        character = chr(int(match[1], 16))
         quote = character if character in QUOTES else None
         shown = character if character.isprintable() and not character.isspace() else 'here'
-        yield _in_line(failure, character=shown, code=f'U+{said[1]}', straight=STRAIGHT.get(character), quote=quote)
+        yield _in_line(failure, character=shown, code=f'U+{match[1]}', straight=STRAIGHT.get(character), quote=quote)
 
 
 @rule(
@@ -55,9 +55,9 @@ def typographic_quotes(failure: Failure) -> Iterator[Finding]:
 )
 def bracket_open(failure: Failure) -> Iterator[Finding]:
     """Python names the line in which it was opened."""
-    said = _said(failure, r"'([(\[{])' was never closed")
-    if said is not None:
-        yield _in_line(failure, opening=said[1], closing=CLOSING[said[1]])
+    match = _matched(failure, r"'([(\[{])' was never closed")
+    if match is not None:
+        yield _in_line(failure, opening=match[1], closing=CLOSING[match[1]])
 
 
 @rule(
@@ -71,10 +71,10 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:
     """One kind of bracket was opened, another is closed."""
-    said = _said(failure, r"closing parenthesis '(.)' does not match opening parenthesis '(.)'(?: on line (\d+))?")
-    if said is not None:
-        opened = int(said[3]) if said[3] else None
-        yield _in_line(failure, closing=said[1], opening=said[2], wanted=CLOSING[said[2]], opened=opened)
+    match = _matched(failure, r"closing parenthesis '(.)' does not match opening parenthesis '(.)'(?: on line (\d+))?")
+    if match is not None:
+        opened = int(match[3]) if match[3] else None
+        yield _in_line(failure, closing=match[1], opening=match[2], wanted=CLOSING[match[2]], opened=opened)
 
 
 @rule(
@@ -85,9 +85,9 @@ def bracket_other(failure: Failure) -> Iterator[Finding]:
 )
 def bracket_too_many(failure: Failure) -> Iterator[Finding]:
     """A closing bracket without an opening one."""
-    said = _said(failure, r"unmatched '(.)'")
-    if said is not None:
-        yield _in_line(failure, closing=said[1])
+    match = _matched(failure, r"unmatched '(.)'")
+    if match is not None:
+        yield _in_line(failure, closing=match[1])
 
 
 @rule(
@@ -100,7 +100,7 @@ def bracket_too_many(failure: Failure) -> Iterator[Finding]:
 def not_utf_8(failure: Failure) -> Iterator[Finding]:
     """UTF-16 is full of null bytes. Not every Python names the file: of a program, its name must do."""
     types = (*SYNTAX, 'ValueError', 'UnicodeDecodeError')
-    if _said(failure, r"null bytes|can't decode byte|Non-UTF-8 code|invalid or missing encoding", types):
+    if _matched(failure, r"null bytes|can't decode byte|Non-UTF-8 code|invalid or missing encoding", types):
         file = None if failure.process else failure.file
         yield found('process', failure.process or '', file=file, time_s=failure.time_s)
 
@@ -115,18 +115,18 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
 def indentation(failure: Failure) -> Iterator[Finding]:
     """Too little, too much, or tabs among spaces."""
     if failure.type in ('IndentationError', 'TabError'):
-        said = re.search(
+        match = re.search(
             r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)", failure.message
         )
-        statement = None if said is None else said[1] or said[2]
-        yield _in_line(failure, opened=None if said is None else int(said[3]), statement=statement)
+        statement = None if match is None else match[1] or match[2]
+        yield _in_line(failure, opened=None if match is None else int(match[3]), statement=statement)
 
 
 def _simple(name: str, pattern: str, what: str, do: str) -> Rule:
     """A rule that has nothing to add to what Python says but a clear word."""
 
     def look(failure: Failure) -> Iterator[Finding]:
-        if _said(failure, pattern):
+        if _matched(failure, pattern):
             yield _in_line(failure)
 
     return rule(name, what=what, do=do, level='error')(look)

@@ -5,9 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.explaining.tree import drawn, html_tree
+from edulaunch.advice.plan import rehearse
+from edulaunch.advice.plan.explanation import differences, explanation_of
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.runtime.launching import find_launch_file
@@ -65,8 +68,6 @@ class Explanation(Tree):
     @cached_property
     def data(self) -> Entry:
         """The same as plain data; see :mod:`edulaunch.advice.plan.explanation`."""
-        from edulaunch.advice.plan.explanation import explanation_of
-
         return explanation_of(self._rehearsal)
 
     @cached_property
@@ -82,8 +83,6 @@ class Explanation(Tree):
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        from html import escape
-
         error = self.data['error']
         return super()._repr_html_() + ('' if error is None else f'<p><b>error:</b> {escape(error["text"])}</p>')
 
@@ -119,8 +118,6 @@ class Comparison(Tree):
     """What differs between two explanations; `data` is a list of entries with a `sign`."""
 
     def __init__(self, before: Explanation, after: Explanation) -> None:
-        from edulaunch.advice.plan.explanation import differences
-
         self.data = self.entries = differences(before.data, after.data)
         self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')
 
@@ -134,10 +131,10 @@ class Reason(Tree):
     """The chain of values behind one; `data` has `name`, `value` and `steps`, see :mod:`edulaunch.advice.plan.why`."""
 
     def __init__(self, data: list[dict[str, Any]]) -> None:
-        from edulaunch.advice.explaining.reasons import told_reasons
+        from edulaunch.advice.explaining.reasons import rendered_reasons
 
         self.data = data
-        self.title, self.entries = told_reasons(data)
+        self.title, self.entries = rendered_reasons(data)
 
 
 def explain(
@@ -157,8 +154,6 @@ def explain(
     :param assume_packages: go on when packages are missing, with empty ones instead.
     :raises UnusableInput: when there is no such file or package.
     """
-    from edulaunch.advice.plan import rehearse
-
     where = workspaces_of_command(workspaces, path_or_package)
     with Session(workspaces=where) as session:
         path = find_launch_file(session.index, path_or_package, file)

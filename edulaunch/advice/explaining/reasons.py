@@ -55,7 +55,7 @@ def _default(item: dict[str, Any], name: str, defaults: Mapping[str, Any]) -> St
     return {'value': defaults[name], 'origin': origin, 'file': None, 'line': None, 'counts': False, 'argument': []}
 
 
-def told_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
+def rendered_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
     """A title and the chains as entries, the strongest last; a single one needs no title of its own."""
     found = []
     for reason in data:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Entry = dict[str, Any]
 FORMAT = 1
-_HIDDEN = frozenset(
+HIDDEN = frozenset(
     ('PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'ResetEnvironment')
 )
 
@@ -69,11 +69,11 @@ def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
 def _entries(branch: Branch) -> Iterator[Entry]:
     """The entry of a branch; what only holds others, and says nothing itself, gives way to them."""
     below = _below(branch)
-    kind, text = _kind_and_text(branch)
+    kind, text = kind_and_text(branch)
     if kind == 'event' and not _is_from_a_file(branch):
         return  # how launch itself ends a process
     is_ours = kind == 'OpaqueFunction' and branch.condition is None and (not below or branch.origin is None)
-    if kind in _HIDDEN or is_ours:
+    if kind in HIDDEN or is_ours:
         yield from below
         return
     file, line = (None, None) if branch.origin is None else branch.origin
@@ -84,7 +84,7 @@ def _entries(branch: Branch) -> Iterator[Entry]:
     elif not branch.is_taken:
         found['text'] += '  [launch stopped here]'
     if branch.item is not None:
-        _add_facts(found, branch)
+        add_facts(found, branch)
     found['children'] += below
     yield found
 
@@ -99,7 +99,8 @@ def _is_from_a_file(branch: Branch) -> bool:
     return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
 
 
-def _kind_and_text(branch: Branch) -> tuple[str, str]:
+def kind_and_text(branch: Branch) -> tuple[str, str]:
+    """What a branch is, and its title."""
     if isinstance(branch.action, str):
         return 'event', branch.action
     if branch.item is not None:
@@ -107,7 +108,7 @@ def _kind_and_text(branch: Branch) -> tuple[str, str]:
     return action_words(branch.action)
 
 
-def _add_facts(found: Entry, branch: Branch) -> None:
+def add_facts(found: Entry, branch: Branch) -> None:
     """What is to be said of an action that was executed."""
     item = branch.item
     assert item is not None
@@ -172,7 +173,7 @@ def parameters_of(branch: Branch) -> list[Entry]:
     if 'parameter_error' in item:
         return [entry('missing', f'parameters cannot be read: {item["parameter_error"]}')]
     chains: dict[str, list[Any]] = {}
-    for one in branch.action.given_parameters():
+    for one in branch.given_parameters:
         chain = chains.setdefault(one.name, [])
         if chain[-1:] != [one]:  # a SetParameter that is visited twice says the same twice
             chain.append(one)

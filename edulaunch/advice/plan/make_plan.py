@@ -66,7 +66,7 @@ def make_plan(
     :param command_set: the tools and the shell that run commands whose output the launch file needs; default: there are none.
     :returns: `arguments` (declared), `configurations` (after the first visit), `given`, `error` (None, or a
         dict of type, text, stage, origin and help), `items` in order, `log` (warnings and errors),
-        `warnings`, `stdout`, `shutdown_reason`.
+        `warnings`, `stdout`, `shutdown_reason`; `not_done`, what the launch file would have done to this computer, if anything.
     :raises UnusableInput: for an argument that is no 'name:=value'.
     """
     return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan

@@ -87,6 +87,7 @@ class Planner:
                 warnings.simplefilter('default')
                 endless = self._run_to_the_end()
             self._host.close()
+            self._host.closed.close()
             if endless is not None:
                 self._error = self._endless_error(endless)
             if self._broken is not None:
@@ -103,6 +104,7 @@ class Planner:
                 'shutdown_reason': self._reason,
                 'stdout': self._notes.stdout,
                 'warnings': [str(warning.message) for warning in caught],
+                **({'not_done': self._host.closed.notes} if self._host.closed.notes else {}),
             }
             return dict(sorted(plan.items()))
 
@@ -176,10 +178,10 @@ class Planner:
             instead['IncludeLaunchDescription'] = partial(include_if_there, self.assumptions)
         self._watch = Watch(self._executed, instead, self._host.came_back)
         context = self._service.context
-        self._watch.context(context)
+        context.observer = self._watch
         context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
         include = IncludeLaunchDescription(source, launch_arguments=list(self._given.items()))
-        self._service.include_launch_description(LaunchDescription([self._watch.entity(include), self._end_of_first_visit()]))
+        self._service.include_launch_description(LaunchDescription([include, self._end_of_first_visit()]))
         code: int = self._service.run()
         return code
 
@@ -187,16 +189,17 @@ class Planner:
         self._reason = self._reason or event.reason
 
     def _end_of_first_visit(self) -> Any:
-        from launch.actions.opaque_function import OpaqueFunction
+        from launch.launch_description_entity import LaunchDescriptionEntity
 
-        def keep(context: Any) -> None:
-            self._configurations = _plain(dict(context.launch_configurations))
+        class End(LaunchDescriptionEntity):
+            def visit(end, context: Any) -> None:
+                self._configurations = _plain(dict(context.launch_configurations))
 
-        return OpaqueFunction(function=keep)
+        return End()
 
     def _executed(self, branch: Branch, context: Any) -> None:
         from edulaunch.advice.plan.items import item_of
-        from edulaunch.advice.plan.process_items import add_names_and_parameters
+        from edulaunch.advice.plan.process_items import add_names_and_parameters, add_parameter_sources
 
         item = item_of(branch.action, context, self._host.env, self._processes)
         if item is None or (branch.origin is None and item['kind'] in _OF_LAUNCH):
@@ -207,7 +210,8 @@ class Planner:
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
         if item['kind'] == 'node':
-            add_names_and_parameters(item, self._host)
+            add_parameter_sources(item, self._host)
+            add_names_and_parameters(item, self._host.parameter_entries)
         branch.item = _plain(item)
         self._items.append(branch.item)
         self._setters.executed(branch)
@@ -221,6 +225,7 @@ class Planner:
                 'type': type(error).__name__,
                 'text': str(error),
                 'facts': data['facts'],
+                'cause': {'type': data['type'], 'text': data['message']},
                 'help': view('help_of')(data),
                 'origin': None if origin is None else str(origin),
                 'stage': 'visit' if self._items else 'load',

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from launch.utilities.texts import perform_substitutions
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
     from edulaunch.advice.plan.rehearsal import RehearsalHost
+    from edulaunch.engine.graph.parameter_files import Entry
 
 Item = dict[str, Any]
 UNNAMED = 'unnamed'
@@ -95,17 +96,25 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
     return arguments, others
 
 
-def add_names_and_parameters(item: Item, host: RehearsalHost) -> None:
-    """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
-    parameters, and each parameter file with its content."""
+def add_parameter_sources(item: Item, host: RehearsalHost) -> None:
+    """Add each parameter file of a node's command line with its content to the node's item."""
     command = item['cmd'][len(item['prefix']) :]
     item['parameter_sources'] = [
         {'file': path, 'content': host.parameter_content(path)}
         for flag, path in zip(command, command[1:], strict=False)
         if flag == '--params-file'
     ]
+
+
+def add_names_and_parameters(item: Item, entries_of: Callable[[str], Sequence[Entry]]) -> None:
+    """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
+    and parameters.
+
+    :param entries_of: what the parameter file at a path says; see `Host.parameter_entries`.
+    """
+    command = item['cmd'][len(item['prefix']) :]
     try:
-        given = parse_ros_arguments(command, host.parameter_entries)
+        given = parse_ros_arguments(command, entries_of)
     except RosArgumentsError as error:
         given, item['parameter_error'] = RosArguments(), str(error)
     name = remapped_node_name(given.remap_rules, '') or None

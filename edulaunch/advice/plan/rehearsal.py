@@ -1,13 +1,19 @@
-"""A host that starts nothing: it notes what it is asked to start, and lets each process end when told to."""
+"""A host that starts nothing: it notes what it is asked to start, and lets each process end when told to.
+
+What a launch file would change by itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) is not done: see `closed.py`.
+"""
 
 from __future__ import annotations
 
+import errno
 import gc
 import os
 from collections import deque
 from collections.abc import Callable, Sequence
+from shutil import which
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.plan.closed import Closed
 from edulaunch.engine.graph.parameter_files import Entry
 from edulaunch.engine.graph.tracer import Tracer
 from edulaunch.engine.packages import Index
@@ -15,6 +21,7 @@ from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.host_face import OnExit, OnOutput
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.underlay_place import is_students
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -55,10 +62,14 @@ class ImaginaryProcess:
 
 
 class RehearsalHost(Host):
-    """Runs the launch process itself; every other process is imaginary."""
+    """Runs the launch process itself; every other process is imaginary.
+
+    :ivar closed: what was not done, because a dry run changes nothing.
+    """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
+        self.closed = Closed()
         self.imaginary: list[ImaginaryProcess] = []
         self.came_back: set[int] = set()
         """Numbers of the processes that `respawn` started again."""
@@ -77,9 +88,40 @@ class RehearsalHost(Host):
         (self._commands if spec.package is None else self._nodes).append(process)
         return process
 
+    def adopt(self, process: Process) -> Process:
+        """Take charge of a program that runs in the dry run, and keep it from changing anything."""
+        self.closed.enter(process)
+        return super().adopt(process)
+
+    def knows(self, spec: ProcessSpec) -> bool:
+        """Return True, so that no command of this computer is run."""
+        return True
+
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Run the command: what is launched depends on what it prints."""
-        return super().start(spec, on_output, on_exit)
+        """Run the command, if the simulation knows it as a program or tool: what is launched depends on what it prints.
+
+        `cat` and `echo` only read. Any other command seems to print nothing.
+
+        :raises FileNotFoundError: when the command does not exist.
+        """
+        known = self.known_command(spec)
+        if known is not None and (known.program is not None or known.tool):
+            return super().start(spec, on_output, on_exit)
+        if known is None and which(spec.argv[0], path=(spec.env or self.env).get('PATH')) is None:
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), spec.argv[0])
+        code, printed, complaint = _printed(spec)
+        process = self._imagine(spec, on_exit)
+        if printed is None:
+            self.closed.note(f'run the command {" ".join(spec.argv)}, so its output is taken to be empty')
+
+        def end() -> None:
+            for stream, text in (('stdout', printed), ('stderr', complaint)):
+                if text:
+                    on_output(stream, text)
+            process.end(code)
+
+        self.sim.schedule(self.sim.now_ns, end)
+        return process
 
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
@@ -88,6 +130,7 @@ class RehearsalHost(Host):
         tool = os.path.basename(spec.argv[0])
         if tool == 'ros2' and tool in self.command_set.tools and spec.argv[1:2] and spec.argv[1] in LOOKING_UP:
             return super().start(spec, on_output, on_exit, index=index)
+        self.closed.note(f'run the command {" ".join(spec.argv)}')
         process = self._imagine(spec, on_exit)
         self.sim.schedule(self.sim.now_ns, lambda: process.end(0))
         return process
@@ -134,6 +177,24 @@ class RehearsalHost(Host):
         """Let those that came back end as well."""
         for process in list(self.imaginary):
             process.end(0)
+
+
+def _printed(spec: ProcessSpec) -> tuple[int, str | None, str]:
+    """Exit code, output and complaint of `cat` and `echo`; any other command has None as its output."""
+    name, *words = spec.argv
+    if os.path.basename(name) == 'echo' and words[:1] != ['-e']:
+        is_bare = words[:1] == ['-n']
+        return 0, ' '.join(words[is_bare:]) + ('' if is_bare else '\n'), ''
+    if os.path.basename(name) != 'cat' or not words or any(word.startswith('-') for word in words):
+        return 0, None, ''
+    texts = []
+    for word in words:
+        try:
+            with open(os.path.join(spec.cwd or '', word), encoding='utf-8', errors='replace') as file:
+                texts.append(file.read())
+        except OSError as error:
+            return 1, '', f'cat: {word}: {error.strerror}\n'
+    return 0, ''.join(texts), ''
 
 
 def _content_of_file(path: str) -> Any:
@@ -238,8 +299,6 @@ def still_busy(sim: Simulation) -> str:
 def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
     """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
     from traceback import walk_tb
-
-    from edulaunch.engine.underlay_place import is_students
 
     places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]
     own = [place for place in places if is_students(place.rpartition(':')[0])]

@@ -1,19 +1,15 @@
-"""Seeing what launch visits, while launch itself does the visiting.
+"""An observer of a launch service: it makes the outline of what launch visits, with the phase of each action.
 
-Each entity is wrapped; the wrapper visits it, tells the script what was executed, and hands launch the
-sub-entities wrapped.
-Event handlers are wrapped too, for what they return is visited later, in another phase.
+The dry run uses it as it is; the trace of a launch that really runs (`launch_trace.py`) adds to it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from launch._handler_table import Handler
 from launch.action import Action
-from launch.event_handler import BaseEventHandler
 from launch.event_handlers.on_action_event_base import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -25,6 +21,8 @@ if TYPE_CHECKING:
     from launch.event import Event
     from launch.launch_context import LaunchContext
 
+    from edulaunch.engine.processes import Origin
+
 _is_students = lru_cache(maxsize=256)(is_students)
 Executed = Callable[[Branch, 'LaunchContext'], object]
 
@@ -35,13 +33,14 @@ _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
 
 
 class Watch:
-    """What the wrappers share.
+    """Keeps what launch visits as a tree of branches.
 
     :param executed: called as executed(branch, context) after each action was executed.
     :param instead: by name of an action's class: what is done instead of executing such an action.
     :param came_back: numbers of processes that were started again; what follows their start and end is planned already.
     :ivar phase: of what is visited now.
     :ivar outline: everything so far.
+    :ivar branch: of the action that was entered last.
     :ivar timers: the branch of each timer that was set: launch has one handler for them all.
     :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
     """
@@ -49,132 +48,97 @@ class Watch:
     def __init__(
         self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]], came_back: Collection[int]
     ) -> None:
-        self.executed = executed
-        self.instead = instead
-        self.came_back = came_back
+        self._executed = executed
+        self._instead = instead
+        self._came_back = came_back
         self.phase = 'launch'
         self.outline = Branch('')
         self.branch = self.outline
         self.timers: dict[Any, Branch] = {}
         self.reactions = 0
+        self._open: list[Branch] = [self.outline]
+        self._parents: dict[int, list[tuple[Any, Branch]]] = {}
+        """By identity of a handler: the handler and the branch of the action that registered it, once for each time."""
+        self._failure: Exception | None = None
 
     @property
     def is_endless(self) -> bool:
         """Whether the handlers were silenced."""
         return self.reactions > MOST_REACTIONS
 
-    def entity(self, entity: Any, parent: Branch | None = None) -> LaunchDescriptionEntity:
-        """The entity, watched. (What is no entity stays, and fails in launch as it does without a watch.)"""
-        if not isinstance(entity, LaunchDescriptionEntity):
-            return entity  # type: ignore[no-any-return]
-        return Watched(self, entity, self.phase, self.outline if parent is None else parent)
+    def enter(self, entity: Any, context: LaunchContext) -> None:
+        """See :class:`launch._observer.Observer`, as for all methods that follow."""
+        parent = self._open[-1]
+        if isinstance(entity, Action):
+            parent = self.branch = self._branch_of(entity, parent)
+            if hasattr(entity, 'period'):
+                self.timers[entity] = parent
+        self._open.append(parent)
 
-    def context(self, context: LaunchContext) -> None:
-        """Watch what the handlers of a context return, from now on."""
-        wrapped: dict[int, list[WatchedHandler]] = {}
-        register, unregister = context.register_event_handler, context.unregister_event_handler
+    def _branch_of(self, action: Any, parent: Branch) -> Branch:
+        condition = None if action.condition is None else action.condition.in_words
+        return parent.add(Branch(action, written_origin(action), condition))
 
-        def watched_register(event_handler: Handler, append: bool = False) -> None:
-            handler = WatchedHandler(self, event_handler, self.branch)
-            wrapped.setdefault(id(event_handler), []).append(handler)
-            register(handler, append=append)
+    def instead_of(self, action: Any) -> Callable[[Any, Any], Any] | None:
+        return self._instead.get(type(action).__name__)
 
-        def watched_unregister(event_handler: Handler) -> None:
-            handlers = wrapped.get(id(event_handler))
-            unregister(handlers.pop() if handlers else event_handler)
+    def executed(self, action: Any, context: LaunchContext) -> None:
+        self.branch_now.is_taken = True
+        self._executed(self.branch_now, context)
 
-        context.register_event_handler = watched_register  # type: ignore[method-assign]
-        context.unregister_event_handler = watched_unregister  # type: ignore[method-assign]
+    @property
+    def branch_now(self) -> Branch:
+        """The branch of the innermost action that is visited now."""
+        return self._open[-1]
 
+    def leads_to(self, entity: Any, entities: Any) -> None:
+        pass
 
-class Watched(LaunchDescriptionEntity):
-    """An entity whose visit is watched."""
+    def leave(self, entity: Any, context: LaunchContext, error: Exception | None) -> None:
+        branch = self._open.pop()
+        if error is not None and error is not self._failure:  # those around it leave with the same error
+            self._failure, branch.condition = error, None
 
-    def __init__(self, watch: Watch, entity: LaunchDescriptionEntity, phase: str, parent: Branch) -> None:
-        self._watch = watch
-        self._entity = entity
-        self._phase = phase
-        self._branch = parent
+    def event(self, event: Event, context: LaunchContext) -> None:
+        pass
 
-    def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Visit the entity."""
-        watch = self._watch
-        watch.phase = self._phase
-        if isinstance(self._entity, Action):
-            action: Any = self._entity
-            condition = None if action.condition is None else action.condition.in_words
-            origin = action.origin
-            if origin is not None and not _is_students(origin.file):
-                origin = None
-            self._branch = watch.branch = self._branch.add(Branch(action, origin, condition))
-            if hasattr(action, 'period'):
-                watch.timers[action] = self._branch
-            entities = self._visit_action(action, context)
-        else:
-            entities = self._entity.visit(context)
-        # One by one: a function may add actions to the very description that is visited.
-        return None if entities is None else (watch.entity(entity, self._branch) for entity in entities)
+    def ignores(self, handler: Any, event: Event) -> bool:
+        is_known = isinstance(handler, OnActionEventBase) and getattr(event, 'pid', None) in self._came_back
+        return id(handler) in self._parents and (self.is_endless or is_known)
 
-    def _visit_action(self, action: Any, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        execute = self._watch.instead.get(type(action).__name__)
+    def answered(self, handler: Any, event: Event, answer: Any) -> None:
+        known = self._parents.get(id(handler))
+        parent = self.outline if known is None else known[-1][1]
+        if known is not None and answer is not None:
+            kind = type(event).__name__
+            self.phase = _PHASES.get(kind, self.phase)
+            is_something = isinstance(answer, LaunchDescriptionEntity) or bool(answer)
+            self.reactions += is_something
+            parent = self.timers.get(getattr(event, 'timer_action', None), parent)
+            if kind not in _NO_BRANCH and is_something:
+                parent = self._reaction(handler, event, parent)
+        self._open.append(parent)
 
-        def watched_execute(context: LaunchContext) -> Any:
-            result = type(action).execute(action, context) if execute is None else execute(action, context)
-            self._branch.is_taken = True
-            self._watch.executed(self._branch, context)
-            return result
+    def _reaction(self, handler: Any, event: Event, parent: Branch) -> Branch:
+        """The branch of what a handler does now."""
+        text = _EVENTS.get(type(event).__name__, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
+        branch = parent.add(Branch(text))
+        branch.is_taken = True
+        return branch
 
-        action.execute = watched_execute
-        try:
-            visited: Iterable[LaunchDescriptionEntity] | None = action.visit(context)
-            return visited
-        except Exception:
-            self._branch.condition = None
-            raise
-        finally:
-            del action.execute
+    def handled(self, handler: Any, event: Event) -> None:
+        self._open.pop()
 
-    def get_asyncio_future(self) -> Any:
-        """The entity's own."""
-        return self._entity.get_asyncio_future()
+    def registered(self, handler: Any) -> None:
+        self._parents.setdefault(id(handler), []).append((handler, self.branch))
 
-    def describe(self) -> str:
-        """The entity's own."""
-        return self._entity.describe()
+    def unregistered(self, handler: Any) -> None:
+        pass
 
 
-class WatchedHandler(BaseEventHandler):
-    """A handler whose entities are watched, in the phase that belongs to the event.
-
-    :param parent: the branch of the action that registered it.
-    """
-
-    def __init__(self, watch: Watch, handler: Handler, parent: Branch) -> None:
-        super().__init__(matcher=handler.matches)
-        self.only_action = getattr(handler, 'only_action', None)
-        self._watch = watch
-        self._handler = handler
-        self._parent = parent
-
-    def describe(self) -> Any:
-        """The handler's own."""
-        return self._handler.describe()
-
-    def handle(self, event: Event, context: LaunchContext) -> Any:
-        """Let the handler react; its entities come back watched."""
-        watch, kind = self._watch, type(event).__name__
-        is_known = isinstance(self._handler, OnActionEventBase) and getattr(event, 'pid', None) in watch.came_back
-        if watch.is_endless or is_known:
-            return None
-        watch.phase = _PHASES.get(kind, watch.phase)
-        entities = self._handler.handle(event, context)
-        if entities is None:
-            return None
-        listed = [entities] if isinstance(entities, LaunchDescriptionEntity) else list(entities)
-        watch.reactions += bool(listed)
-        parent = watch.timers.get(getattr(event, 'timer_action', None), self._parent)
-        if kind not in _NO_BRANCH and listed:
-            text = _EVENTS.get(kind, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
-            parent = parent.add(Branch(text))
-            parent.is_taken = True
-        return [watch.entity(entity, parent) for entity in listed]
+def written_origin(action: Any) -> Origin | None:
+    """Where a launch file makes the action; None when launch itself makes it."""
+    if action.is_made_by_launch:
+        return None
+    origin: Origin | None = action.origin
+    return None if origin is None or not _is_students(origin.file) else origin

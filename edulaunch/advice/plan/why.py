@@ -58,7 +58,7 @@ def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -
     :returns: no step when nobody gives it a value.
     """
     steps = [] if default is None else [default]
-    for one in node.action.given_parameters():
+    for one in node.given_parameters:
         if one.name == parameter:
             below = _steps_of_argument(node.setters, one.origin)
             step = _step(one.value, one.origin, one.file or None, one.line or None, below)
@@ -75,7 +75,7 @@ def argument_chain(outline: Branch, name: str) -> list[Step]:
     declared = [branch for branch in branches(outline) if is_declaration(branch)]
     names = [branch.item['name'] for branch in declared if branch.item is not None]
     if name in names:
-        return _declared_steps(declared[names.index(name)])
+        return declared_steps(declared[names.index(name)])
     names = sorted(set(names))
     help = did_you_mean(name, names) or (f'its arguments are {", ".join(names)}' if names else 'it declares no argument')
     raise UnusableInput(f"there is no launch argument '{name}' in this launch file.", help=help)
@@ -95,10 +95,10 @@ def _steps_of_argument(setters: Mapping[str, Branch], origin: str) -> list[Step]
     if not origin.startswith(_OF_ARGUMENT):
         return []
     setter = setters.get(origin[len(_OF_ARGUMENT) :])
-    return [] if setter is None else _setter_steps(setter)
+    return [] if setter is None else setter_steps(setter)
 
 
-def _declared_steps(declaration: Branch) -> list[Step]:
+def declared_steps(declaration: Branch) -> list[Step]:
     """The default of an argument, and what was set instead of it."""
     item, action = declaration.item, declaration.action
     assert item is not None
@@ -106,13 +106,13 @@ def _declared_steps(declaration: Branch) -> list[Step]:
     default = default_text(action)
     file, line = declaration.origin or (None, None)
     own = [] if default is None else [_step(item['value'] if setter is None else default, 'default', file, line)]
-    return _with_winner([*own, *([] if setter is None else _setter_steps(setter))])
+    return _with_winner([*own, *([] if setter is None else setter_steps(setter))])
 
 
-def _setter_steps(setter: Branch) -> list[Step]:
+def setter_steps(setter: Branch) -> list[Step]:
     """The steps of whoever has set a launch configuration: a declaration, an include, an action, the command line."""
     if is_declaration(setter):
-        return _declared_steps(setter)
+        return declared_steps(setter)
     item = setter.item
     assert item is not None
     words, place = origin_of_setter(setter)

@@ -23,7 +23,7 @@ class Branch:
     :ivar setters: launch configuration -> the branch that has set or declared it last, before this action.
     """
 
-    __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'parent_origin', 'setters', 'children')
+    __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'parent_origin', 'setters', 'children', '_given')
 
     def __init__(self, action: Any, origin: Origin | None = None, condition: str | None = None) -> None:
         self.action = action
@@ -34,6 +34,14 @@ class Branch:
         self.is_taken = False
         self.setters: Mapping[str, Branch] = {}
         self.children: list[Branch] = []
+        self._given: list[Any] | None = None
+
+    @property
+    def given_parameters(self) -> list[Any]:
+        """Return `launch_ros.actions.Node.given_parameters()` of a node. It takes a while, so the result is kept."""
+        if self._given is None:
+            self._given = self.action.given_parameters()
+        return self._given
 
     def add(self, branch: Branch) -> Branch:
         """Put a branch at the end."""
@@ -49,6 +57,11 @@ class Setters:
     def __init__(self) -> None:
         self._outer: list[Mapping[str, Branch]] = []
         self._now: Mapping[str, Branch] = {}
+
+    @property
+    def now(self) -> Mapping[str, Branch]:
+        """By launch configuration: the branch that has set or declared it last."""
+        return self._now
 
     def executed(self, branch: Branch) -> None:
         """Take note of an action that was just executed."""

@@ -23,6 +23,7 @@ IDLE = frozenset(
     'launch.remapping-to-itself',
     what='{node} remaps {topic} to {topic}, which changes nothing',
     do="write the new name as the second one: remappings=[('{topic}', 'other_name')], or take the remapping out",
+    level='info',
     lesson='01_first_launch',
 )
 def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -48,7 +49,8 @@ def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
     plan = rehearsal.plan
     kinds = {item['kind'] for item in plan['items']}
     is_left_out = any(not branch.is_taken for branch in branches(rehearsal))
-    if plan['error'] is None and kinds <= IDLE and not is_left_out and not rehearsal.missing[1]:
+    is_ended = 'sys.exit(' in _code(plan['file'])
+    if plan['error'] is None and kinds <= IDLE and not (is_left_out or is_ended or rehearsal.missing[1]):
         yield found('file', plan['file'], file=plan['file'])
 
 
@@ -107,10 +109,10 @@ def condition_never(rehearsal: Rehearsal) -> Iterator[Finding]:
 
     choices = {one['name']: one['choices'] for one in rehearsal.plan['arguments'] if one['choices']}
     for branch in branches(rehearsal) if choices else ():
-        said = _COMPARED.search(branch.condition or '')
-        if said is None:
+        match = _COMPARED.search(branch.condition or '')
+        if match is None:
             continue
-        name, value = said['name'] or said['old'], said['value'] or said['to']
+        name, value = match['name'] or match['old'], match['value'] or match['to']
         if name in choices and value not in choices[name]:
             facts = {'value': value, 'choices': choices[name], 'near': nearest(value, choices[name])}
             yield found('argument', name, **place_of(branch), **facts)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import linecache
 import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.errors.launch_files import IS_TEST, NOT_STARTED, RUN_TEST
+from edulaunch.advice.errors.missing_values import MODELS
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
@@ -15,6 +18,12 @@ if TYPE_CHECKING:
 _PACKAGE = re.compile(r"package '([\w-]+)' not found")
 _MODULE = re.compile(r"No module named '([\w.]+)'")
 _ARGUMENT = re.compile(r"missing required argument '(.*?)' .*given: \[\]", re.DOTALL)
+_ELEMENT = re.compile(r'Unrecognized entity of the type: (\w+)')
+_ELEMENTS = {'gz_server': 'ros_gz_sim', 'gz_spawn_model': 'ros_gz_sim', 'ros_gz_bridge': 'ros_gz_bridge'}
+"""Elements of XML and YAML that a package adds to launch, and the package."""
+_VARIABLE = re.compile(r"environment variable '(\w+)' does not exist")
+_LEGACY = re.compile(r"cannot import name '(\w+)' from 'launch_testing.legacy'")
+_KEY = re.compile(r"KeyError: '(\w+)'")
 _ABOUT = (
     None,
     'packages.unknown',
@@ -22,6 +31,7 @@ _ABOUT = (
     'packages.absent-file',
     'packages.absent-module',
     'packages.made-by-build',
+    'packages.no-executable',
 )
 """What an error is about when the thing belongs to others."""
 
@@ -34,20 +44,30 @@ _ABOUT = (
         'this launch file needs the module {module} ({belongs_to}), which edulaunch does not have',
         'this launch file needs the module {module}, which is not in this workspace',
         'this launch file needs {made}, which a build makes from {template}',
+        'this launch file needs the program {executable}, which a build makes by {unread} of CMakeLists.txt',
     ),
     why='a file that cannot be read to its end cannot be checked either',
     do='name the workspace that has it with --workspace DIR, or try the file on a machine where it is installed',
     level='info',
-    hides=('launch.fails',),
+    hides=('launch.fails', 'launch.unknown-element'),
 )
 def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Of a package or module whose name is not nearly that of one that is here."""
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
+    brought = None if error is None else _ELEMENTS.get(_first(_ELEMENT, error['text']) or '')
+    if error is not None and brought is not None:
+        yield found('file', rehearsal.plan['file'], **_place(error), package=brought, belongs_to=_kind(brought, None))
+        return
     if error is None or facts.get('about') not in _ABOUT or facts.get('near') or facts.get('file_beside'):
         return
     if facts.get('about') == 'packages.made-by-build':
         yield found('file', rehearsal.plan['file'], **_place(error), made=facts['made'], template=facts['template'])
+        return
+    if facts.get('about') == 'packages.no-executable':
+        if facts.get('unread'):
+            program = {'executable': facts['executable'], 'unread': facts['unread']}
+            yield found('file', rehearsal.plan['file'], **_place(error), **program)
         return
     package = facts.get('package') or _first(_PACKAGE, error['text'])
     module = None if package else facts.get('module') or _first(_MODULE, error['text'])
@@ -73,23 +93,80 @@ def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.needs-keyboard',
+    what='this launch file waits for something that is typed, and nobody types here',
+    why='input() raises EOFError where there is no keyboard',
+    do='start it in a terminal, or take the question out: a launch argument asks nobody',
+    level='info',
+    hides=('launch.fails',),
+)
+def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of input()."""
+    error = rehearsal.plan['error']
+    if error is not None and 'EOF when reading a line' in error['text']:
+        yield found('file', rehearsal.plan['file'], **_place(error))
+
+
+@rule(
+    'launch.needs-variable',
+    what="this launch file needs the environment variable '{variable}', which is not set in this terminal",
+    why='it has no default, so whoever starts the file gives it a value',
+    do=(
+        'type: export {variable}={example}, and start it again',
+        'type: export {variable}=..., with the value that the file wants, and start it again',
+    ),
+    level='info',
+    hides=('launch.fails',),
+)
+def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of EnvironmentVariable without a default, and of os.environ['NAME']."""
+    error = rehearsal.plan['error']
+    if error is None or (error.get('facts') or {}).get('near'):
+        return
+    place = _place(error)
+    line = linecache.getline(str(place['file'] or ''), place['line'] or 0)
+    by_key = _first(_KEY, error['text']) if 'environ' in line else None
+    variable = by_key or _first(_VARIABLE, error['text'])
+    if variable is not None:
+        yield found('file', rehearsal.plan['file'], **place, variable=variable, example=MODELS.get(variable))
+
+
+@rule(
     'launch.is-test',
-    what='this file describes a launch test: it has generate_test_description(), and no generate_launch_description()',
-    why='`ros2 launch` starts launch files only',
-    do='run it with: launch_test {file}',
+    what=('this file is a launch test of the old kind, which starts itself: it uses {legacy} of launch_testing.legacy', IS_TEST),
+    why=NOT_STARTED,
+    do=('run it where launch_testing is installed: python3 {script}', RUN_TEST),
     level='info',
     hides=('launch.fails',),
 )
 def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
     """By the error of launch."""
     error = rehearsal.plan['error']
-    if error is not None and (error.get('facts') or {}).get('about') == 'launch.test-description':
-        yield found('file', os.path.basename(rehearsal.plan['file']), **_place(error))
+    legacy = None if error is None else _first(_LEGACY, error['text'])
+    if error is not None and (legacy or (error.get('facts') or {}).get('about') == 'launch.test-description'):
+        name = os.path.basename(rehearsal.plan['file'])
+        yield found('file', name, **_place(error), legacy=legacy, script=name if legacy else None)
+
+
+@rule(
+    'launch.not-in-dry-run',
+    what='a dry run stops at this line, which would {undone}',
+    why='a dry run changes no file and starts no program, so what comes after this line is not known',
+    do='launch the file to see the rest: ros2 launch {file}',
+    level='info',
+    hides=('launch.fails',),
+)
+def not_in_dry_run(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """A library was asked to change something; what the launch file itself asks for is left out."""
+    error = rehearsal.plan['error']
+    facts: dict[str, Any] = (error or {}).get('facts') or {}
+    if error is not None and facts.get('about') == 'launch.not-in-dry-run':
+        yield found('file', os.path.basename(rehearsal.plan['file']), **_place(error), undone=facts['undone'])
 
 
 def _first(pattern: re.Pattern[str], text: str) -> str | None:
-    said = pattern.search(text)
-    return None if said is None else said[1]
+    match = pattern.search(text)
+    return None if match is None else match[1]
 
 
 def _is_of_others(module: str) -> bool:

@@ -34,9 +34,10 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
     from edulaunch.engine.graph.parameters import pattern_matches
     from edulaunch.engine.graph.ros_arguments import entries_of_file
 
+    names = [item['runtime_name'] for _, item in nodes(rehearsal) if item['runtime_name']]
     for _, item in nodes(rehearsal):
         for source in item['parameter_sources']:
-            if item['runtime_name'] is None or not os.path.isfile(source['file']):
+            if item['runtime_name'] is None or is_container(item['executable']) or not os.path.isfile(source['file']):
                 continue
             try:
                 entries = entries_of_file(source['file'])
@@ -45,16 +46,32 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
             lines = {entry.pattern: entry.line for entry in reversed(entries)}
             keys = list(lines)[::-1]
             if keys and not any(pattern_matches(key, item['runtime_name']) for key in keys):
-                near = nearest(item['runtime_name'], keys) or (keys[0] if len(keys) == 1 else None)
+                free = [key for key in keys if not any(pattern_matches(key, name) for name in names)]
+                if not free:
+                    continue  # a file for other nodes of the launch file
+                near = nearest(item['runtime_name'], free) or (keys[0] if len(keys) == 1 else None)
                 yield found(
                     'file',
                     os.path.basename(source['file']),
-                    file=source['file'],
+                    file=os.path.realpath(source['file']),
                     line=max(lines[near or keys[0]] - 2, 1),
                     node=item['runtime_name'],
                     keys=keys[:5],
                     near=near,
                 )
+
+
+def _in_sources(path: str) -> str:
+    """Where a file of a share folder lies in the sources of its package, when its package.xml is a link to them."""
+    head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
+    package, _, name = tail.partition(os.sep)
+    manifest = os.path.realpath(os.path.join(head, 'share', package, 'package.xml'))
+    return os.path.join(os.path.dirname(manifest), name)
+
+
+def is_container(executable: str) -> bool:
+    """Whether a program is a component container: it hands its parameter files on to the nodes that it loads."""
+    return executable.startswith('component_container')
 
 
 @rule(
@@ -78,7 +95,8 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
                 folder, name = os.path.split(path)
                 beside = os.listdir(folder) if os.path.isdir(folder) else []
                 is_shared = f'{os.sep}share{os.sep}' in path
-                shared = os.path.basename(folder) if is_shared else None
+                is_written = is_shared and os.path.isfile(_in_sources(path))
+                shared = os.path.basename(folder) if is_written else None
                 near = nearest_file(name, beside)
                 yield found('file', name, **place_of(branch), node=name_of(item), near=near, folder=shared)
 
@@ -154,7 +172,10 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
     'launch.path-of-one-machine',
     what='the path {path} is written out, and is there on one machine only',
     why='a home folder belongs to one person on one machine',
-    do="build it from the package: PathJoinSubstitution([FindPackageShare('my_package'), '{folder}', '{leaf}'])",
+    do=(
+        "build it from the package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
+        'make it a launch argument, or put the file into a package and find it with FindPackageShare',
+    ),
     lesson=LESSON,
     level='info',
     confidence='asked',
@@ -168,5 +189,11 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
         for number, line in enumerate(read_text(file).splitlines(), 1):
             written = _HOME.search(line)
             if written is not None and not line.lstrip().startswith('#'):
-                folder, leaf = os.path.split(written[1].rstrip('/'))
-                yield found('path', written[1], file=file, line=number, leaf=leaf, folder=os.path.basename(folder))
+                package, parts = _in_package(written[1])
+                yield found('path', written[1], file=file, line=number, package=package, parts=parts)
+
+
+def _in_package(path: str) -> tuple[str | None, str | None]:
+    """The package of a path such as `src/PACKAGE/config/a.yaml`, and what comes behind it as arguments."""
+    said = re.search(r'/(?:src|share)/([\w-]+)/((?:config|launch|maps?|meshes|params?|rviz|urdf|worlds?)/.+)', path)
+    return (None, None) if said is None else (said[1], ', '.join(map(repr, said[2].rstrip('/').split('/'))))

@@ -28,9 +28,9 @@ _DOLLAR = re.compile(r'\$\((?:var|arg|env|find-pkg-share|dirname|eval)\b[^)]*\)?
 def substitution_as_text(rehearsal: Rehearsal) -> Iterator[Finding]:
     """By what Python shows of an object."""
     for branch in branches(rehearsal):
-        said = next(filter(None, map(_OBJECT.search, _texts(branch.item))), None)
-        if said is not None and branch.origin is not None:
-            yield found('substitution', said[1], **place_of(branch), shown=said.string[:40])
+        match = next(filter(None, map(_OBJECT.search, _texts(branch.item))), None)
+        if match is not None and branch.origin is not None:
+            yield found('substitution', match[1], **place_of(branch), shown=match.string[:40])
 
 
 @rule(
@@ -52,11 +52,11 @@ def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
         if item.get('kind') == 'node':
             given = {one.name: one.value for one in branch.action.given_parameters() if not one.is_of_a_file}
             item = {'arguments': item['arguments'], 'remappings': item['remappings'], 'parameters': given}
-        said = next(filter(None, map(_DOLLAR.search, _texts(item))), None)
-        if said is not None:
-            word = said[0].strip('$()').split()
+        match = next(filter(None, map(_DOLLAR.search, _texts(item))), None)
+        if match is not None:
+            word = match[0].strip('$()').split()
             argument = word[1] if word[0] in ('var', 'arg') and len(word) > 1 else None
-            yield found('text', said[0], **place_of(branch), argument=argument)
+            yield found('text', match[0], **place_of(branch), argument=argument)
 
 
 def _texts(value: Any) -> Iterator[str]:

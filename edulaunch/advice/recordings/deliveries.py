@@ -42,9 +42,12 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
                 yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls)
 
 
+BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'input', 'readline', 'read')
+
+
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
-    """Whether it stands in `wait_for_service` or the like: the missing server is the cause then."""
-    return str(data.get('calls', '')).partition('.')[2] in ('wait_for_service', 'wait_for_server', 'wait_for_message')
+    """Whether it stands in `wait_for_service` or in `input()`: what it waits for is missing then."""
+    return str(data.get('calls', '')).partition('.')[2] in BLOCKING
 
 
 @rule(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import name_of_call, program_scripts
 from edulaunch.advice.runs import origin_place, own_nodes
+from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -140,6 +141,31 @@ def _static_publishers(recording: Recording) -> Iterator[tuple[ProcessRecord, li
 
 def _place(process: ProcessRecord) -> dict[str, Any]:
     return {'file': process.file, 'line': process.line, 'time_s': process.started_s}
+
+
+OPTIONS = (
+    *('--x', '--y', '--z', '--qx', '--qy', '--qz', '--qw', '--roll', '--pitch', '--yaw', '--frame-id', '--child-frame-id'),
+    *('--help', '-h'),
+)
+
+
+@rule(
+    'tf.unknown-option',
+    what='static_transform_publisher has no option {option}',
+    why='it ends at once, and nobody broadcasts the frame',
+    do=('write {near}', 'use these: --x --y --z --yaw --pitch --roll --frame-id --child-frame-id'),
+    lesson='08_static_broadcaster',
+    level='error',
+    hides=('programs.died',),
+)
+def unknown_option(recording: Recording) -> Iterator[Finding]:
+    """The first one of a program that has ended."""
+    for process, words in _static_publishers(recording):
+        unknown = [word for word in words if word.startswith('--') and ' ' not in word and word not in OPTIONS]
+        if unknown and process.returncode:
+            begins = [option for option in OPTIONS if option.startswith(unknown[0])]
+            near = begins[0] if begins else nearest(unknown[0], OPTIONS)
+            yield found('process', process.name, **_place(process), option=unknown[0], near=near)
 
 
 @rule(

@@ -180,6 +180,7 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
         'tf.unknown-frame',
         'programs.ended-at-once',
     ),
+    edits=(("'{first}' '{second}'", "'{first}', '{second}'"), ('"{first}" "{second}"', '"{first}", "{second}"')),
 )
 def joined_strings_used(recording: Recording) -> Iterator[Finding]:
     """On one line of a student's file, and a topic, service, node or frame of the run has the joined name in its own."""

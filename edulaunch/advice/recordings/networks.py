@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Note, Recording
 
 LESSON = '18_real_network'
-FAR = 'network'
+REMOTE = 'network'
 """The process of nodes that are on another machine."""
 
 
-def _noted(recording: Recording, kind: str) -> Iterator[Note]:
+def _notes(recording: Recording, kind: str) -> Iterator[Note]:
     return (note for note in recording.notes if note.kind == f'network {kind}')
 
 
@@ -32,11 +32,11 @@ def _noted(recording: Recording, kind: str) -> Iterator[Note]:
 )
 def alone(recording: Recording) -> Iterator[Finding]:
     """Not when somebody came later; the hidden node in whose name the bridge asks services is nobody."""
-    if any(node.process == FAR and '/_' not in node.name for node in recording.nodes):
+    if any(node.process == REMOTE and '/_' not in node.name for node in recording.nodes):
         return
-    for note in list(_noted(recording, 'alone'))[-1:]:
+    for note in list(_notes(recording, 'alone'))[-1:]:
         domain, _, reach = note.text.partition(' ')
-        yield found('process', FAR, time_s=note.time_s, domain=domain, range=reach)
+        yield found('process', REMOTE, time_s=note.time_s, domain=domain, range=reach)
 
 
 @rule(
@@ -48,7 +48,7 @@ def alone(recording: Recording) -> Iterator[Finding]:
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
     """Once for each node whose messages were stamped by another time."""
-    for note in _noted(recording, 'clock'):
+    for note in _notes(recording, 'clock'):
         yield found('node', note.text, time_s=note.time_s)
 
 
@@ -62,6 +62,6 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
 )
 def other_definition(recording: Recording) -> Iterator[Finding]:
     """Once for each type."""
-    for note in _noted(recording, 'hash'):
+    for note in _notes(recording, 'hash'):
         package = note.text.partition('/')[0]
         yield found('package', package, time_s=note.time_s, type=note.text)

@@ -36,6 +36,8 @@ def not_declared(recording: Recording) -> Iterator[Finding]:
     that died had perhaps not come to declaring it.
     """
     dead = {process.name for process in recording.processes if process.returncode not in ENDED_WELL}
+    dead |= {fact.process for fact in recording.facts if fact.kind == 'server awaited' and fact.process}
+    dead |= {process.name for process in recording.processes if '/component_container' in process.argv[0]}
     taken = {(parameter, origin) for _, _, parameter, _, origin in recording.rows('parameters')}
     for fact in recording.facts:
         name = fact.data.get('parameter', '')
@@ -66,10 +68,11 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
     for fact in recording.facts:
         if fact.kind == 'keys for no node':
             passed_over.setdefault(fact.data['file'], []).append(fact)
+    containers = {process.name for process in recording.processes if '/component_container' in process.argv[0]}
     for file, facts in passed_over.items():
         without = {fact.data['node'] for fact in facts}
         given = {process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)}
-        if all(node.name in without for node in recording.nodes if node.process in given):
+        if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
             yield found('file', file, file=file, line=line, time_s=facts[0].time_s, node=node, keys=keys[:5], near=near)

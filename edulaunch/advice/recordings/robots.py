@@ -112,7 +112,7 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     'messages.no-joint-states',
     what='{node} knows the movable joints {joints}, and nobody publishes {topic}',
     why='without the angle of a joint the frames behind it have no place in tf',
-    do="start a joint_state_publisher: Node(package='joint_state_publisher', executable='joint_state_publisher')",
+    do=("start what publishes them; without a robot: Node(package='joint_state_publisher', executable='joint_state_publisher')"),
     lesson='12_urdf',
     hides=('messages.nobody-publishes',),
 )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, own_nodes, programs, speaker
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_spelling
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -29,9 +29,11 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """The lone end that an other one was probably meant for: same type, and a name that is close or ends alike."""
+    """The lone end that an other one was probably meant for: same type, and a name of nearly the same spelling, or that ends
+    alike.
+    """
     same = {other.name: other for other in others if other.type == end.type and other.node != end.node}
-    near = nearest(end.name, same)
+    near = nearest_spelling(end.name, same)
     tail = end.name.rpartition('/')[2]
     alike = [name for name in same if name.rpartition('/')[2] == tail]
     name = near if near is not None else alike[0] if len(alike) == 1 else None
@@ -121,7 +123,8 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     for end in lone_ends(recording, 'subscription'):
         if end.node in own and recording.duration_s - end.made_s >= 1.0 and end.type not in COMMANDS:
             file, line = end_place(recording, end.kind, end.name, end.node)
-            fitting = [name for name in sent if ends_by_name(recording)['publisher', name][0].type == end.type]
+            ends = {name: ends_by_name(recording)['publisher', name] for name in sent}
+            fitting = [name for name in sent if ends[name][0].type == end.type and ends[name][0].node != end.node]
             near = nearest(end.name, fitting)
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
 

@@ -40,12 +40,12 @@ def _late(recording: Recording) -> list[Fact]:
 )
 def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
     """Only where something else of the same program came late by it; once of each callback."""
-    told: set[tuple[str | None, str | None]] = set()
+    reported: set[tuple[str | None, str | None]] = set()
     for fact in _of(recording, 'sleep in callback'):
         late = [one for one in _late(recording) if one.process == fact.process]
         callback = fact.data['callback'] or fact.data.get('function')
-        if late and (fact.process, callback) not in told:
-            told.add((fact.process, callback))
+        if late and (fact.process, callback) not in reported:
+            reported.add((fact.process, callback))
             file, line = fact_place(recording, fact)
             timers = dict.fromkeys(one.data['callback'] or 'timer' for one in late if 'callback' in one.data)
             topics = dict.fromkeys(one.data['topic'] for one in late if 'topic' in one.data)
@@ -169,8 +169,8 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
         if kind == 'service' and ends[0].type == CHANGE and name.endswith('/change_state'):
             node = name.removesuffix('/change_state')
             topic = f'{node}/transition_event'
-            told = recording.messages(topic) if topic in recording.topics else []
-            yield node, [message.goal_state.label for _, message in told]
+            reported = recording.messages(topic) if topic in recording.topics else []
+            yield node, [message.goal_state.label for _, message in reported]
 
 
 @rule(

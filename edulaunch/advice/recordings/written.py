@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 )
 def goal_unfinished(recording: Recording) -> Iterator[Finding]:
     """As rclpy logs it."""
-    told: set[str] = set()
+    reported: set[str] = set()
     for time_ns, process, _, _, message in recording.rows('logs'):
-        if message.startswith('Goal state not set') and process not in told:
-            told.add(process)
+        if message.startswith('Goal state not set') and process not in reported:
+            reported.add(process)
             node = next((one.name for one in recording.nodes if one.process == process), process)
             file, line = node_place(recording, node)
             for script, tree in program_scripts(recording):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import glob
 import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -94,13 +95,47 @@ def no_shebang(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def program_not_installed(source: Source) -> Iterator[Finding]:
-    """A script that starts rclpy and is no module of a Python package either."""
+    """A script that starts rclpy, when a launch file of the package starts it, or when the package installs no program at all."""
+    launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
+    for path in _left_out(source):
+        if has_none or os.path.basename(path) in launched:
+            yield _of_file(source, path)
+
+
+@rule(
+    'packages.program-left-out',
+    what='{file} starts a node, and no build installs it',
+    why='"ros2 run {package} {file}" does not find it; python3 {file} works',
+    do='to start it with ros2 run, ' + INSTALL,
+    lesson=LESSON,
+    level='info',
+)
+def program_left_out(source: Source) -> Iterator[Finding]:
+    """Of a package that installs other programs: it may be left out on purpose."""
+    launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
+    for path in _left_out(source):
+        if not has_none and os.path.basename(path) not in launched:
+            yield _of_file(source, path)
+
+
+def _left_out(source: Source) -> Iterator[str]:
+    """Scripts that start rclpy, that no build installs, and that are no module of a Python package either."""
     installed = source.installed
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
-    for path, text in _scripts(source):
+    for path, text in _scripts(source) if source.is_certain else ():
         place = installed.get(os.path.realpath(path), '')
-        if 'rclpy.init' in text and not path.startswith(modules) and not place.startswith('lib/'):
-            yield _of_file(source, path)
+        is_hidden = os.path.basename(path).startswith('.')
+        if 'rclpy.init' in text and not is_hidden and not path.startswith(modules) and not place.startswith('lib/'):
+            yield path
+
+
+def executables_launched(source: Source) -> set[str]:
+    """What the launch files of a package name as `executable` or `exec`."""
+    texts = (read_text(path) for path in source.package.files() if source.package.is_launch_file(path))
+    return {name for text in texts for name in _EXECUTABLE.findall(text)}
+
+
+_EXECUTABLE = re.compile(r"""\bexec(?:utable)?\s*[=:]\s*["']?([\w.-]+)""")
 
 
 @rule(

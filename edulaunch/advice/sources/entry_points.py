@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.engine.nearest import nearest
+from edulaunch.advice.sources.builds import executables_launched
+from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.ros.sources.source_package import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 
 if TYPE_CHECKING:
@@ -22,17 +23,33 @@ LESSON = '07_packages'
     'packages.entry-point-module',
     what="the entry point '{entry}' names the module {module}, which is not there",
     why='"ros2 run {package} {executable}" ends with ModuleNotFoundError',
-    do=('write {near} instead of {module}', 'write the file {wanted}, or name the module that has the node'),
+    do=(
+        'write {near} instead of {module}',
+        'move {lying} to {wanted}, where a build installs it',
+        'write the file {wanted}, or name the module that has the node',
+    ),
     lesson=LESSON,
     level='error',
+    edits=(('{module}', '{near}', 'near'),),
 )
 def entry_point_module(source: Source) -> Iterator[Finding]:
     """Of setup.py or setup.cfg, by the modules that setup() installs."""
     package = source.package
     for executable, module, function in _entry_points(source):
-        if module_file(package, module) is None:
-            near = nearest(module, modules_of(package))
-            yield _of_entry(package, executable, module, function, near=near, wanted=module.replace('.', '/') + '.py')
+        if module_file(package, module) is None and not _is_of_another(source, module):
+            leaf = module.rpartition('.')[2]
+            near = nearest(module, [one for one in modules_of(package) if nearest_spelling(leaf, [one.rpartition('.')[2]])])
+            lying = [package.relative(path) for path in package.python_files if os.path.basename(path) == f'{leaf}.py']
+            facts: dict[str, Any] = {'near': near, 'lying': next(iter(lying), None), 'wanted': module.replace('.', '/') + '.py'}
+            yield _of_entry(package, executable, module, function, **facts)
+
+
+def _is_of_another(source: Source, module: str) -> bool:
+    """Whether a module is of another package of the workspace: a build does not mind."""
+    top, folder = module.partition('.')[0], os.path.dirname(source.package.folder)
+    return top != source.package.name and (
+        top in source.around.packages() or os.path.isfile(os.path.join(folder, top, 'package.xml'))
+    )
 
 
 @rule(
@@ -42,6 +59,7 @@ def entry_point_module(source: Source) -> Iterator[Finding]:
     do=('write {near} instead of {function}', 'define it in {written}: def {function}(args=None): ...'),
     lesson=LESSON,
     level='error',
+    edits=((':{function}', ':{near}', 'near'),),
 )
 def entry_point_function(source: Source) -> Iterator[Finding]:
     """By what the module defines or imports at its top level."""
@@ -80,9 +98,35 @@ def main_wants_arguments(source: Source) -> Iterator[Finding]:
     do="add '{executable} = {module}:main' to console_scripts in setup.py",
     lesson=LESSON,
     level='error',
+    edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_without_entry_point(source: Source) -> Iterator[Finding]:
-    """A module of a package of setup.py with a main() that starts rclpy; not when an entry point means it and misspells it."""
+    """A node that a launch file of the package starts, or any when the package has no entry point at all."""
+    launched = executables_launched(source)
+    for one in _unnamed(source):
+        if one.facts['executable'] in launched or not source.package.contents.entry_points:
+            yield one
+
+
+@rule(
+    'packages.node-left-out',
+    what='{file} has a main() that starts a node, and no entry point',
+    why='"ros2 run {package} {executable}" does not find it',
+    do="to start it with ros2 run, add '{executable} = {module}:main' to console_scripts in setup.py",
+    lesson=LESSON,
+    level='info',
+    edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
+)
+def node_left_out(source: Source) -> Iterator[Finding]:
+    """Of a package with other entry points: it may be left out on purpose."""
+    launched = executables_launched(source)
+    for one in _unnamed(source):
+        if one.facts['executable'] not in launched and source.package.contents.entry_points:
+            yield one
+
+
+def _unnamed(source: Source) -> Iterator[Finding]:
+    """Modules with a main() that starts rclpy; not when an entry point means one and misspells it."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -109,8 +153,14 @@ def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
     if not (source.is_readable and package.is_python):
         return
     known, installed = {*modules_of(package).values()}, source.installed
+    named = {f'{module.rpartition(".")[2]}.py' for _, module, _ in _entry_points(source)}
     for path in package.python_files:
-        if path not in known and os.path.realpath(path) not in installed and _is_node(path):
+        if (
+            os.path.basename(path) not in named
+            and path not in known
+            and os.path.realpath(path) not in installed
+            and _is_node(path)
+        ):
             folder = os.path.basename(os.path.dirname(path))
             name = os.path.basename(path)
             if not os.path.exists(os.path.join(package.folder, package.name, name)):

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.ros.sources.source_package import DATA_FOLDERS, RUNTIME_TAGS, SourcePackage, install_facts, parsed, read_text
+from edulaunch.ros.sources.source_package import DATA_FOLDERS, RUNTIME_TAGS, install_facts, parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source
@@ -26,6 +26,10 @@ INSTALL = (
 )
 
 
+NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
+"""Folders whose launch files are read, or started by their path."""
+
+
 @rule(
     'packages.launch-file-not-installed',
     what='no build installs the launch file {file}',
@@ -33,12 +37,13 @@ INSTALL = (
     do=INSTALL,
     lesson='07_packages',
     level='error',
+    edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def launch_file_not_installed(source: Source) -> Iterator[Finding]:
     """A launch file by its name or its folder; descriptions of launch tests need not be installed."""
     package = source.package
     for path in _not_installed(source):
-        if package.is_launch_file(path):
+        if package.is_launch_file(path) and os.path.dirname(package.relative(path)).split(os.sep)[0] not in NOT_LAUNCHED:
             yield _of_file(package.name, path, install_facts(package, path))
 
 
@@ -48,11 +53,15 @@ def launch_file_not_installed(source: Source) -> Iterator[Finding]:
     why='a launch file that asks for it by get_package_share_directory() does not find it',
     do=INSTALL,
     lesson='07_packages',
+    edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def data_not_installed(source: Source) -> Iterator[Finding]:
-    """Files of the folders in which packages keep parameters, robots and worlds."""
+    """Files of the folders in which packages keep parameters, robots and worlds, when a launch file or program names them."""
     package = source.package
+    written = '\n'.join(_asking_texts(source))
     for path in _not_installed(source):
+        if not re.search(rf'(?<![\w.-]){re.escape(os.path.basename(path))}(?!\w)', written):
+            continue
         relative = package.relative(path)
         top = relative.split(os.sep)[0]
         is_module = os.path.isfile(os.path.join(path.removesuffix(relative), top, '__init__.py'))  # a package called `maps`
@@ -65,9 +74,27 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
             yield _of_file(package.name, path, install_facts(package, path))
 
 
+def _asking_texts(source: Source) -> Iterator[str]:
+    """The files of the package that ask for a share folder, without comments."""
+    for text in map(read_text, _used_texts(source)):
+        if 'share' in text:
+            yield _COMMENT.sub('', text)
+
+
+def _used_texts(source: Source) -> Iterator[str]:
+    """Launch files, and Python files that a build installs; where what it installs is not known, all Python files."""
+    package, installed = source.package, source.installed
+    modules = tuple(package.contents.python_modules.values())
+    for path in package.files():
+        is_launch = package.is_launch_file(path)
+        if package.is_test(path) or not (is_launch or path.endswith('.py')) or path == package.build_file():
+            continue
+        if is_launch or not source.is_certain or path.startswith(modules) or os.path.realpath(path) in installed:
+            yield path
+
+
 def _not_installed(source: Source) -> Iterator[str]:
-    is_certain = not any(warning.about == 'unknown' for warning in source.package.contents.warnings)
-    if source.is_readable and is_certain:
+    if source.is_certain:
         installed = source.installed
         yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
 
@@ -123,6 +150,7 @@ FROM_OTHERS = {
     'launch_ros': ('launch_testing_ros', 'ros2launch'),
     'launch_xml': ('launch', 'launch_ros', 'ros2launch'),
     'launch_yaml': ('launch', 'launch_ros', 'ros2launch'),
+    'ament_index_python': ('launch', 'launch_ros', 'launch_xml', 'launch_yaml', 'ros2launch', 'rclpy'),
     'action_msgs': ('rclpy',),
     'builtin_interfaces': ('rclpy',),
     'unique_identifier_msgs': ('rclpy',),
@@ -133,7 +161,7 @@ FROM_OTHERS = {
 OF_LAUNCH = frozenset(('launch', 'launch_ros', 'launch_xml', 'launch_yaml'))
 """What `ros2launch` brings: one entry is enough for all of them."""
 SAME = {'tf2_ros': ('tf2_ros', 'tf2_ros_py'), 'tf_transformations': ('tf_transformations', 'python3-transforms3d')}
-_LAUNCHED = re.compile(r"""package\s*=\s*["'](\w+)["']""")
+_COMMENT = re.compile(r'<!--.*?-->|^\s*#[^\n]*', re.DOTALL | re.MULTILINE)
 _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
 
 
@@ -144,44 +172,73 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
         '{dependency} is {how} here, but package.xml does not name it',
     ),
     why='rosdep installs what package.xml names: on another machine it is missing',
-    do=(
-        'add <exec_depend>{bringer}</exec_depend> to package.xml: it brings launch and launch_ros',
-        'add <exec_depend>{dependency}</exec_depend> to package.xml',
-    ),
+    do='add <exec_depend>{dependency}</exec_depend> to package.xml',
     lesson='07_packages',
+    edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
 )
 def dependency_missing(source: Source) -> Iterator[Finding]:
     """Packages that are imported or launched; each once, where it is first used."""
+    for name, file, line, how in _missing(source):
+        if not _is_of_launch(name, file):
+            tags = [f'<{one.tag}>' for one in source.package.dependencies if one.name == name]
+            yield found('dependency', name, file=file, line=line, how=how, tags=tags)
+
+
+@rule(
+    'packages.launch-not-named',
+    what='a launch file uses {dependency}, and package.xml names nothing that brings it',
+    why='rosdep installs what package.xml names; where `ros2 launch` works, {dependency} is installed anyway',
+    do='add <exec_depend>ros2launch</exec_depend> to package.xml: it brings launch and launch_ros',
+    lesson='07_packages',
+    edits=(('', '<exec_depend>ros2launch</exec_depend>', 'manifest'),),
+    level='info',
+)
+def launch_not_named(source: Source) -> Iterator[Finding]:
+    """Once for a package."""
+    for name, file, line, _ in _missing(source):
+        if _is_of_launch(name, file):
+            yield found('dependency', name, file=file, line=line)
+            return
+
+
+def _is_of_launch(name: str, file: str) -> bool:
+    return name in OF_LAUNCH or name == 'ament_index_python' and 'launch' in file
+
+
+def _missing(source: Source) -> Iterator[tuple[str, str, int, str]]:
     package = source.package
     declared = {dependency.name for dependency in package.dependencies if dependency.tag in RUNTIME_TAGS}
     known = source.around.packages()
-    told: set[str] = {package.name}
-    for name, file, line, how in _uses(package):
-        if name in told or name not in known or declared & {name, *SAME.get(name, ()), *FROM_OTHERS.get(name, ())}:
-            continue
-        is_of_launch = name in OF_LAUNCH
-        told |= OF_LAUNCH if is_of_launch else {name}
-        tags = [f'<{one.tag}>' for one in package.dependencies if one.name == name]
-        yield found('dependency', name, file=file, line=line, how=how, tags=tags, bringer='ros2launch' if is_of_launch else None)
+    reported: set[str] = {package.name, *package.contents.python_modules}
+    for name, file, line, how in _uses(source):
+        if name not in reported and name in known and not declared & {name, *SAME.get(name, ()), *FROM_OTHERS.get(name, ())}:
+            reported.add(name)
+            yield name, file, line, how
 
 
-def _uses(package: SourcePackage) -> Iterator[tuple[str, str, int, str]]:
+def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
     """(package, file, line, 'imported' or 'launched') in order of files and lines."""
-    for path in package.python_files:
-        tree = None if package.is_test(path) else parsed(path)
-        if tree is None:
+    launched: list[tuple[str, str, int, str]] = []
+    for path in _used_texts(source):
+        is_launch = source.package.is_launch_file(path)
+        if not path.endswith('.py'):
+            launched += ((name, path, line, 'launched') for line, name in _launched_by_markup(path))
             continue
-        for node in ast.walk(tree):
+        for node in ast.walk(parsed(path) or ast.Module([], [])):
             if isinstance(node, ast.Import):
                 yield from ((alias.name.partition('.')[0], path, node.lineno, 'imported') for alias in node.names)
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
                 yield node.module.partition('.')[0], path, node.lineno, 'imported'
-    for path in package.files():
-        if package.is_launch_file(path):
-            pattern = _LAUNCHED if path.endswith('.py') else _XML_LAUNCHED
-            with open(path, encoding='utf-8', errors='replace') as file:
-                for number, text in enumerate(file, 1):
-                    yield from ((name, path, number, 'launched') for name in pattern.findall(text))
+            elif is_launch and isinstance(node, ast.keyword) and node.arg == 'package' and isinstance(node.value, ast.Constant):
+                launched.append((str(node.value.value), path, node.value.lineno, 'launched'))
+    yield from launched
+
+
+def _launched_by_markup(path: str) -> Iterator[tuple[int, str]]:
+    """(line, package) of a launch file of XML or YAML, without its comments."""
+    text = _COMMENT.sub(lambda found: '\n' * found[0].count('\n'), read_text(path))
+    for number, line in enumerate(text.splitlines(), 1):
+        yield from ((number, name) for name in _XML_LAUNCHED.findall(line))
 
 
 _SETUP_NAME = re.compile(r"""^\s*(?:package_name|name)\s*=\s*['"]([\w.-]+)['"]""", re.MULTILINE)

@@ -40,10 +40,10 @@ def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
     here = list(index.packages())
     missing = []
     for package in packages:
-        told: set[str] = set()
+        reported: set[str] = set()
         for dependency in package.dependencies:
-            if dependency.name not in told and not is_here(dependency.name, here):
-                told.add(dependency.name)
+            if dependency.name not in reported and not is_here(dependency.name, here):
+                reported.add(dependency.name)
                 missing.append(Missing(package, dependency, nearest(dependency.name, here)))
     return [package.name for package in packages], missing
 

@@ -27,9 +27,41 @@ BUILD_SIGNS = {
     level='error',
 )
 def none_here(workspace: Workspace) -> Iterator[Finding]:
-    """A package.xml that cannot be read is told as such."""
-    if not workspace.packages and not workspace.around.warnings:
+    """A package.xml that cannot be read, or a folder that colcon passes over, is reported as such."""
+    if not workspace.packages and not workspace.around.warnings and _mark(workspace.path) is None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path)
+
+
+@rule(
+    'packages.passed-over',
+    what='colcon passes over the folder {folder}: it has a file {mark}',
+    why='neither this package nor any below it is built',
+    do='delete {mark} to build it; leave it there when the package is not to be built',
+    level='info',
+)
+def passed_over(workspace: Workspace) -> Iterator[Finding]:
+    """The folder itself; those below it are left out on purpose."""
+    mark = _mark(workspace.path)
+    if not workspace.packages and mark is not None:
+        yield found('folder', os.path.basename(workspace.path), file=workspace.path, mark=mark)
+
+
+def _mark(folder: str) -> str | None:
+    return next((name for name in ('COLCON_IGNORE', 'AMENT_IGNORE') if os.path.exists(os.path.join(folder, name))), None)
+
+
+@rule(
+    'packages.of-ros-1',
+    what='{package} is a package of ROS 1: its package.xml asks for catkin',
+    why='colcon in a ROS 2 workspace cannot build it, and its launch files start nothing',
+    do='look for a version of it for ROS 2, or put an empty file COLCON_IGNORE into its folder',
+    level='info',
+)
+def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
+    """Nothing else is said of such a package."""
+    for source in workspace.sources:
+        if source.is_of_ros_1:
+            yield found('package', source.package.name, file=source.package.manifest_file)
 
 
 @rule(

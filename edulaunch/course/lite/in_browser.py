@@ -88,15 +88,15 @@ def _arguments(words: str) -> dict[str, str]:
 
 
 def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
-    from edulaunch.advice.wording import said_at_the_end
+    from edulaunch.advice.wording import end_of_run_lines
     from edulaunch.desk.view.page import recorded_page
-    from edulaunch.desk.view.replay import film_of
+    from edulaunch.desk.view.replay import timeline_of
     from edulaunch.runtime.session import run
 
     recording = run(path, arguments=arguments, duration_s=seconds, workspaces=(), console=lambda stream, text: say(text))
-    for line in said_at_the_end(recording):
+    for line in end_of_run_lines(recording):
         say(f'{line}\n')
-    return {'page': recorded_page(film_of(recording), os.path.basename(path))}
+    return {'page': recorded_page(timeline_of(recording), os.path.basename(path))}
 
 
 def _checked(path: str) -> dict[str, str]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli import arguments_of, options_of
 from edulaunch.desk.cli.plugin_options import HELP, add_plugin_options
+from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import UnusableInput
 from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launch_files_of
 
@@ -173,8 +174,6 @@ def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[s
 
     source()
     from ros2launch.api.api import load_launch_file
-
-    from edulaunch.engine.processes.current import current_process
 
     process = current_process()
     before, process.index = process.index, index

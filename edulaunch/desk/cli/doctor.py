@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import re
 import time
@@ -16,7 +17,10 @@ from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.file_format import FORMAT
+from edulaunch.engine.underlay_place import is_students, underlay_prefix
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime.launching import find_launch_file
+from edulaunch.runtime.session import Session
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
@@ -47,8 +51,9 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
         '--json',
         nargs='?',
         const='facts',
-        choices=('facts', 'sarif'),
-        help='as JSON, with the facts behind each sentence; or as SARIF 2.1.0, which editors and code hosts read',
+        choices=('facts', 'lsp', 'sarif'),
+        help='as JSON with the facts behind each sentence (facts), or with the edits: as diagnostics of the Language Server '
+        'Protocol (lsp), or as SARIF 2.1.0 (sarif)',
     )
     parser.add_argument(
         '--for',
@@ -57,6 +62,8 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
         metavar='SECONDS',
         help=f'simulated seconds (default: {SECONDS:g}; {OF_FOLDER_S:g} for each launch file of a folder)',
     )
+    parser.add_argument('--fix', action='store_true', help='show the edits that are certain, and make them when you agree')
+    parser.add_argument('--yes', action='store_true', help='make the edits of --fix without a question')
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
@@ -64,12 +71,16 @@ def doctor_verb(arguments: argparse.Namespace) -> int:
     """Report what is wrong. 0 when nothing is, 1 when something is, 2 when there is nothing that can be looked at."""
     notes: list[str] = []
     findings, reader = _findings(arguments, notes), reader_here()
+    if arguments.fix:
+        from edulaunch.desk.cli.fixing import changes_for, fix
+
+        print('\n'.join([*diagnosis(findings, reader), *notes, '']))
+        return fix(changes_for(_named(arguments), findings), arguments.yes)
     if arguments.json:
-        import json
+        from edulaunch.desk.cli.sarif import lsp, sarif
 
-        from edulaunch.desk.cli.sarif import sarif
-
-        data = sarif(findings, reader) if arguments.json == 'sarif' else diagnosis_data(findings, reader)
+        forms = {'facts': diagnosis_data, 'lsp': lsp, 'sarif': sarif}
+        data = forms[arguments.json](findings, reader)
         print(json.dumps(data, indent=2, ensure_ascii=False))
     else:
         print('\n'.join([*diagnosis(findings, reader), *notes]).encode(errors='backslashreplace').decode())
@@ -85,6 +96,25 @@ def _findings(arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
     return _of_launch(target, arguments, notes)
 
 
+def _named(arguments: argparse.Namespace) -> str:
+    """The file or folder that the command names: only there `--fix` changes something.
+
+    :raises UnusableInput: for a recording, and for a package or file that is not the user's own.
+    """
+    first, file, _ = split_words(arguments.target, arguments.rest)
+    if os.path.isdir(first) or (os.path.isfile(first) and not _is_recording(first)):
+        return first
+    if os.path.isfile(first):
+        raise UnusableInput('a recording cannot be changed', help='give the launch file or the folder of the package to --fix')
+    with Session(workspaces=workspaces_of_command(arguments.workspace, first)) as session:
+        if file is None:
+            return _folder_of(first, session.index.share(first))
+        path = os.path.realpath(find_launch_file(session.index, first, file))
+    if not is_students(path) or path.startswith(underlay_prefix()):
+        raise UnusableInput(f'{path} belongs to edulaunch', help='copy it into your package')
+    return path
+
+
 def _is_recording(path: str) -> bool:
     if not os.path.isfile(path):
         return False
@@ -94,9 +124,6 @@ def _is_recording(path: str) -> bool:
 
 def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
     """By its dry run and, when that comes to its end, by a run."""
-    from edulaunch.runtime.launching import find_launch_file
-    from edulaunch.runtime.session import Session
-
     first, file, given = split_words(target, arguments.rest)
     workspaces = workspaces_of_command(arguments.workspace, first)
     with Session(workspaces=workspaces) as session:
@@ -144,8 +171,6 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
     """The findings of one launch file of a folder, and why it was not run; None when it was."""
-    from edulaunch.runtime.session import Session
-
     workspaces = arguments.workspace or workspaces_of_command([folder], path)
     with Session(workspaces=workspaces) as session:
         rehearsal = _rehearsed(session, path, {})

@@ -63,13 +63,13 @@ def _answer(words: list[str]) -> int:
     """Say what a line that sets a computer up means here, or open what stands for a window; 1 when it is none of those."""
     from edulaunch.advice.workspace.not_needed import WINDOWS, answer
 
-    said = answer(words)
-    if said is None:
+    printed = answer(words)
+    if printed is None:
         return 1
     if words[0] in WINDOWS and sys.stdout.isatty():
         sys.stdout.flush()
         os.execv(sys.executable, [sys.executable, '-m', 'edulaunch', 'view', '--tab', WINDOWS[words[0]]])
-    print(said)
+    print(printed)
     return 0
 
 

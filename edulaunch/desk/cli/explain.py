@@ -6,7 +6,10 @@
 from __future__ import annotations
 
 import argparse
+import gc
+import json
 import os
+import shlex
 import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -50,8 +53,6 @@ def explain_verb(arguments: argparse.Namespace) -> int:
     """Print it. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
     if is_rule(arguments.package_or_path):
         return explain_rule(arguments.package_or_path)
-    import gc
-
     gc.disable()  # this program ends soon; to look for what could be forgotten takes longer than to draw the tree
     if arguments.diff:
         return _compare(arguments)
@@ -96,8 +97,6 @@ def _is_path(word: str) -> bool:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    import shlex
-
     files = [arguments.package_or_path, *(word for word in arguments.rest if ':=' not in word)]
     sets = [shlex.split(word) for word in arguments.rest if ':=' in word]
     is_package = not (os.path.isfile(files[0]) or _is_path(files[0]))
@@ -119,8 +118,6 @@ def _compare(arguments: argparse.Namespace) -> int:
 
 def _print(tree: Tree, arguments: argparse.Namespace) -> None:
     if arguments.json:
-        import json
-
         data: Any = tree.data
         print(json.dumps(data, indent=1, sort_keys=True))
         return
@@ -144,6 +141,8 @@ def report(explanation: Explanation) -> int:
         print(f'missing packages, with placeholders instead: {", ".join(packages)}', file=sys.stderr)
     for other in others:
         print(f'missing: {other}', file=sys.stderr)
+    for undone in explanation.plan.get('not_done', ()):
+        print(f'not done in the dry run: {undone}', file=sys.stderr)
     error = explanation.plan['error']
     if error is None:
         return 0
@@ -163,8 +162,6 @@ def plan_verb(arguments: argparse.Namespace) -> int:
     if not arguments.json or arguments.diff:
         print('plan is called explain now: edulaunch explain (plan --json stays)', file=sys.stderr)
         return explain_verb(arguments)
-    import json
-
     explanation, _ = explained(arguments)
     print(json.dumps(explanation.plan, indent=1, sort_keys=True))
     return report(explanation)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from edulaunch.advice import rule as rule_module
 from edulaunch.advice.reader import Reader, reader_here
+from edulaunch.advice.reference import address_of
 from edulaunch.advice.rule import GROUPS, Rule, all_rules
 from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
@@ -46,6 +47,8 @@ def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
             yield f'  {heading:<8}{_shown(reader.says(template))}'
     if rule.lesson:
         yield f'  see:    lessons/{rule.lesson}.ipynb'
+    if address := address_of(rule):
+        yield f'  page:   {address}'
     example = _example(rule.name)
     if example is not None:
         yield ''

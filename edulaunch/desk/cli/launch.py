@@ -7,19 +7,24 @@ import os
 import shlex
 import signal
 import sys
+import time
+from collections.abc import Callable
 from types import FrameType
 from typing import TextIO
 
-from edulaunch.advice.wording import said_at_the_end
+from edulaunch.advice.wording import end_of_run_lines
+from edulaunch.desk.cli.launch_steps import TerminalSteps
 from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.safe_file import remove_drafts
+from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.errors import LaunchFileError, UnusableInput
-from edulaunch.runtime.keeping import Ending, Reserve, advice_or_why_not, spent
-from edulaunch.runtime.launch_process import LaunchRun
+from edulaunch.runtime.keeping import Ending, Reserve, advice_or_why_not, first_interrupt_waits, spent
+from edulaunch.runtime.launch_process import LaunchRun, explain
 from edulaunch.runtime.launching import find_launch_file, launch_argument
 from edulaunch.runtime.session import Session
 from edulaunch.runtime.still_busy import StillBusy
@@ -39,6 +44,7 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
         metavar='NAME=FILE',
         help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
     )
+    parser.add_argument('--step', action='store_true', help='stop before each action of the launch file, and ask what to do')
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
@@ -88,10 +94,12 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         if arguments.record:
             remove_drafts(arguments.record)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
-        terminal = Terminal(session, arguments.seconds, ending)
-        recording, error = _run(terminal, session, ending, arguments)
-        if arguments.record:
-            recording.save(arguments.record)
+        terminal = Terminal(session, arguments.seconds, ending, _clock(arguments, session))
+        with first_interrupt_waits('the recording is being written; press Ctrl-C again to end without it'):
+            error = _run(terminal, session, ending, arguments)
+            recording = session.recording()
+            if arguments.record:
+                recording.save(arguments.record)
         ending.is_saving = False
         if error is not None and (known := spent(error)) is None:
             raise error
@@ -106,10 +114,17 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     return 0 if launch.process.returncode is None else launch.process.returncode
 
 
-def _run(
-    terminal: Terminal, session: Session, ending: Ending, arguments: argparse.Namespace
-) -> tuple[Recording, BaseException | None]:
-    """Run to the end. Returns what was recorded, and what broke the run off."""
+def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], float]:
+    """Return the real clock. With --step it does not count the time at the prompt."""
+    if not arguments.step:
+        return time.monotonic
+    steps = TerminalSteps(session)
+    steps.begin()
+    return steps.clock
+
+
+def _run(terminal: Terminal, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
+    """Run to the end. Returns what broke the run off."""
     reserve, error = Reserve(), None
     try:
         terminal.run(0.0 if arguments.fast else 1.0)
@@ -119,14 +134,14 @@ def _run(
     reserve.release()
     if error is not None or ending.came is not None:
         session.note_end()
-    return session.recording(), error
+    return error
 
 
 def _advice(recording: Recording, session: Session, launch: LaunchRun) -> list[str]:
     """The advice on a run."""
     helped = session.host.hints.helped(launch.process.pid)
     shown_by = shlex.join(['edulaunch', 'doctor', launch.path])
-    return advice_or_why_not(lambda: said_at_the_end(recording, helped=helped, shown_by=shown_by))
+    return advice_or_why_not(lambda: end_of_run_lines(recording, helped=helped, shown_by=shown_by))
 
 
 def _print_end(arguments: argparse.Namespace, session: Session, recording: Recording, path: str) -> None:
@@ -174,16 +189,14 @@ def _look(session: Session, path: str, show_args: bool) -> int:
     """
     from ros2launch.api import print_a_launch_file, print_arguments_of_launch_file
 
-    from edulaunch.runtime.launch_process import explain
-
     process = current_process()
     process.index, process.host.index = session.index, session.index
     process.env.update(session.host.env)
     try:
         (print_arguments_of_launch_file if show_args else print_a_launch_file)(launch_file_path=path)
     except Exception as error:
-        told = explain(error, session.index)
-        raise LaunchFileError(told.text, help=told.help) from error
+        explanation = explain(error, session.index)
+        raise LaunchFileError(explanation.text, help=explanation.help) from error
     return 0
 
 
@@ -211,8 +224,11 @@ class Terminal:
     still there, some program keeps its turn: the interrupt is then raised right where it is.
     """
 
-    def __init__(self, session: Session, seconds: float | None, ending: Ending | None = None) -> None:
+    def __init__(
+        self, session: Session, seconds: float | None, ending: Ending | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         self._session = session
+        self._clock = clock
         self._ending = ending
         self._seconds = seconds
         self._pressed = 0
@@ -220,16 +236,13 @@ class Terminal:
 
     def run(self, speed: float) -> None:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
-        from edulaunch.engine.processes.streams import streams_of_programs
-        from edulaunch.engine.sim.pacing import Pacer
-
         sim = self._session.sim
         before = signal.signal(signal.SIGINT, self._press)
         try:
             if self._seconds is not None:
                 sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
             with StillBusy() as self._still_busy, streams_of_programs():
-                Pacer(sim, speed).run(None, self._is_over)
+                Pacer(sim, speed, clock=self._clock).run(None, self._is_over)
         finally:
             signal.signal(signal.SIGINT, before)
 

@@ -15,7 +15,7 @@ from edulaunch.desk.cli import options_of
 from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import EdulaunchError, UnusableInput
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 VERBS = {
     'colcon': 'report which build steps are not needed here',
@@ -131,8 +131,8 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Usage and message on standard error; exit code 2."""
-        said = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
-        near = did_you_mean(said[1], re.findall(r'[\w-]+', said[2])) if said else None
+        match = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
+        near = did_you_mean(match[1], re.findall(r'[\w-]+', match[2])) if match else None
         super().error(f'{message}\n  help: {near}' if near else message)
 
 

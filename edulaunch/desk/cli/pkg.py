@@ -7,7 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import PackageError, UnusableInput
 
 if TYPE_CHECKING:
     from edulaunch.advice.workspace.new_package import NewPackage
@@ -30,7 +30,7 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--description', default=NewPackage.description, help='the description given in package.xml')
     parser.add_argument('--license', default=NewPackage.license, help='the license, such as Apache-2.0')
     parser.add_argument('--destination-directory', default=os.curdir, help='where to create the package (default: here)')
-    parser.add_argument('--build-type', default=NewPackage.build_type, choices=BUILD_TYPES, help='how the package is built')
+    parser.add_argument('--build-type', choices=BUILD_TYPES, help=f'how the package is built (default: {NewPackage.build_type})')
     parser.add_argument('--dependencies', nargs='+', action='extend', default=[], help='packages that it depends on')
     parser.add_argument('--maintainer-email', help='email address of the maintainer')
     parser.add_argument('--maintainer-name', help='name of the maintainer')
@@ -46,14 +46,27 @@ def pkg_verb(arguments: argparse.Namespace) -> int:
 def create(arguments: argparse.Namespace) -> int:
     """Make a package, and say what is made."""
     from edulaunch.advice.workspace.new_package import create_package
-    from edulaunch.errors import PackageError
 
     try:
         create_package(described_package(arguments, *maintainer()), print)
     except PackageError as error:
         print(error, file=sys.stderr)
         return 1
+    if arguments.build_type is None and is_in_course(arguments.destination_directory):
+        words = f'ros2 pkg create {arguments.package_name} --build-type ament_python'
+        print(f'\nThis is a package for C++ and CMake. For one in Python, delete it and type: {words}', file=sys.stderr)
     return 0
+
+
+def is_in_course(folder: str) -> bool:
+    """Whether a folder lies in a course, whose packages are in Python."""
+    here = os.path.abspath(folder)
+    while True:
+        if any(os.path.isfile(os.path.join(here, *place)) for place in (('course.toml',), ('exercises', 'course.toml'))):
+            return True
+        if os.path.dirname(here) == here:
+            return False
+        here = os.path.dirname(here)
 
 
 def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
@@ -63,7 +76,7 @@ def described_package(arguments: argparse.Namespace, name: str, email: str) -> N
     return NewPackage(
         arguments.package_name,
         arguments.destination_directory,
-        arguments.build_type,
+        arguments.build_type or NewPackage.build_type,
         arguments.license,
         arguments.description,
         tuple(arguments.dependencies),
@@ -96,7 +109,7 @@ def check(path: str) -> int:
     from edulaunch.advice.judging import judge_workspace
     from edulaunch.advice.reader import reader_here
     from edulaunch.advice.source_package import workspace_at
-    from edulaunch.advice.wording import told
+    from edulaunch.advice.wording import rendered
 
     if not os.path.isdir(path):
         raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')
@@ -104,7 +117,7 @@ def check(path: str) -> int:
     findings = judge_workspace(workspace)
     reader = reader_here()._replace(folder=workspace.path)
     for finding in findings:
-        words = told(finding, reader)
+        words = rendered(finding, reader)
         print(f'{words.where}: {words.what}\n  help: {words.do}')
     names, count = [package.name for package in workspace.packages], len(findings)
     print(

@@ -139,11 +139,11 @@ def show(arguments: argparse.Namespace) -> int:
 def write_page(recording: Recording, path: str, tab: str = 'graph') -> str:
     """Write the page that plays a recording in any browser, without a network; returns the path."""
     from edulaunch.desk.view.page import recorded_page
-    from edulaunch.desk.view.replay import film_of
+    from edulaunch.desk.view.replay import timeline_of
 
     name = os.path.basename(recording.launch.file or '') or 'recording'
     with open(path, 'w', encoding='utf-8') as file:
-        file.write(recorded_page(film_of(recording), name, tab))
+        file.write(recorded_page(timeline_of(recording), name, tab))
     return path
 
 

@@ -1,15 +1,16 @@
-"""Findings as SARIF 2.1.0, the format of static analysis results that editors and code hosts read."""
+"""Findings for other programs: as SARIF 2.1.0, and as diagnostics of the Language Server Protocol."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from edulaunch.advice.reader import Reader
 from edulaunch.advice.rule import Finding, rule_named
-from edulaunch.advice.wording import told
-from edulaunch.version import __version__
+from edulaunch.advice.texts import Marked, Span, Text, marked
+from edulaunch.advice.texts.lsp import diagnostic, title, uri_of
+from edulaunch.advice.wording import rendered
+from edulaunch.runtime.version import __version__
 
 SCHEMA = 'https://json.schemastore.org/sarif-2.1.0.json'
 LEVELS = {'error': 'error', 'warning': 'warning', 'info': 'note'}
@@ -23,7 +24,8 @@ def sarif(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
     names = list(dict.fromkeys(finding.rule for finding in findings))
     driver = {'name': 'edulaunch doctor', 'version': __version__, 'rules': [_rule(name) for name in names]}
     results = [_result(finding, names.index(finding.rule), reader) for finding in findings]
-    return {'$schema': SCHEMA, 'version': '2.1.0', 'runs': [{'tool': {'driver': driver}, 'results': results}]}
+    run = {'tool': {'driver': driver}, 'columnKind': 'unicodeCodePoints', 'results': results}
+    return {'$schema': SCHEMA, 'version': '2.1.0', 'runs': [run]}
 
 
 def _rule(name: str) -> dict[str, Any]:
@@ -39,7 +41,7 @@ def _rule(name: str) -> dict[str, Any]:
 
 
 def _result(finding: Finding, number: int, reader: Reader) -> dict[str, Any]:
-    words = told(finding, reader)
+    words = rendered(finding, reader)
     text = '\n'.join(filter(None, (words.what, words.why, words.do)))
     result: dict[str, Any] = {
         'ruleId': finding.rule,
@@ -48,7 +50,41 @@ def _result(finding: Finding, number: int, reader: Reader) -> dict[str, Any]:
         'message': {'text': text},
     }
     if finding.file is not None:
-        region = {} if not finding.line else {'region': {'startLine': finding.line}}
-        place = {'artifactLocation': {'uri': Path(finding.file).absolute().as_uri()}, **region}
+        content = _text_of(finding.file)
+        mark = marked(finding, content) if content is not None and finding.line else None
+        region = {'startLine': finding.line} if mark is None or content is None else _region(content, mark.span)
+        place = {'artifactLocation': {'uri': uri_of(finding.file)}, **({'region': region} if finding.line else {})}
         result['locations'] = [{'physicalLocation': place}]
+        if content is not None and mark is not None and mark.edits:
+            result['fixes'] = [_fix(content, mark)]
     return result
+
+
+def _text_of(path: str) -> Text | None:
+    """The content of a file, when it can be read."""
+    try:
+        with open(path, encoding='utf-8', newline='') as file:
+            return Text(file.read(), path)
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def _region(text: Text, span: Span) -> dict[str, int]:
+    start, end = text.place(span.start), text.place(span.end)
+    return {'startLine': start.line, 'startColumn': start.column + 1, 'endLine': end.line, 'endColumn': end.column + 1}
+
+
+def _fix(text: Text, mark: Marked) -> dict[str, Any]:
+    replacements = [{'deletedRegion': _region(text, edit.span), 'insertedContent': {'text': edit.new}} for edit in mark.edits]
+    change = {'artifactLocation': {'uri': uri_of(text.path)}, 'replacements': replacements}
+    return {'description': {'text': title(mark.edits)}, 'artifactChanges': [change]}
+
+
+def lsp(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
+    """Diagnostics of the Language Server Protocol, by the address of the file; each with its edits."""
+    found: dict[str, list[Any]] = {}
+    for finding in findings:
+        text = None if finding.file is None else _text_of(finding.file)
+        if text is not None:
+            found.setdefault(uri_of(text.path), []).append(diagnostic(marked(finding, text), text, reader))
+    return found

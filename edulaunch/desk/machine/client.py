@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping, Sequence
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.following import GIVE_UP_S, Follower, GaveUp, window_size
 from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, locked, log_file, read_address, remove_address
-from edulaunch.desk.machine.starting import connect, state
+from edulaunch.desk.machine.starting import CannotConnect, connect, open_connection, state
 
 ANSWER_S = 3.0
 """Seconds that a machine has to answer `edulaunch machine ...`; then the guardian answers."""
@@ -103,8 +103,6 @@ def _stop_by_force(address: Address) -> int:
 
 def _is_there(address: Address) -> bool:
     """Whether somebody still listens at that address."""
-    from edulaunch.desk.machine.starting import CannotConnect, open_connection
-
     try:
         found = open_connection(address)
     except CannotConnect:
@@ -166,8 +164,8 @@ def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: f
     with connection:
         connection.settimeout(ANSWER_S)
         connection.sendall(hello(address.token, words, keyboard=False))
-        for said, patience_s in steps:
-            connection.sendall(said)
+        for event, patience_s in steps:
+            connection.sendall(event)
             deadline = time.monotonic() + patience_s
             while (left_s := deadline - time.monotonic()) > 0:
                 connection.settimeout(left_s)

@@ -59,7 +59,7 @@ class Connection:
         self._unsent = bytearray()
         self._is_last = False
         self._events = selectors.EVENT_READ
-        self._heard: deque[tuple[bytes, bytes]] = deque()
+        self._received: deque[tuple[bytes, bytes]] = deque()
         self.is_open = True
         self.since_s = self._flushed_s = time.monotonic()
         self.terminal: Peer | None = None
@@ -115,7 +115,7 @@ class Connection:
     def _attend(self, events: int) -> None:
         if events & selectors.EVENT_READ and self.is_open:
             is_good = self._read()
-            self.take_heard()
+            self.take_received()
             if not is_good:
                 self.close()
 
@@ -123,18 +123,18 @@ class Connection:
         """Hear what has come; False when nothing good will come any more."""
         try:
             data = self._socket.recv(CHUNK)
-            self._heard += self._frames.feed(data)
+            self._received += self._frames.feed(data)
         except BlockingIOError:
             return True
         except (OSError, wire.BadFrame):
             return False
         return bool(data)
 
-    def take_heard(self) -> None:
+    def take_received(self) -> None:
         """Do what was said. What makes no sense closes the connection."""
         try:
-            while self._heard and self.is_open:
-                self._take(*self._heard.popleft())
+            while self._received and self.is_open:
+                self._take(*self._received.popleft())
         except (wire.BadFrame, ValueError, IndexError):
             self.close()
         except Exception:  # a mistake of ours: the machine and its other terminals go on
@@ -148,10 +148,10 @@ class Connection:
         """
         if not self._read():
             self.close()
-        for heard in [heard for heard in self._heard if heard[0] == wire.SIGNAL]:
-            self._heard.remove(heard)
+        for message in [message for message in self._received if message[0] == wire.SIGNAL]:
+            self._received.remove(message)
             self._answer()
-            deliver(int(heard[1]))
+            deliver(int(message[1]))
 
     def _answer(self) -> None:
         """Let the other end know at once that its signal is here: a program may keep its turn for long after it."""

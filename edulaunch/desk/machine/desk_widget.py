@@ -15,7 +15,7 @@ import traitlets
 
 from edulaunch.canvas.filmstrip import still
 from edulaunch.canvas.worlds import read_worlds
-from edulaunch.desk.machine.host import Host, Page
+from edulaunch.desk.machine.live import LiveMachine, Page
 from edulaunch.desk.view.page import module
 from edulaunch.desk.view.viewer import Viewer
 from edulaunch.engine.recording.absent import NothingToDraw
@@ -30,21 +30,21 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
     _esm = module()
     tab = traitlets.Unicode('graph').tag(sync=True)
 
-    def __init__(self, machine: Host, tab: str) -> None:
+    def __init__(self, machine: LiveMachine, tab: str) -> None:
         super().__init__(tab=tab)
         self._machine = machine
         self._pages: dict[str, Page] = {}
         self.on_msg(self._hear)
 
-    def _hear(self, widget: object, words: Any, buffers: object) -> None:
+    def _hear(self, widget: object, request: Any, buffers: object) -> None:
         """A message may come on a thread of its own (a subshell of the kernel): it is taken where the machine runs."""
-        self._machine.soon(lambda: self._take(words))
+        self._machine.soon(lambda: self._take(request))
 
-    def _take(self, words: Any) -> None:
-        name = words.get('page') if isinstance(words, dict) else None
+    def _take(self, request: Any) -> None:
+        name = request.get('page') if isinstance(request, dict) else None
         if not isinstance(name, str):
             return
-        if words.get('op') == 'bye':
+        if request.get('op') == 'bye':
             page = self._pages.pop(name, None)
             if page is not None:
                 self._machine.pages.remove(page)
@@ -52,10 +52,10 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
         if name not in self._pages:
             self._pages[name] = Page(Viewer(self._machine, lambda message: self.send({**message, 'page': name})))
             self._machine.pages.append(self._pages[name])
-        if words.get('op') == 'next':
+        if request.get('op') == 'next':
             self._pages[name].ask()
         else:
-            self._machine.do_for(self._pages[name].viewer, words)
+            self._machine.do_for(self._pages[name].viewer, request)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         """The widget; where there is no front end (nbconvert, nbval, GitHub), a picture of this instant and its text."""
@@ -68,10 +68,10 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
 def _still(recording: Recording) -> dict[str, str]:
     """What is to be seen at the end of a recording: turtles and robots as a picture, and in words who is there."""
     try:
-        picture, said = still(read_worlds(recording), recording.duration_s)
+        picture, caption = still(read_worlds(recording), recording.duration_s)
     except NothingToDraw:
         return {'text/plain': f'live view, t={recording.duration_s:.3f} s: {who_is_there(recording)}'}
-    text = f'live view, {said}; {who_is_there(recording)}'
+    text = f'live view, {caption}; {who_is_there(recording)}'
     shown = f'<img alt="{escape(text)}" src="data:image/svg+xml;base64,{b64encode(picture.encode()).decode()}">'
     return {'text/plain': text, 'text/html': shown, 'image/svg+xml': picture}
 

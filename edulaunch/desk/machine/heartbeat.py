@@ -60,5 +60,5 @@ class Heartbeat:
 
     def _interrupt(self, signum: int, frame: FrameType | None) -> None:
         """End the program that has its turn, also inside C code that looks for signals, and in a call that waits."""
-        if self._server.session.host.program_here() is not None:
+        if self._server.machine.session.host.program_here() is not None:
             raise RunawayProgram

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from edulaunch.desk.machine import wire
-from edulaunch.desk.view import Living
+from edulaunch.desk.view import ViewedMachine
 from edulaunch.desk.view.viewer import Viewer
 
 LONGEST_LINE = 1 << 16
@@ -21,7 +21,9 @@ class LivePage:
     :param forget: called once with this page when it is closed.
     """
 
-    def __init__(self, machine: Living, send: Callable[[bytes, bytes], object], forget: Callable[[LivePage], object]) -> None:
+    def __init__(
+        self, machine: ViewedMachine, send: Callable[[bytes, bytes], object], forget: Callable[[LivePage], object]
+    ) -> None:
         self._send = send
         self._forget = forget
         self._viewer = Viewer(machine, self._say)
@@ -41,11 +43,11 @@ class LivePage:
         if len(self._line) > LONGEST_LINE:
             raise ValueError('an endless line')
         for line in lines:
-            words = json.loads(line)
-            if isinstance(words, dict) and words.get('op') == 'next':
+            request = json.loads(line)
+            if isinstance(request, dict) and request.get('op') == 'next':
                 self._viewer.show()
             else:
-                self._viewer.take(words)
+                self._viewer.take(request)
 
     def hang_up(self) -> None:
         """The page is gone."""

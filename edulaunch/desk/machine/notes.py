@@ -26,7 +26,7 @@ class Notes:
 
     def __init__(self) -> None:
         self.knows_view = False
-        self._told: set[int] = set()
+        self._noted_pids: set[int] = set()
 
     def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
         """What is to be said now in a terminal.
@@ -42,9 +42,9 @@ class Notes:
                 self.knows_view = True
                 yield f'note: {name} opens no window here; `edulaunch view --tab {VIEWS[name]}` shows it in a browser\n'
                 break
-        if words[:2] == ['ros2', 'launch'] and programs[0].pid not in self._told:
+        if words[:2] == ['ros2', 'launch'] and programs[0].pid not in self._noted_pids:
             for name in filter(READ_KEYS.__contains__, names):
-                self._told.add(programs[0].pid)
+                self._noted_pids.add(programs[0].pid)
                 yield (
                     f'note: {name} gets no keys from a launch file; '
                     f'type `ros2 run {READ_KEYS[name]} {name}` in a terminal of its own\n'

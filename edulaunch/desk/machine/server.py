@@ -12,42 +12,38 @@ from collections.abc import Callable
 from functools import partial
 
 from edulaunch.desk.machine.connection import Connection, Peer
+from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.desk.machine.terminals import Terminal, Terminals
-from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.runtime.session import Session
 
 MOST_CONNECTIONS = 512
 MOST_MISTAKES = 20
 HELLO_WITHIN_S = 5.0
 LOOK_EVERY_S = 5.0
-FORGET_EVERY_S = 10.0
-REMEMBERED_S = 120.0
-MESSAGES_KEPT = 200
-"""What a machine that runs for hours keeps of the past: simulated seconds, and messages of each topic at least."""
 
 
 class Server:
-    """Serves terminals on a listening socket, with one Session behind them.
+    """Serves terminals on a listening socket, with one live machine behind them.
 
     Everything happens in :meth:`run_due` and :meth:`listen`, by turns: in a loop of its own (`serving`), or in somebody
     else's, such as a notebook's, which waits for the `selector` itself.
 
+    :param machine: runs a session already.
     :param token: what a terminal has to say first.
     :ivar is_listening: whether it waits, and no program has its turn.
     :ivar rounds: how many times it has waited.
     """
 
-    def __init__(self, session: Session, listener: socket.socket, token: str) -> None:
-        self.session = session
-        self.time = RealTime(session.sim)
-        self.selector = selectors.DefaultSelector()
-        self.terminals = Terminals(session, self.time, self.selector)
+    def __init__(self, machine: LiveMachine, listener: socket.socket, token: str) -> None:
+        self.machine = machine
+        self.selector = machine.selector = selectors.DefaultSelector()
+        self.terminals = Terminals(machine)
         self.is_asked_to_end = False
         self.is_listening = False
         self.rounds = 0
         self.is_behind = False
         self._mistakes = 0
-        self.last_seen_s = self._forgot_s = time.monotonic()
+        self.last_seen_s = time.monotonic()
         self.on_accept: Callable[[socket.socket], object] = lambda client: None
         self._listener = listener
         self._token = token
@@ -57,9 +53,7 @@ class Server:
 
     def run_due(self) -> float | None:
         """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
-        wait_s = self.time.advance()
-        if self.terminals.network is not None:
-            self.terminals.network.after_turn()
+        wait_s = self.machine.run_due()
         self.flush()
         return wait_s
 
@@ -89,20 +83,20 @@ class Server:
         if self.is_behind:
             self.is_behind = False
             for connection in list(self._connections):
-                connection.take_heard()
+                connection.take_received()
         self.rounds += 1
         self.is_listening = True
-        heard = self.selector.select(seconds)
+        ready = self.selector.select(seconds)
         self.is_listening = False
-        if heard:
-            self.time.advance()  # what was typed is typed now, not when something was due last
-        for key, events in heard:
+        if ready:
+            self.machine.time.advance()  # what was typed is typed now, not when something was due last
+        for key, events in ready:
             take: Callable[[int], object] = key.data
             take(events)
 
     def look_for_signals(self) -> None:
         """Called in the midst of a program's turn: hear whether its terminal wants it to end."""
-        program = self.session.host.program_here()
+        program = self.machine.session.host.program_here()
         for connection in list(self._connections):
             terminal = connection.terminal
             if program is not None and isinstance(terminal, Terminal) and terminal.process is program.group:
@@ -111,18 +105,12 @@ class Server:
 
     def move_to(self, session: Session) -> None:
         """Let whoever comes from now on find another session."""
-        self._leave_network()
-        self.session = session
-        self.time = RealTime(session.sim)
-        self.terminals = Terminals(session, self.time, self.selector)
-
-    def _leave_network(self) -> None:
-        if self.terminals.network is not None:
-            self.terminals.network.off()
+        self.machine.use(session)
+        self.terminals = Terminals(self.machine)
 
     def has_connections(self) -> bool:
         """Whether anybody is connected, known or not; a real network counts."""
-        return bool(self._connections) or self.terminals.has_joined
+        return bool(self._connections) or self.machine.has_joined
 
     def has_terminals(self) -> bool:
         """Whether anybody is connected who may be."""
@@ -147,14 +135,6 @@ class Server:
         self._connections.remove(connection)
         self.last_seen_s = time.monotonic()
 
-    def forget(self) -> None:
-        """Now and then let go of what is long over."""
-        if time.monotonic() - self._forgot_s < FORGET_EVERY_S:
-            return
-        self._forgot_s = time.monotonic()
-        self.session.host.forget_overlays()
-        self.session.recorder.forget_before(self.session.sim.now_ns - round(REMEMBERED_S * 1e9), MESSAGES_KEPT)
-
     def drop_the_silent(self) -> None:
         """Close connections that did not say who they are in time."""
         late = time.monotonic() - HELLO_WITHIN_S
@@ -164,7 +144,7 @@ class Server:
 
     def close(self) -> None:
         """Let every terminal go."""
-        self._leave_network()
+        self.machine.leave_network()
         for connection in list(self._connections):
             connection.close()
         self.selector.close()

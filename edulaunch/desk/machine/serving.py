@@ -16,6 +16,7 @@ from importlib import import_module
 from types import FrameType
 
 from edulaunch.desk.machine.heartbeat import Heartbeat
+from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.desk.machine.place import LISTENER, Address, locked, read_address, remove_address, seconds_from
 from edulaunch.desk.machine.server import LOOK_EVERY_S, Server
 from edulaunch.engine.processes.streams import streams_of_programs
@@ -26,6 +27,8 @@ PATIENCE_S = 0.3
 GRACE_S = 10.0
 """Seconds that a machine waits for another terminal after the last one has gone."""
 QUIET_S = 0.04
+KEPT_S = 120.0
+"""A machine that runs for hours keeps messages for so many simulated seconds."""
 TURN_LIMIT_S = 2.0
 """As in a Session, but others wait here."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
@@ -80,7 +83,6 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
         if early and time.monotonic() - begun_s >= QUIET_S:
             import_module(early.pop(0))
         server.drop_the_silent()
-        server.forget()
     with locked(place, number):
         remove_address(place, number, address)
     for terminal in list(server.terminals.open_ones):
@@ -101,7 +103,9 @@ def main() -> None:
     for name in ('SIGINT', 'SIGHUP'):
         signal.signal(getattr(signal, name), lambda signum, frame: None)  # not SIG_IGN, which real programs would inherit
     session = Session(start_ns=time.time_ns(), turn_limit_s=seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
-    server = Server(session, listener, address.token)
+    machine = LiveMachine(keep_s=KEPT_S)
+    machine.use(session)
+    server = Server(machine, listener, address.token)
     signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
     session.host.is_paced = True
     server.on_accept = wake_by_signal

@@ -6,17 +6,17 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import MissingExtra, UnusableInput
 
 if TYPE_CHECKING:
-    from edulaunch.desk.machine.host import Host
+    from edulaunch.desk.machine.live import LiveMachine
 
 WITHOUT_STEP = 100
 """Steps over a range of floats that names none."""
 
 
 def slider(
-    machine: Host, take: Callable[[dict[str, Any]], object], node: str, name: str, limits: tuple[float, float] | None
+    machine: LiveMachine, take: Callable[[dict[str, Any]], object], node: str, name: str, limits: tuple[float, float] | None
 ) -> Any:
     """See `Machine.slider`.
 
@@ -31,12 +31,14 @@ def slider(
     if known.get(name) is None:
         raise UnusableInput(f'{node} has no parameter {name!r}', help=did_you_mean(name, known) or _names(known))
     value = known[name]
-    said = next((row for row in reversed(recorder.descriptors) if row[1:3] == [node, name]), [0, node, name, '', False, None])
-    about: dict[str, Any] = {'description': name, 'tooltip': said[3] or f'{node} {name}', 'disabled': said[4]}
+    descriptor = next(
+        (row for row in reversed(recorder.descriptors) if row[1:3] == [node, name]), [0, node, name, '', False, None]
+    )
+    about: dict[str, Any] = {'description': name, 'tooltip': descriptor[3] or f'{node} {name}', 'disabled': descriptor[4]}
     if isinstance(value, bool):
         made = ipywidgets.Checkbox(value=value, **about)
     elif isinstance(value, (int, float)):
-        made = _number(ipywidgets, value, said[5], limits, about)
+        made = _number(ipywidgets, value, descriptor[5], limits, about)
     else:
         raise UnusableInput(f'{node} {name} is no number: {value!r}', help='machine.view("parameters") changes it')
 
@@ -70,7 +72,7 @@ def widgets() -> Any:
     try:
         import ipywidgets
     except ImportError:
-        raise UnusableInput('sliders need ipywidgets', help="pip install 'edulaunch[notebook]'") from None
+        raise MissingExtra('a slider', 'ipywidgets', 'notebook') from None
     return ipywidgets
 
 

@@ -8,25 +8,23 @@ from __future__ import annotations
 
 import asyncio
 import shlex
-import signal
 import time
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import suppress
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.machine.host import Host, Page
-from edulaunch.desk.machine.on_network import OnNetwork, is_walls_time
+from edulaunch.desk.machine.live import FORGET_EVERY_S, LiveMachine, finish, in_its_turn
+from edulaunch.desk.machine.network import is_walls_time
 from edulaunch.desk.view import TABS
 from edulaunch.desk.view.viewer import Viewer
+from edulaunch.engine.nearest import did_you_mean
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.sim.loops import outer_loop_set_aside
-from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.engine.sim.simulation import EPOCH_NS
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import MissingExtra, UnusableInput
 from edulaunch.runtime.session import PathLike, Session
 
 if TYPE_CHECKING:
@@ -36,34 +34,31 @@ if TYPE_CHECKING:
 
 LONGEST_SLEEP_S = 0.02
 KEPT_S = 600.0
-FORGET_EVERY_S = 10.0
-MESSAGES_KEPT = 200
 COMMAND_S = 5.0
-PATIENCE_S = 15.0
-"""Simulated seconds that a command has, and then to end after Ctrl-C."""
+"""Simulated seconds after which Ctrl-C is pressed for a command."""
 
 
-class Machine(OnNetwork, Host):
+class Machine(LiveMachine):
     """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
 
     Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
 
     :ivar session: what runs on it.
-    :ivar pages: those that show it, each told what is new as time passes.
     :ivar time: how simulated time follows the clock on the wall: `time.speed`, `time.paused`.
     """
 
     can_continue = True
     """Until it joins a real network: what comes from there cannot be repeated."""
 
-    def __init__(self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None) -> None:
+    def __init__(
+        self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None, *, step: bool = False
+    ) -> None:
+        super().__init__(keep_s)
+        self.steps_launches = step
         self._make = make
-        self._keep_s = keep_s
-        self._forgot_s = 0.0
         self._done: list[tuple[int, dict[str, Any]]] = []
         self._start_ns = EPOCH_NS
         self._is_again = False
-        self.pages: list[Page] = []
         self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[None] | None = None
         self._begin(speed)
@@ -73,9 +68,7 @@ class Machine(OnNetwork, Host):
 
     def _begin(self, speed: float) -> None:
         with outer_loop_set_aside():
-            self.session = self._make(self._start_ns)
-        self.time = RealTime(self.session.sim, speed)
-        self._forgot_s = 0.0
+            self.use(self._make(self._start_ns), speed)
         self._hand = Viewer(self, lambda message: None)
 
     def __repr__(self) -> str:
@@ -86,8 +79,7 @@ class Machine(OnNetwork, Host):
         """Let simulated time follow the clock on the wall while other cells run."""
         while True:
             wait_s = self._advance()
-            for page in list(self.pages):
-                page.show()
+            self.show_pages()
             await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
 
     def soon(self, action: Callable[[], object]) -> None:
@@ -98,18 +90,14 @@ class Machine(OnNetwork, Host):
             self._loop.call_soon_threadsafe(action)
 
     def _advance(self) -> float | None:
-        with outer_loop_set_aside(), streams_of_programs():
+        with in_its_turn():
             if self.network is not None:
                 self.network.listen(0)
-            wait_s = self.time.advance()
-            if self.network is not None:
-                self.network.after_turn()
-        self._forget()
-        return wait_s
+            return self.run_due()
 
     @property
     def is_on_network(self) -> bool | None:
-        """See `OnNetwork.is_on_network`; None also where time passes in `run` only."""
+        """See `LiveMachine.is_on_network`; None also where time passes in `run` only."""
         return None if self._loop is None else super().is_on_network
 
     def join_network(self, joins: bool) -> str:
@@ -127,13 +115,6 @@ class Machine(OnNetwork, Host):
         self.can_continue = False
         return super().join_network(joins)
 
-    def _forget(self) -> None:
-        """Let go of old messages now and then, by simulated time: a machine that goes on for hours stays small."""
-        sim = self.session.sim
-        if self._keep_s is not None and sim.elapsed_s - self._forgot_s >= FORGET_EVERY_S:
-            self._forgot_s = sim.elapsed_s
-            self.session.recorder.forget_before(sim.now_ns - round(self._keep_s * 1e9), MESSAGES_KEPT)
-
     def run(self, duration_s: float) -> Recording:
         """Let simulated seconds pass as fast as possible; returns what was recorded so far.
 
@@ -145,7 +126,7 @@ class Machine(OnNetwork, Host):
             left_s -= part_s
             with outer_loop_set_aside():
                 interrupted = self.session.run(part_s)
-            self._forget()
+            self.forget()
             if interrupted:
                 break
         self.time.go_on()
@@ -180,18 +161,15 @@ class Machine(OnNetwork, Host):
             words = shlex.split(line)
         except ValueError as error:
             raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
-        said: list[str] = []
+        printed: list[str] = []
         spec = ProcessSpec(argv=('ros2', *words), name='ros2')
         sim = self.session.sim
         with outer_loop_set_aside():
-            process = self.session.host.start(spec, lambda stream, text: said.append(text), lambda code: sim.stop())
+            process = self.session.host.start(spec, lambda stream, text: printed.append(text), lambda code: sim.stop())
             assert isinstance(process, Process)
-            self.session.run(seconds)
-            if process.returncode is None:
-                process.send_signal(signal.SIGINT)
-                self.session.run(PATIENCE_S)
+            finish(self.session, process, seconds)
         self.time.go_on()
-        return ''.join(said)
+        return ''.join(printed)
 
     def view(self, tab: str = 'graph') -> DeskWidget:
         """The live desk as a widget; `tab` is what it shows beside the turtles, such as 'frames', 'graph' or 'plot'.
@@ -214,7 +192,7 @@ class Machine(OnNetwork, Host):
         """Do by hand what a page would ask for."""
         self.do_for(self._hand, words)
 
-    def took(self, words: dict[str, Any]) -> None:
+    def record_request(self, words: dict[str, Any]) -> None:
         """A page asked for this; kept with its time."""
         if not self._is_again:
             self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
@@ -237,7 +215,7 @@ class Machine(OnNetwork, Host):
         self.time.paused = True
         sim, self._is_again = self.session.sim, True
         try:
-            with outer_loop_set_aside(), streams_of_programs():
+            with in_its_turn():
                 for at, words in self._done:
                     sim.run(self._start_ns + at)
                     self._hand.take(words)
@@ -250,8 +228,8 @@ class Machine(OnNetwork, Host):
         if self._task is not None:
             self._task.cancel()
             self._task = None
-        if self.network is not None and self.selector is not None:
-            self.network.off()
+        self.leave_network()
+        if self.selector is not None:
             self.selector.close()
         with outer_loop_set_aside():
             self.session.close()
@@ -271,19 +249,17 @@ class Machine(OnNetwork, Host):
         return self.recording()
 
 
-def desk_widget(machine: Host, tab: str) -> DeskWidget:
+def desk_widget(machine: LiveMachine, tab: str) -> DeskWidget:
     """The live desk of a machine as a widget; see `Machine.view`.
 
     :raises UnusableInput: when anywidget is not installed, or there is no such tab.
     """
-    from edulaunch.engine.nearest import did_you_mean
-
     if tab not in TABS:
         raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
     try:
         from edulaunch.desk.machine.desk_widget import DeskWidget
     except ImportError:
-        raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
+        raise MissingExtra('the live view in a notebook', 'anywidget', 'notebook') from None
     return DeskWidget(machine, tab)
 
 
@@ -296,6 +272,7 @@ def start(
     speed: float = 1.0,
     workspaces: Sequence[PathLike] | None = None,
     keep_s: float | None = KEPT_S,
+    step: bool = False,
 ) -> Machine:
     """Start a machine, and a launch file on it: as :func:`edulaunch.run`, but it goes on and can be looked at.
 
@@ -303,6 +280,7 @@ def start(
     :param speed: simulated seconds per real second.
     :param keep_s: simulated seconds after which messages are let go, so that a machine that goes on for hours stays small; None:
         never. Nodes, parameters and the last messages of each topic stay.
+    :param step: stop before the first action of the launch file; continue in the tab *Launch* of `machine.view('launch')`.
     :raises UnusableInput: when the file or package does not exist, or `speed` is no positive number.
     """
     if not 0 < speed <= 100:
@@ -316,4 +294,4 @@ def start(
             session.launch(path_or_package, file, texts)
         return session
 
-    return Machine(make, speed, keep_s)
+    return Machine(make, speed, keep_s, step=step)

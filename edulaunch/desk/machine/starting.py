@@ -9,6 +9,7 @@ import sys
 from edulaunch.desk.machine.place import (
     Address,
     busy_file,
+    domain,
     folder,
     listen,
     locked,
@@ -78,8 +79,6 @@ def state(address: Address) -> str:
     if address.host == 'notebook':
         why = f': it belongs to a notebook (process {address.pid}), which runs a cell'
         return f'{why}\n  help: wait for the end of the cell, or interrupt it'
-    from edulaunch.desk.machine.place import domain
-
     try:
         with open(busy_file(folder(), domain()), encoding='utf-8') as file:
             pid, _, text = file.read(4096).partition('\n')
@@ -125,4 +124,5 @@ def _become(module: str, place: str, number: str, *words: str, files: tuple[int,
         os.dup2(file, target)
     os.closerange(len(ours), MOST_FILES)
     os.chdir('/')
+    os.environ.setdefault('PYTHONHASHSEED', '0')  # sets of strings have one order in every machine
     os.execv(sys.executable, [sys.executable, '-m', module, place, number, *words])

@@ -8,7 +8,6 @@ recording has no sentence in anybody's language.
 from __future__ import annotations
 
 import os
-import selectors
 import signal
 from codecs import getincrementaldecoder
 from collections.abc import Callable, Mapping, Sequence
@@ -16,15 +15,14 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader, reader_of
-from edulaunch.advice.wording import diagnosis, said_at_the_end
+from edulaunch.advice.wording import diagnosis, end_of_run_lines
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.connection import RemoteInput
+from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.desk.machine.notes import Notes
-from edulaunch.desk.machine.on_network import OnNetwork
 from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.errors import UnusableInput
 from edulaunch.runtime.session import Session, index_for, machine_environment
 
@@ -67,11 +65,11 @@ def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], sa
     word, value = (words + ['status', ''])[:2] if words else ('status', '')
     if word == 'network':
         try:
-            network = terminals.switch()
+            network = terminals.machine.switch()
         except UnusableInput as error:
             say(f'error: {error}\n')
             return 2
-        return network.run(words[1:], env, say, terminals.tell)
+        return network.run(words[1:], env, say, terminals.machine.tell)
     if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
         say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
         return 1
@@ -115,17 +113,19 @@ def status(terminals: Terminals) -> str:
     return '\n'.join(lines) + '\n'
 
 
-class Terminals(OnNetwork):
+class Terminals:
     """All terminals of a machine, in the order in which they came.
 
+    :param machine: where their commands run; these are the terminals of its session of now.
     :ivar pages: the live pages that show the machine.
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     """
 
-    def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
-        self.session = session
-        self.time = time
-        self.selector = selector
+    def __init__(self, machine: LiveMachine) -> None:
+        self.machine = machine
+        self.session = session = machine.session
+        self.time = machine.time
+        machine.listeners.append(self.warn)
         session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
         self.open_ones: list[Terminal] = []
         self.pages: list[LivePage] = []
@@ -133,19 +133,17 @@ class Terminals(OnNetwork):
         self.notes = Notes()
         self._count = 0
 
-    def tell(self, text: str) -> None:
-        """Say something to everybody who has a command running, and for the record."""
-        super().tell(text)
+    def warn(self, text: str) -> None:
+        """Print a warning in every terminal that has a command running."""
         for terminal in self.open_ones:
             terminal.show('stderr', f'warning: {text}\n')
 
-    def _join_network(
-        self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str], say: Callable[[str], object]
-    ) -> Callable[[], object]:
-        return self.switch().join(env, link, clock, topics, self.tell, say)
+    def _join_network(self, env: Mapping[str, str], words: Sequence[str], say: Callable[[str], object]) -> Callable[[], object]:
+        return self.machine.switch().join(env, words, self.machine.tell, say)
 
     def _where_on_network(self) -> str | None:
-        return self.network.where() if self.network is not None and self.network.is_on else None
+        network = self.machine.network
+        return network.where() if network is not None and network.is_on else None
 
     def open(self, connection: Connection, fields: list[str]) -> Terminal | LivePage:
         """A terminal for what somebody said first.
@@ -163,7 +161,7 @@ class Terminals(OnNetwork):
                 why = f'{MOST_PAGES} pages show this machine already: close some of them, and load this page again'
                 connection.send(wire.ERRORS, why.encode())
                 connection.end()
-            page = LivePage(self, connection.send, self.pages.remove)
+            page = LivePage(self.machine, connection.send, self.pages.remove)
             self.pages.append(page)
             self.notes.knows_view = True
             return page
@@ -229,7 +227,7 @@ class Terminal:
         """The command has run to its end: what it launched or ran is judged."""
         if self.process is not None and self.words[:2] in ADVISED and '--quiet' not in self.words:
             session, typed, pid = self._terminals.session, self.process.name, self.process.pid
-            lines = said_at_the_end(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
+            lines = end_of_run_lines(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
             self.show('stderr', ''.join(f'{line}\n' for line in lines))
         elif is_doctor(self.words):
             self.show('stdout', doctors_text(self._terminals.session, self._reader))
@@ -262,6 +260,8 @@ class Terminal:
             reached = [program for program in self.programs() if not program.is_passed_on]
         if running is not None:  # who would pass it on does not get a turn
             reached = [*([] if running.is_passed_on else [each for each in reached if each is not running]), running]
+        if running is None:
+            self._terminals.session.let_go()
         for program in reached:
             program.send_signal(signum)
 
@@ -275,6 +275,7 @@ class Terminal:
         if self in self._terminals.open_ones:
             self._terminals.open_ones.remove(self)
         host = self._terminals.session.host
+        self._terminals.session.let_go()
         for program in self.programs():
             program.send_signal(HUP)
         for real in [real for real in host.real_programs if real.group is self.process]:

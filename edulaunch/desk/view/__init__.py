@@ -1,7 +1,7 @@
 """The live desk: one page that shows a machine or a recording, and lets a student stop it, step it and look back.
 
-`film` turns what was recorded into plain data, piece by piece; `page` is the front end that draws it. The same page stands in a
-notebook, beside a terminal, in an exported file and in a report of `edugrade`.
+`timeline` turns what was recorded into plain data, one delta after the other; `page` is the front end that draws it. The same
+page stands in a notebook, beside a terminal, in an exported file and in a report of `edugrade`.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.sim.pacing import RealTime
     from edulaunch.runtime.session import Session
 
-TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
+TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
 """What can stand beside the turtles."""
 
 
-class Living:
+class ViewedMachine:
     """The machine behind a page: its session, and how its time passes. What not every machine can is answered here.
 
     :ivar session: what runs on it.
@@ -26,6 +26,8 @@ class Living:
 
     session: Session
     time: RealTime
+    steps_launches = False
+    """Whether a launch that begins stops before its first action."""
     can_continue = False
     """Whether any instant can be reached again."""
 
@@ -42,7 +44,7 @@ class Living:
         """What happened until now; the machine goes on."""
         return self.session.snapshot()
 
-    def took(self, words: dict[str, Any]) -> None:
+    def record_request(self, words: dict[str, Any]) -> None:
         """A page asked for this."""
 
     def continue_at(self, time_s: float) -> None:

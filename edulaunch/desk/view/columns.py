@@ -14,7 +14,7 @@ FINE = 10_000
 
 
 def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[list[Any], int]:
-    """The steps of a column from the value `before` (in scaled units), and the last value for the next piece.
+    """The steps of a column from the value `before` (in scaled units), and the last value for the next delta.
 
     Values that are not finite, or too large for a browser's numbers, become None and change nothing.
     """

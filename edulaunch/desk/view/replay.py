@@ -1,5 +1,5 @@
-"""What films are made from, and the replay of a run: the live desk without a machine behind it, in a frame that asks nothing of
-other machines.
+"""The sources of a timeline, and the replay of a run: the live desk without a machine behind it, in a frame that loads nothing
+from other computers.
 """
 
 from __future__ import annotations
@@ -7,15 +7,17 @@ from __future__ import annotations
 import html
 import os
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.canvas.filmstrip import filmstrip
 from edulaunch.canvas.picture import scene_data
 from edulaunch.canvas.worlds import World, read_worlds
-from edulaunch.desk.view.film import Film, marks_of
+from edulaunch.desk.view.launches import launches_of
 from edulaunch.desk.view.page import recorded_page
+from edulaunch.desk.view.timeline import Timeline, marks_of
+from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:
@@ -23,18 +25,23 @@ if TYPE_CHECKING:
 
 _PARTS = {'output': 'output_lines'}
 HEIGHT_PX = 780
+SCHEME = (
+    '<style>[data-jp-theme-light="true"] .edulaunch-replay iframe{color-scheme:light}'
+    '[data-jp-theme-light="false"] .edulaunch-replay iframe{color-scheme:dark}</style>'
+)
+"""The frame of a replay takes its theme from JupyterLab: a page in it sees the colour scheme of its element."""
 MOVING = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
 
 
-def film_of(recording: Recording) -> dict[str, Any]:
-    """All of a recording as one piece of film, with what the rules say of it."""
-    film = Film(OfRecording(recording))
-    film.mark(marks_of(recording))
-    return film.piece()
+def timeline_of(recording: Recording) -> dict[str, Any]:
+    """All of a recording as one timeline delta, with what the rules say of it."""
+    timeline = Timeline(RecordingSource(recording))
+    timeline.mark(marks_of(recording))
+    return timeline.delta()
 
 
-class OfRecording:
-    """A finished recording as the source of a film: equal on every machine, for paths of this one are left out."""
+class RecordingSource:
+    """A finished recording as the source of a timeline: equal on every machine, for paths of this one are left out."""
 
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
@@ -48,12 +55,12 @@ class OfRecording:
         return list(self._topics)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """See `Source.rows`."""
+        """See `TimelineSource.rows`."""
         column = self._topics[topic, kind]
         return column['times'][first:], column['publishers'][first:], column['messages'][first:]
 
     def part(self, name: str) -> Sequence[Any]:
-        """See `Source.part`."""
+        """See `TimelineSource.part`."""
         rows: Sequence[Any] = self._content.get(name) or ()
         return rows
 
@@ -65,13 +72,17 @@ class OfRecording:
         """See `numbers`."""
         return 0
 
+    def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
+        """See `TimelineSource.beside`."""
+        return list(launches_of(self._content['beside'].get(name)))
+
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """See `Source.wire_type`."""
+        """See `TimelineSource.wire_type`."""
         entries: Sequence[tuple[str, str]] = self._class(kind).wire_type()
         return entries
 
     def start_ns(self) -> int:
-        """See `Source.start_ns`."""
+        """See `TimelineSource.start_ns`."""
         start: int = self._content['start_ns']
         return start
 
@@ -81,8 +92,8 @@ class OfRecording:
         return duration
 
 
-class OfRecorder:
-    """The recorder of a machine that goes on running as the source of a film."""
+class RecorderSource:
+    """The recorder of a machine that goes on running as the source of a timeline."""
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
@@ -92,35 +103,37 @@ class OfRecorder:
         return sorted(self._recorder.columns)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """See `Source.rows`."""
+        """See `TimelineSource.rows`."""
         flat = self._recorder.columns[topic, kind]
         start, at = self._recorder.sim.start_ns, 3 * (first - self.forgotten((topic, kind)))
         return [time - start for time in flat[at::3]], flat[at + 1 :: 3], flat[at + 2 :: 3]
 
     def numbers(self, name: str) -> Sequence[int]:
-        """See `Source.numbers`."""
+        """See `TimelineSource.numbers`."""
         return self._recorder.numbers(_PARTS.get(name, name))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """See `Source.forgotten`."""
+        """See `TimelineSource.forgotten`."""
         return self._recorder.forgotten.get(topic, 0)
 
+    def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
+        """See `TimelineSource.beside`."""
+        return [one.told(since.get(one.pid, 0)) for one in self._recorder.beside.get(name, ())]
+
     def part(self, name: str) -> Sequence[Any]:
-        """See `Source.part`."""
+        """See `TimelineSource.part`."""
         rows: Sequence[Any] = getattr(self._recorder, _PARTS.get(name, name))
         return rows
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """See `Source.wire_type`."""
-        from edulaunch.engine.interfaces import current_registry
-
+        """See `TimelineSource.wire_type`."""
         overlay = self._recorder.overlay
         registry = overlay.registry if overlay is not None else current_registry()
         entries: Sequence[tuple[str, str]] = registry.get(kind).wire_type()
         return entries
 
     def start_ns(self) -> int:
-        """See `Source.start_ns`."""
+        """See `TimelineSource.start_ns`."""
         return self._recorder.sim.start_ns
 
     def now_ns(self) -> int:
@@ -141,7 +154,7 @@ class Replay:
         self._worlds: list[World] = read_worlds(recording)
         self._title = os.path.basename(recording.launch.file or '') or 'replay'
         self.duration_s = recording.duration_s
-        self.film: dict[str, Any] = film_of(recording)
+        self.timeline: dict[str, Any] = timeline_of(recording)
 
     @property
     def caption(self) -> str:
@@ -161,23 +174,23 @@ class Replay:
 
     def page(self, *, small: bool = True) -> str:
         """The desk as an HTML page that needs no other file; with `small` off the same bytes with every version of zlib."""
-        return recorded_page(self.film, self._title, small=small)
+        return recorded_page(self.timeline, self._title, small=small)
 
     def html(self) -> str:
         """What a notebook shows: the desk in an isolated frame, over a picture for places that allow no frames or scripts."""
         alternative, picture = html.escape(self.caption), b64encode(self.filmstrip().encode()).decode()
         return (
-            f'<div style="position:relative;height:{HEIGHT_PX}px;overflow:hidden">'
+            f'{SCHEME}<div class="edulaunch-replay" style="position:relative;height:{HEIGHT_PX}px;overflow:hidden">'
             f'<img alt="{alternative}" style="max-width:100%;max-height:100%;object-fit:contain" '
             f'src="data:image/svg+xml;base64,{picture}">'
             f'<iframe title="{alternative}" sandbox="allow-scripts" '
-            f'style="position:absolute;inset:0;width:100%;height:100%;border:0;background:#fff" '
+            f'style="position:absolute;inset:0;width:100%;height:100%;border:0" '
             f'srcdoc="{html.escape(self.page(small=False))}"></iframe></div>'
         )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
-        moved = [topic for topic in self.film['topics'] if topic['type'] in MOVING]
-        return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.film.get('tf')])}
+        moved = [topic for topic in self.timeline['topics'] if topic['type'] in MOVING]
+        return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.timeline.get('tf')])}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the desk as an HTML file that any browser plays, without a network."""

@@ -1,4 +1,4 @@
-"""One desk on a machine that lives: hands out the film, and does what somebody asks for with a mouse or a keyboard.
+"""One desk on a machine that lives: hands out the timeline, and does what somebody asks for with a mouse or a keyboard.
 
 What comes from the page is plain data that may be anything: a word that is not understood is answered with a sentence.
 """
@@ -6,14 +6,15 @@ What comes from the page is plain data that may be anything: a word that is not 
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.view import Living
-from edulaunch.desk.view.film import Film, marks_of
+from edulaunch.desk.view import ViewedMachine
 from edulaunch.desk.view.page import recorded_page
 from edulaunch.desk.view.panes import COUNT, Pane, completions
-from edulaunch.desk.view.replay import OfRecorder, film_of
+from edulaunch.desk.view.replay import RecorderSource, timeline_of
+from edulaunch.desk.view.timeline import Timeline, marks_of
 from edulaunch.engine.processes.inputs import PipedInput
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
@@ -36,26 +37,27 @@ class Viewer:
     :param say: hands a message (plain data) to the page.
     """
 
-    def __init__(self, machine: Living, say: Callable[[dict[str, Any]], object]) -> None:
+    def __init__(self, machine: ViewedMachine, say: Callable[[dict[str, Any]], object]) -> None:
         self._machine = machine
         self._say = say
         self._session = machine.session
-        self._film = Film(OfRecorder(self._session.recorder))
+        self._timeline = Timeline(RecorderSource(self._session.recorder))
         self._driver: PipedInput | None = None
         self._panes = [Pane(number, self._start, say) for number in range(COUNT)]
-        self._told: dict[str, object] | None = None
+        self._sent_state: dict[str, object] | None = None
 
     def show(self) -> None:
-        """Say what is new: a piece of film, and how time goes."""
+        """Say what is new: a timeline delta, and how time goes."""
         message: dict[str, Any] = {}
         if self._look():
             message['reset'] = True
         machine = self._machine
         state: dict[str, object] = {'running': not self._time.paused, 'speed': self._time.speed}
         state |= {'can_continue': machine.can_continue, 'network': machine.is_on_network}
-        if state != self._told:
-            message['machine'] = self._told = state
-        self._say({**message, 'piece': self._film.piece()})
+        state |= {'steps_launches': machine.steps_launches}
+        if state != self._sent_state:
+            message['machine'] = self._sent_state = state
+        self._say({**message, 'delta': self._timeline.delta()})
 
     def has_programs(self) -> bool:
         """Whether a program runs that was started in one of the page's terminals."""
@@ -70,38 +72,41 @@ class Viewer:
         if self._machine.session is self._session:
             return False
         self._session = self._machine.session
-        self._film = Film(OfRecorder(self._session.recorder))
-        self._driver, self._told = None, None
+        self._timeline = Timeline(RecorderSource(self._session.recorder))
+        self._driver, self._sent_state = None, None
         self._panes = [Pane(number, self._start, self._say) for number in range(COUNT)]
         return True
 
-    def take(self, words: Any) -> None:
+    def take(self, request: Any) -> None:
         """Do what a page asks for: a dict with `op` and what belongs to it."""
-        op = words.get('op') if isinstance(words, dict) else None
+        op = request.get('op') if isinstance(request, dict) else None
         action = _ACTIONS.get(op) if isinstance(op, str) else None
         if action is None:
             self._say({'said': 'the machine did not understand this'})
             return
         self._look()
-        if op in ('drive', 'teleport', 'param', 'line', 'keys', 'interrupt'):
-            self._machine.took(words)
+        if op in ('drive', 'teleport', 'param', 'line', 'keys', 'interrupt', 'process'):
+            self._machine.record_request(request)
         try:
-            action(self, words)
+            action(self, request)
         except (KeyError, TypeError, ValueError) as error:
-            self._say({'said': f'{words["op"]}: {error}'})
+            self._say({'said': f'{request["op"]}: {error}'})
 
-    def _pause(self, words: dict[str, Any]) -> None:
-        self._time.paused = words['op'] == 'pause'
+    def _pause(self, request: dict[str, Any]) -> None:
+        if request['op'] == 'play':
+            for trace in self._session.traces:
+                trace.stepper.go('go')
+        self._time.paused = request['op'] == 'pause'
 
-    def _speed(self, words: dict[str, Any]) -> None:
-        speed = _number(words, 'speed')
+    def _speed(self, request: dict[str, Any]) -> None:
+        speed = _number(request, 'speed')
         self._time.speed = min(speed, FASTEST) if speed > 0 else FASTEST
 
-    def _step(self, words: dict[str, Any]) -> None:
+    def _step(self, request: dict[str, Any]) -> None:
         """Let time go on by a tick of turtlesim, to the next message, or by one item of the agenda; then it stands still."""
         self._time.paused = True
         sim, recorder = self._session.sim, self._session.recorder
-        what = words.get('what', 'tick')
+        what = request.get('what', 'tick')
         if what == 'tick':
             sim.run(sim.now_ns + TICK_NS)
         elif what == 'callback':
@@ -114,69 +119,111 @@ class Viewer:
             raise ValueError(f'one step is a tick, a message or a callback, not {what!r}')
         self._time.go_on()
 
-    def _continue(self, words: dict[str, Any]) -> None:
+    def _continue(self, request: dict[str, Any]) -> None:
         if not self._machine.can_continue:
             raise ValueError('other terminals hang on this machine: a machine of its own can, see edulaunch.start')
-        self._machine.continue_at(min(max(_number(words, 'time'), 0.0), self._session.sim.elapsed_s))
+        self._machine.continue_at(min(max(_number(request, 'time'), 0.0), self._session.sim.elapsed_s))
 
-    def _drive(self, words: dict[str, Any]) -> None:
-        who = _name(words, 'turtle')
+    def _launch(self, request: dict[str, Any]) -> None:
+        """Run a launch until the next action, event or line. Then pause the time."""
+        trace = next((one for one in self._session.traces if one.pid == request['pid']), None)
+        if trace is None or trace.is_over:
+            raise ValueError('this launch has ended')
+        way, place = request['way'], None
+        if way == 'line':
+            place = str(request['file']), int(_number(request, 'line'))
+        elif way not in ('into', 'next', 'event'):
+            raise ValueError('a launch goes to the next action, into an include, to the next event or to a line')
+        self._time.paused = True
+        trace.stepper.go(way, place)
+        sim, latest = self._session.sim, self._session.sim.now_ns + LONGEST_STEP_NS
+        while sim.step() and not sim.is_suspended and (sim.next_time_ns() or latest) < latest:
+            pass
+        self._time.go_on()
+        if not sim.is_suspended:
+            trace.stepper.go('go')
+            self._say({'said': 'the launch did not come there within 10 s of simulated time'})
+
+    def _stops(self, request: dict[str, Any]) -> None:
+        """Let new launches stop before their first action, or not. With `again`, run this launch again and stop there."""
+        on = request['on'] is True
+        again = on and request.get('again') is True
+        if again and not self._machine.can_continue:
+            raise ValueError('other terminals use this machine: launch the file again in one of them')
+        self._machine.steps_launches = self._session.steps_launches = on
+        if again:
+            self._machine.continue_at(0.0)
+
+    def _process(self, request: dict[str, Any]) -> None:
+        """Stop or kill the process of a launch, or start it again."""
+        trace = next((one for one in self._session.traces if one.pid == request['pid']), None)
+        if trace is None:
+            raise ValueError('this launch is no longer known')
+        number, signals = int(_number(request, 'number')), {'stop': signal.SIGINT, 'kill': signal.SIGKILL}
+        what = request['what']
+        if what == 'restart':
+            self._say({'said': trace.restart(number)})
+        else:
+            self._say({'said': trace.signal(number, signals[what])})
+
+    def _drive(self, request: dict[str, Any]) -> None:
+        who = _name(request, 'turtle')
         if self._driver is None:
             self._driver = PipedInput()
             process = self._start(['python3', DRIVER], 'desk')
             process.streams.stdin = self._driver
-        self._driver.feed(f'{who or "/"} {_number(words, "linear")} {_number(words, "angular")}\n')
+        self._driver.feed(f'{who or "/"} {_number(request, "linear")} {_number(request, "angular")}\n')
 
-    def _network(self, words: dict[str, Any]) -> None:
+    def _network(self, request: dict[str, Any]) -> None:
         """Onto a real network, or off it."""
-        self._say({'said': self._machine.join_network(words['on'] is True)})
+        self._say({'said': self._machine.join_network(request['on'] is True)})
 
-    def _teleport(self, words: dict[str, Any]) -> None:
-        x, y, theta = (_number(words, name) for name in ('x', 'y', 'theta'))
-        request = f'{{x: {x:.4f}, y: {y:.4f}, theta: {theta:.4f}}}'
-        name = f'{_name(words, "turtle")}/teleport_absolute'
-        self._start(['ros2', 'service', 'call', name, 'turtlesim/srv/TeleportAbsolute', request], 'ros2')
+    def _teleport(self, request: dict[str, Any]) -> None:
+        x, y, theta = (_number(request, name) for name in ('x', 'y', 'theta'))
+        place = f'{{x: {x:.4f}, y: {y:.4f}, theta: {theta:.4f}}}'
+        name = f'{_name(request, "turtle")}/teleport_absolute'
+        self._start(['ros2', 'service', 'call', name, 'turtlesim/srv/TeleportAbsolute', place], 'ros2')
         self._step({'what': 'tick'})
 
-    def _parameter(self, words: dict[str, Any]) -> None:
-        value = str(words['value'])
-        words_of_line = ['ros2', 'param', 'set', _name(words, 'node'), str(words['name']), '--', value]
+    def _parameter(self, request: dict[str, Any]) -> None:
+        value = str(request['value'])
+        words_of_line = ['ros2', 'param', 'set', _name(request, 'node'), str(request['name']), '--', value]
         self._start(words_of_line, 'ros2', lambda stream, text: self._say({'said': text.strip()}))
 
-    def _line(self, words: dict[str, Any]) -> None:
+    def _line(self, request: dict[str, Any]) -> None:
         """A line typed in one of the page's terminals."""
-        self._panes[_pane(words)].line(str(words['line'])[:LONGEST_LINE])
+        self._panes[_pane(request)].line(str(request['line'])[:LONGEST_LINE])
 
-    def _keys(self, words: dict[str, Any]) -> None:
+    def _keys(self, request: dict[str, Any]) -> None:
         """Keys pressed there for a program that wants keys."""
-        self._panes[_pane(words)].keys(str(words['keys'])[:LONGEST_LINE])
+        self._panes[_pane(request)].keys(str(request['keys'])[:LONGEST_LINE])
 
-    def _complete(self, words: dict[str, Any]) -> None:
+    def _complete(self, request: dict[str, Any]) -> None:
         """The Tab key in the page's terminal: the line as far as it is sure, and what could follow."""
-        line = str(words['line'])[:LONGEST_LINE]
+        line = str(request['line'])[:LONGEST_LINE]
         *before, typed = line.split(' ')
         if before[:1] != ['ros2']:
             return
         found = completions(self._session, before[1:], typed)
         sure = os.path.commonprefix(found) + (' ' if len(found) == 1 and not found[0].endswith(('=', '/')) else '')
         completed = line[: len(line) - len(typed)] + sure if found else line
-        self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(words)})
+        self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(request)})
 
-    def _interrupt(self, words: dict[str, Any]) -> None:
+    def _interrupt(self, request: dict[str, Any]) -> None:
         """Ctrl-C in one of the page's terminals."""
-        self._panes[_pane(words)].interrupt()
+        self._panes[_pane(request)].interrupt()
 
-    def _export(self, words: dict[str, Any]) -> None:
+    def _export(self, request: dict[str, Any]) -> None:
         """Give the page a file that plays what has happened until now, from disk and without a network."""
         recording = self._machine.recording()
         name = os.path.basename(recording.launch.file or '').partition('.')[0] or 'machine'
-        self._say({'export': recorded_page(film_of(recording), name), 'name': f'{name}.html'})
+        self._say({'export': recorded_page(timeline_of(recording), name), 'name': f'{name}.html'})
 
-    def _advise(self, words: dict[str, Any]) -> None:
+    def _advise(self, request: dict[str, Any]) -> None:
         """Let the rules look at what has happened until now."""
         marks = marks_of(self._machine.recording())
-        self._film.mark(marks)
-        self._say({'said': f'to look at: {len(marks)}' if marks else 'the rules find nothing to say'})
+        self._timeline.mark(marks)
+        self._say({'said': f'to look at: {len(marks)}' if marks else 'No problems found.'})
 
     def _start(
         self,
@@ -192,6 +239,9 @@ class Viewer:
 
     def close(self) -> None:
         """The page is gone: what it started ends, the machine goes on."""
+        if self._session.sim.is_suspended:
+            self._session.let_go()
+            self._time.paused = False
         if self._driver is not None:
             self._driver.feed('', last=True)
         for pane in self._panes:
@@ -203,6 +253,9 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'play': Viewer._pause,
     'speed': Viewer._speed,
     'step': Viewer._step,
+    'launch': Viewer._launch,
+    'stops': Viewer._stops,
+    'process': Viewer._process,
     'continue': Viewer._continue,
     'drive': Viewer._drive,
     'teleport': Viewer._teleport,
@@ -217,34 +270,34 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
 }
 
 
-def _number(words: dict[str, Any], name: str) -> float:
+def _number(request: dict[str, Any], name: str) -> float:
     """A finite number.
 
     :raises ValueError: when it is something else.
     """
-    value = words.get(name)
+    value = request.get(name)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
         raise ValueError(f'{name} has to be a number')
     return float(value)
 
 
-def _pane(words: dict[str, Any]) -> int:
+def _pane(request: dict[str, Any]) -> int:
     """Which of the page's terminals.
 
     :raises ValueError: when there is none of that number.
     """
-    pane = words.get('pane', 0)
+    pane = request.get('pane', 0)
     if pane not in range(COUNT) or isinstance(pane, bool):
         raise ValueError(f'there are {COUNT} terminals')
     return int(pane)
 
 
-def _name(words: dict[str, Any], name: str) -> str:
+def _name(request: dict[str, Any], name: str) -> str:
     """A ROS name: letters, digits, underscores and slashes.
 
     :raises ValueError: when it is something else.
     """
-    value = words.get(name)
+    value = request.get(name)
     if not isinstance(value, str) or len(value) > 255 or not all(letter.isalnum() or letter in '_/' for letter in value):
         raise ValueError(f'{name} has to be a name')
     return value

@@ -123,6 +123,11 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
 def _too_early(event: Any, path: str) -> ParameterFileError:
     """What to raise for a value that stands too early; `path` is what stands above it."""
     error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
+    name, colon, value = str(getattr(event, 'value', '')).partition(':')
+    if colon and name and value and ' ' not in name + value:
+        return with_facts(
+            error, 'launch.parameter-no-space', at=line_of(event), squeezed=f'{name}:{value}', spaced=f'{name}: {value}'
+        )
     misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
     return with_facts(error, LAYOUT) if misspelt is None else with_facts(error, 'launch.parameters-key', found=misspelt)
 

@@ -133,6 +133,8 @@ class Subscription(Endpoint):
 
     def drop_expired(self) -> None:
         """Forget the waiting messages whose publisher's lifespan is over."""
+        if self.graph.sim.keep_up is not None:
+            self.graph.sim.keep_up()
         current = [sample for sample in self.queue if sample[2].is_current(sample[1])]
         if len(current) < len(self.queue):
             self.queue.clear()

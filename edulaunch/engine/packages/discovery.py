@@ -37,7 +37,7 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
     found = [os.path.join(here, path) for path in _listed(env, 'EDULAUNCH_WORKSPACES') if os.path.isdir(os.path.join(here, path))]
     if launch_file is not None:
         found += _above(os.path.dirname(os.path.join(here, launch_file)))
-    found += _above(here) or _below(here)
+    found += _above(here) or _below(here) or _around(here, launch_file)
     found += map(_of_prefix, filter(_is_overlay, [*_listed(env, 'COLCON_PREFIX_PATH'), *_listed(env, 'AMENT_PREFIX_PATH')]))
     return list({os.path.realpath(path): os.path.normpath(path) for path in reversed(found)}.values())[::-1]
 
@@ -77,6 +77,13 @@ def _above(folder: str) -> list[str]:
     if around is not None:
         return [around]
     return next(([_root_of(path)] for path in _upwards(folder) if _holds_sources(path)), [])
+
+
+def _around(here: str, launch_file: str | None) -> list[str]:
+    """The current folder, when the launch file is in a package deeper in it: `colcon build` there finds all of them."""
+    path = os.path.join(here, launch_file or '')
+    is_inside = path.startswith(here + os.sep) and here != os.path.expanduser('~')
+    return [here] if launch_file is not None and is_inside and workspace_around(path) is not None else []
 
 
 def _below(folder: str) -> list[str]:

@@ -50,6 +50,12 @@ class Place(Protocol):
 _ON_PATH = ('rviz2', 'xacro')
 """Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
 
+_OWN_MODULES = frozenset(
+    ('ament_index_python', 'launch', 'launch_ros', 'launch_testing', 'launch_testing_ros', 'launch_xml', 'launch_yaml', 'rclpy')
+    + ('ros2launch', 'rosidl_parser', 'rosidl_runtime_py', 'tf2_geometry_msgs', 'tf2_py', 'tf2_ros', 'tf2_sensor_msgs')
+)
+"""Modules that need the middleware below them; a clone of their sources in a workspace needs the real one."""
+
 
 class Index:
     """Finds packages, their share folders, executables, modules and interfaces.
@@ -213,11 +219,15 @@ class Index:
             self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
-        """Top-level modules of which each program gets its own, by name, with the path of each folder or .py file."""
+        """Top-level modules of which each program gets its own, by name, with the path of each folder or .py file.
+
+        Those of ROS itself stay the built-in ones, whatever a workspace has cloned: others need the real middleware.
+        """
         found: dict[str, str] = {}
         for place in self._places:
             for name, path in place.modules().items():
-                found.setdefault(name, path)
+                if not (isinstance(place, Workspace) and name in _OWN_MODULES):
+                    found.setdefault(name, path)
         return found
 
     def python_roots(self) -> list[str]:

@@ -13,7 +13,7 @@ class PackageWarning(NamedTuple):
     """Something in a package that a build would reject, or that cannot be known without running it.
 
     `line` counts from 1; 0 means the file as a whole. `about` is 'unknown' where nothing is wrong and only a
-    build knows a value, 'same name' for one of two packages,
+    build knows a value, 'same name' for one of two packages, 'ROS 1' for a package that ROS 2 does not build,
     'stand-in' where a built-in program is used, '' for anything else.
     """
 
@@ -37,6 +37,7 @@ class Contents:
     :param native: executables built from C++ or C: name -> line of the build file; they cannot run here.
     :param announced: group of entry points -> lines `name = package.module:attribute`.
     :param version: what setup() says, '' when it says nothing.
+    :param unread: what of the build file only a build can follow, '' where all that is installed is known.
     :param broken: why a build stops before anything is installed; it stands in `warnings`, too.
     :param interfaces: there are .msg, .srv or .action files among `files`.
     """
@@ -47,6 +48,7 @@ class Contents:
         self.programs: set[str] = set()
         self.python_modules: dict[str, str] = {}
         self.native: dict[str, int] = {}
+        self.unread = ''
         self.broken: PackageWarning | None = None
         self.interfaces = False
         self.warnings: list[PackageWarning] = []
@@ -115,7 +117,9 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
             PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so {_what_colcon_does(folder)}')
         )
         return None
-    build_type = (root.findtext('export/build_type') or '').strip() or _guess_build_type(folder)
+    tools = {(element.text or '').strip() for element in root.iter('buildtool_depend')}
+    is_of_ros_1 = 'catkin' in tools and not any(tool.startswith('ament') for tool in tools)
+    build_type = (root.findtext('export/build_type') or '').strip() or ('catkin' if is_of_ros_1 else _guess_build_type(folder))
     return Manifest(name, build_type, folder)
 
 

@@ -225,7 +225,8 @@ def _part(process: Program, name: str) -> Found:
 def _unknown_module(process: Program, top: str) -> Found:
     known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
     ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
-    near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
+    alike = nearest_spelling if ending else nearest
+    near = alike(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
     sure = near is not None and (ending or _alike(top, near))
     about = 'messages.unknown-package' if ending else 'programs.unknown-module'
     return {'about': about, 'module': top, 'near': f'{near}{ending}' if sure else None}

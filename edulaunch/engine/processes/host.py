@@ -53,9 +53,10 @@ class Host:
         of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
     :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
-    :ivar join_network: joins a real ROS 2 network, with an environment, the name of a link, whether time goes there on /clock,
-        the topics that cross, and who is told that it has joined and left; returns what leaves it. None where that cannot be.
+    :ivar join_network: joins a real ROS 2 network, with an environment, the words of the join's options, and a function that
+        reports that it has joined and left; returns what leaves it. None where that cannot be.
     :ivar where_on_network: says which real network it is on and by what; None for none.
+    :ivar make_launch_observer: makes the observer for the launch service of a process, if there is one.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
@@ -88,6 +89,7 @@ class Host:
         self.is_paced = False
         self.join_network: JoinNetwork | None = None
         self.where_on_network: Callable[[], str | None] = lambda: None
+        self.make_launch_observer: Callable[[Any], Any] | None = None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
         """By path: what launch made for programs to read, which is on the disk only for real programs."""

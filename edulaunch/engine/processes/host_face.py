@@ -25,7 +25,7 @@ OnOutput = Callable[[str, str], object]
 """Called with 'stdout' or 'stderr' and the text that a program writes."""
 OnExit = Callable[[int], object]
 """Called once with the return code of a program."""
-JoinNetwork = Callable[[Mapping[str, str], str, bool, Sequence[str], Callable[[str], object]], Callable[[], object]]
+JoinNetwork = Callable[[Mapping[str, str], Sequence[str], Callable[[str], object]], Callable[[], object]]
 """Joins a real ROS 2 network; see `Host.join_network`."""
 
 
@@ -49,6 +49,7 @@ class HostFace(Protocol):
     goal_ids: set[bytes]
     join_network: JoinNetwork | None
     where_on_network: Callable[[], str | None]
+    make_launch_observer: Callable[[Any], Any] | None
 
     @property
     def real_look(self) -> Any: ...

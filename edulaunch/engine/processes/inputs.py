@@ -169,7 +169,7 @@ class SilentPipe(Input):
     """What a program of a launch reads: a pipe into which nobody ever writes and which nobody closes, as ROS 2 makes it."""
 
     is_inherited = True
-    _is_told = False
+    _has_warned = False
 
     def has_ended(self) -> bool:
         """Never."""
@@ -178,8 +178,8 @@ class SilentPipe(Input):
     def take_more(self, deadline_ns: int | None) -> bool:
         """Wait until the deadline, or until a signal ends the program; the recording tells of the latter."""
         process: Process = current_task().owner
-        if deadline_ns is None and not self._is_told:
-            self._is_told = True
+        if deadline_ns is None and not self._has_warned:
+            self._has_warned = True
             process.fact('waits for input', None, {})
         self._wait_for_ever(deadline_ns)
         return False

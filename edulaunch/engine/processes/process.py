@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.lifecycle import Lifecycle
 from edulaunch.engine.processes.limits import WriteLimit
+from edulaunch.engine.processes.real_machine import Environment
 from edulaunch.engine.processes.signals import SignalDelivery
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import Streams
@@ -55,7 +56,7 @@ class Process:
         self.spec = spec
         self.pid = pid
         self.argv = argv
-        self.env: dict[str, str] = dict(spec.env if spec.env is not None else host.env)
+        self.env: dict[str, str] = Environment(self, spec.env if spec.env is not None else host.env)
         self.sourced_path = host.env.get('AMENT_PREFIX_PATH', '')
         self.cwd = spec.cwd
         self.state: dict[str, Any] = {}

@@ -14,7 +14,7 @@ import os
 import site
 import sys
 import sysconfig
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from types import FrameType
 from typing import Any, Protocol
@@ -44,6 +44,33 @@ def listen() -> None:
     if not _listening:
         _listening = True
         sys.addaudithook(_hear)
+
+
+PERSONAL = frozenset({'USER', 'LOGNAME', 'HOSTNAME'})
+"""Variables of the environment that have another value for each person or computer."""
+
+
+class Environment(dict[str, str]):
+    """The environment of a program, which notes that one of the :data:`PERSONAL` variables was read.
+
+    :param process: the program.
+    """
+
+    def __init__(self, process: Noting, values: Mapping[str, str]) -> None:
+        super().__init__(values)
+        self._process = process
+
+    def __getitem__(self, name: str) -> str:
+        if name in PERSONAL and name in self:
+            note_use(self._process, f'${name}')
+        return super().__getitem__(name)
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """As dict.get."""
+        try:
+            return self[name]
+        except KeyError:
+            return default
 
 
 class Noting(Protocol):

@@ -41,10 +41,10 @@ def _suggestion(error: BaseException) -> str:
         near = _name_in_reach(error)
     else:
         near = _nearest(name, _names_of(error)) if name else None
-    said = f". Did you mean: '{near}'?" if near else ''
+    suggestion = f". Did you mean: '{near}'?" if near else ''
     if isinstance(error, NameError) and name in sys.stdlib_module_names:
-        return f"{said} Or did you forget to import '{name}'?" if said else f". Did you forget to import '{name}'?"
-    return said
+        return f"{suggestion} Or did you forget to import '{name}'?" if suggestion else f". Did you forget to import '{name}'?"
+    return suggestion
 
 
 def _names_of(error: Any) -> list[str]:
@@ -196,11 +196,11 @@ def _one(error: BaseException) -> Iterator[str]:
         yield 'Traceback (most recent call last):\n'
     plain = [traceback.FrameSummary(frame.filename, frame.lineno, frame.name, line=frame.line) for frame in shown]
     yield from traceback.StackSummary.from_list(plain).format()
-    *before, last = _told_by_python(error)
+    *before, last = _lines_of_python(error)
     yield from (*before, with_suggestion(last, error))
 
 
-def _told_by_python(error: BaseException) -> list[str]:
+def _lines_of_python(error: BaseException) -> list[str]:
     """Type and text. Of a group too: without the members, which newer Pythons tell here."""
     members = members_of(error)
     told = traceback.format_exception_only(type(error), error)

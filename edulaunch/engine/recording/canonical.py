@@ -26,6 +26,7 @@ def canonical(content: dict[str, Any]) -> dict[str, Any]:
     topics = [{**topic, 'messages': shorten(topic['messages'])} if _has_text(topic) else topic for topic in content['topics']]
     output = _without_library_frames(shorten(content['output']))
     short |= {part: shorten(content.get(part) or []) for part in ('facts', 'descriptors')}
+    short['beside'] = shorten(content.get('beside') or {})
     return {**content, **short, 'output': output, 'topics': topics, 'roots': []}
 
 

@@ -19,7 +19,7 @@ from edulaunch.errors import RecordingError
 FORMAT = 'edulaunch recording'
 VERSION = 1
 PARTS = tuple(schema.PARTS)
-OPTIONAL_PARTS = ('facts', 'descriptors', 'interfaces')
+OPTIONAL_PARTS = ('facts', 'descriptors', 'interfaces', 'beside')
 HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
 TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
 TOPIC_KEYS = tuple(schema.TOPIC)
@@ -90,7 +90,7 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
         )
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
-    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': []}
+    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': [], 'beside': {}}
     content |= {'interfaces': {}, 'topics': []}
     for number, line in enumerate(lines, 2):
         if line != b'\n':

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.tracer import Look, Record, Tracer
@@ -17,6 +17,17 @@ if TYPE_CHECKING:
     from edulaunch.engine.sim.simulation import Simulation
 
 
+class Beside(Protocol):
+    """What another wing records about a process."""
+
+    @property
+    def pid(self) -> int:
+        """The process."""
+
+    def told(self, since: int = 0) -> dict[str, Any]:
+        """Return all of it as plain data, or what came after the first `since` pieces."""
+
+
 class Recorder(Tracer):
     """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
@@ -24,6 +35,7 @@ class Recorder(Tracer):
     :ivar lines: file and line of the student's code that made each publisher, subscription, service or client, by its index.
     :ivar groups: of each program, by process id, the program that a terminal or a session started: also by process id.
     :ivar pids: the process id of each node's program, by the node's index.
+    :ivar beside: by name: what other wings record. Recording files contain it, and the digest does not cover it.
     :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
     """
 
@@ -32,6 +44,7 @@ class Recorder(Tracer):
         self.on = True
         self.launch: dict[str, Any] = {}
         self.roots: list[list[str]] = []
+        self.beside: dict[str, Sequence[Beside]] = {}
         self.overlay: Overlay | None = None
         self.columns: dict[tuple[str, str], list[Any]] = {}
         self.endpoints: list[list[Any]] = []
@@ -93,6 +106,7 @@ class Recorder(Tracer):
             'facts': self.facts_now(),
             'descriptors': self.descriptors,
             'interfaces': self.interfaces({row[2] for row in (*self.endpoints, *self.calls)}),
+            'beside': {name: [one.told() for one in many] for name, many in self.beside.items() if many},
             'topics': topics,
         }
 

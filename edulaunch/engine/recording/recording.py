@@ -49,9 +49,9 @@ class Recording(Messages, Views):
     """Of the other programs of an excerpt, by launch name: the command that started them."""
     owners: dict[str, list[int]] | None = None
     """For 'nodes', 'parameters', 'logs' and 'output': the position in `processes` of the process behind each row, as a
-    trusted half (`edulaunch.runtime.link`) knows it; None when all ran in one process."""
+    trusted peer (`edulaunch.runtime.link`) knows it; None when all ran in one process."""
     hosted: dict[int, tuple[str, str]] | None = None
-    """The package and the executable of each program that a trusted half ran itself, by position in `processes`."""
+    """The package and the executable of each program that a trusted peer ran itself, by position in `processes`."""
 
     def __init__(self, content: dict[str, Any], lines: Mapping[int, tuple[str, int]] | None = None) -> None:
         """
@@ -116,13 +116,14 @@ class Recording(Messages, Views):
     def digest(self) -> str:
         """SHA-256 of everything that happened: equal for equal launch file, arguments and seed, on every machine.
 
-        Paths of the launch files are left out, so that a copy of a workspace gives the same digest.
+        It does not cover what other wings record beside the run. Paths of the launch files are left out, so that a copy of a
+        workspace gives the same digest.
         """
         import hashlib
 
         from edulaunch.engine.recording.canonical import canonical
 
-        return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
+        return hashlib.sha256(file_format.encode({**canonical(self._content), 'beside': {}})).hexdigest()
 
     @cached_property
     def launch(self) -> LaunchRecord:

@@ -131,10 +131,11 @@ PARTS: dict[str, Check] = {
 OPTIONAL: dict[str, Check] = {
     'facts': each(row(number, _word, text, table(anything), number, number)),
     'descriptors': each(row(number, text, text, text, truth, maybe(row(quantity, quantity, quantity)))),
+    'beside': table(each(table(anything))),
 }
 """Parts that are only there when there is something in them.
 
 Something odd has happened: time, process, kind, data, how often, last time. A parameter is declared to be more than its type
-says: time, node, name, description, whether it is read-only, and (least, largest, step).
+says: time, node, name, description, whether it is read-only, and (least, largest, step). What other wings record, by name.
 """
 TOPIC: dict[str, Check] = {'topic': text, 'type': text, 'times': each(number), 'publishers': each(number), 'messages': each(wire)}

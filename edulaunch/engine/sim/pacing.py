@@ -126,7 +126,8 @@ class RealTime:
         """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
         sim = self.sim
         if self._paused:
-            sim.run(sim.now_ns)  # what was just started may show that it waits
+            if not sim.is_suspended:
+                sim.run(sim.now_ns)  # what was just started may show that it waits
             return None
         next_ns = sim.next_time_ns()
         if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._pace:
@@ -137,6 +138,8 @@ class RealTime:
                 self._began = next_ns, self._clock() - FALLS_BEHIND_S
         due_ns = max(sim.now_ns, self._due_ns())
         sim.run(due_ns if next_ns is None else min(due_ns, max(next_ns, sim.now_ns) + round(SLICE_S * 1e9 * self._pace)))
+        if sim.is_suspended:
+            self.paused = True
         next_ns = sim.next_time_ns()
         return None if next_ns is None else max(0.0, (next_ns - self._due_ns()) / 1e9 / self._pace)
 

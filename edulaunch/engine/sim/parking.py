@@ -72,6 +72,20 @@ class Parking:
             return self.park(deadline_ns)
         return woken
 
+    def suspend(self) -> None:
+        """Stop the whole simulation in the middle of this turn: `run` and `step` return. The next call of either continues here.
+
+        This schedules nothing, so the recording of the run does not change.
+        """
+        sim = self.sim
+        sim.suspend(self._greenlet.switch)
+        if self.loop is None:
+            sim.hub.switch()
+        else:
+            self.loop.step_aside(sim.hub.switch)
+        if self._killed:
+            raise TaskKilled
+
     def waits_for_ever(self) -> bool:
         """Whether it is parked, and only a :meth:`wake` can end that."""
         return self._parked and self._timer is None and not self._woken
@@ -122,8 +136,11 @@ class Parking:
     def poll(self) -> None:
         """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time.
 
-        It takes many looks until time passes for the first time, and fewer from then on until it really blocks.
+        It takes many looks until time passes for the first time, and fewer from then on until it really blocks. Where
+        time follows the clock on the wall, it is moved there first.
         """
+        if self.sim.keep_up is not None:
+            self.sim.keep_up()
         self._polls += 1
         if self._polls > POLLS_BEFORE_TIME_PASSES:
             self.sleep_until(self.sim.now_ns + POLL_PAUSE_NS)

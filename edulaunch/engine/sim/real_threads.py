@@ -37,6 +37,7 @@ class RealThreads:
         if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
             sim.start_ns = sim.now_ns = time.time_ns()
         self._anchor, self._keeps_time = (sim.now_ns, time.monotonic_ns()), True
+        sim.keep_up = self.now_ns
 
     def set_the_pace(self, due_ns: int | None) -> bool:
         """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""

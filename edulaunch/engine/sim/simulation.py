@@ -48,6 +48,8 @@ class Simulation:
         self.last_number = 0
         self._stopped = False
         self.hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
+        self.keep_up: Callable[[], object] | None = None
+        """Moves the time to that of the clock on the wall, where a plain script follows it. Called before the time is read."""
 
     @property
     def elapsed_s(self) -> float:
@@ -122,6 +124,16 @@ class Simulation:
         """Let :meth:`run` return after the item that is running now."""
         self._stopped = True
         self.hands_on = False
+
+    def suspend(self, go_on: Callable[[], object]) -> None:
+        """Stop, and run `go_on` as the next item, before all others. See `Parking.suspend`."""
+        heappush(self.agenda, [self.now_ns, -FAR_NS, 0, go_on])
+        self.stop()
+
+    @property
+    def is_suspended(self) -> bool:
+        """Whether a task has suspended the simulation."""
+        return bool(self.agenda) and self.agenda[0][1] == -FAR_NS and self.agenda[0][3] is not None
 
     @property
     def was_stopped(self) -> bool:

@@ -128,14 +128,14 @@ class Condition:
 
     def wait(self, timeout: float | None = None) -> bool:
         """Give the lock back, wait for a notification, take the lock again; False when the time ran out."""
-        ticket = [False]
-        self._waiting.append(ticket)
+        is_notified = [False]
+        self._waiting.append(is_notified)
         depth = self._release_fully()
         try:
-            return wait_until(lambda: ticket[0], self._tasks, timeout)
+            return wait_until(lambda: is_notified[0], self._tasks, timeout)
         finally:
-            if ticket in self._waiting:
-                self._waiting.remove(ticket)
+            if is_notified in self._waiting:
+                self._waiting.remove(is_notified)
             for _ in range(depth):
                 self._lock.acquire()
 
@@ -160,8 +160,8 @@ class Condition:
 
     def notify(self, n: int = 1) -> None:
         """Let the `n` that waited longest go on."""
-        for ticket in self._waiting[:n]:
-            ticket[0] = True
+        for is_notified in self._waiting[:n]:
+            is_notified[0] = True
         del self._waiting[:n]
         for task in self._tasks:
             task.wake()

@@ -52,8 +52,8 @@ def is_overdue(difference: Difference, simulated: Observation, real: Observation
 
 def _is_past(process: str, text: str, simulated: Observation, real: Observation) -> bool:
     """Whether the program repeated something for real more often than it had done in simulation when it wrote that line."""
-    said = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
-    texts = [line.text for line in said]
+    printed = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
+    texts = [line.text for line in printed]
     if text not in texts:
         return False
     before = Counter(texts[: texts.index(text)])

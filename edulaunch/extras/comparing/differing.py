@@ -189,14 +189,14 @@ def not_up(simulated: Observation, real: Observation) -> set[str]:
 
 def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
     unlucky = _unlucky(simulated) | _unlucky(real)
-    said, heard = (
+    sent, received = (
         {(line.process, line.text) for line in seen.lines if not (line.process in unlucky and _is_last(seen, line))}
         for seen in (simulated, real)
     )
     young = not_up(simulated, real)
-    for process, text in sorted(said ^ heard):
+    for process, text in sorted(sent ^ received):
         if process not in young:
-            yield Difference('output', process, *((text, MISSING) if (process, text) in said else (MISSING, text)))
+            yield Difference('output', process, *((text, MISSING) if (process, text) in sent else (MISSING, text)))
 
 
 def _unlucky(seen: Observation) -> set[str]:

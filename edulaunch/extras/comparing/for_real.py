@@ -184,18 +184,20 @@ class _Watch:
         self._flows: dict[str, Flow] = {}
         self._parameters: dict[str, dict[str, Any]] = {}
 
-    def add(self, told: Any) -> None:
+    def add(self, report: Any) -> None:
         """What the observer told."""
-        self._nodes.update({steady_name(node): when - self._began_s for node, when in told['nodes'].items() if is_compared(node)})
-        for kind, name, type_name, node, qos, when in told['ends']:
+        self._nodes.update(
+            {steady_name(node): when - self._began_s for node, when in report['nodes'].items() if is_compared(node)}
+        )
+        for kind, name, type_name, node, qos, when in report['ends']:
             if is_compared(node):
                 self._ends.setdefault(End(kind, steady_name(name), type_name, steady_name(node)), (qos, when - self._began_s))
-        for topic, (type_name, rows) in told['messages'].items():
+        for topic, (type_name, rows) in report['messages'].items():
             if topic not in NOT_COMPARED and rows:
                 cls: Any = self._registry.get(type_name)
                 wires = ((when - self._began_s, decode(cls, base64.b64decode(data))) for when, data in rows)
                 add_messages(self._flows, topic, type_name, wires, self._registry.get)
-        self._parameters = {steady_name(node): values for node, values in told['parameters'].items()}
+        self._parameters = {steady_name(node): values for node, values in report['parameters'].items()}
 
     @property
     def now_s(self) -> float:

@@ -6,10 +6,10 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from edulaunch.extras.comparing.apart import apart
 from edulaunch.extras.comparing.deciding import informs, is_pace
 from edulaunch.extras.comparing.differing import Difference, by_chance, differences, not_up, subject
 from edulaunch.extras.comparing.for_real import run_for_real
+from edulaunch.extras.comparing.isolated import in_isolation
 from edulaunch.extras.comparing.observation import Observation
 from edulaunch.extras.comparing.simulated import simulate
 
@@ -52,10 +52,10 @@ def compare(
     """
     what = os.path.abspath(path) if not file and os.path.exists(path) else path, file, arguments
     workspaces = [os.path.abspath(folder) for folder in workspaces]
-    simulated = [apart(simulate, *what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
+    simulated = [in_isolation(simulate, *what, length_s, workspaces) for length_s in (seconds, seconds + PATIENCE_S)]
     goals = [each.until_asked() for each in simulated]
     is_enough = lambda seen: all(is_known(each) or is_pace(each) for each in differences(goals, seen))  # noqa: E731
-    real = apart(run_for_real, *what, seconds, workspaces, is_enough, PATIENCE_S)
+    real = in_isolation(run_for_real, *what, seconds, workspaces, is_enough, PATIENCE_S)
     late = delays(simulated[0], real)
 
     def counts(difference: Difference) -> bool:
@@ -64,11 +64,11 @@ def compare(
     found = differences(simulated, real)
     for each_late in _lates(simulated[0], late):
         if any(map(counts, found)):
-            simulated.append(apart(simulate, *what, real.asked_s, workspaces, each_late, real.start_s))
+            simulated.append(in_isolation(simulate, *what, real.asked_s, workspaces, each_late, real.start_s))
             found = differences(simulated, real)
     chance: list[Difference] = []
     if any(map(counts, found)):
-        others = [apart(simulate, *what, real.asked_s, workspaces, late, real.start_s, seed) for seed in OTHER_SEEDS]
+        others = [in_isolation(simulate, *what, real.asked_s, workspaces, late, real.start_s, seed) for seed in OTHER_SEEDS]
         subjects = by_chance([simulated[2], *others])
         chance = [each for each in found if subject(each) in subjects]
         found = [each for each in differences([*simulated, *others], real) if subject(each) not in subjects]

@@ -96,16 +96,16 @@ def _row(
     ) as child:
         running.append(child)
         try:
-            told, complaint = child.communicate(timeout=seconds + LONGEST_S)
+            output, complaint = child.communicate(timeout=seconds + LONGEST_S)
         except subprocess.TimeoutExpired:
             child.kill()  # which ends what it has started, too
             return Row(words, trouble=f'took more than {seconds + LONGEST_S:g} s')
         finally:
             running.remove(child)
-    if child.returncode not in (0, 1) or not told:
+    if child.returncode not in (0, 1) or not output:
         lines = [line for line in complaint.splitlines() if line.strip()] or ['no result']
         return Row(words, trouble=next((line for line in lines if 'error: ' in line), lines[-1]))
-    rows = json.loads(told)
+    rows = json.loads(output)
     return Row(words, tuple(Difference(**each) for each in rows['differences']), tuple(Known(**each) for each in rows['known']))
 
 

@@ -112,7 +112,7 @@ def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: 
     print(f'{len(items)} launch files, {jobs} at a time ...', file=sys.stderr)
     options = [f'--workspace={folder}' for folder in arguments.workspace]
     options += [f'--known={arguments.known}'] if arguments.known else []
-    rows = sweep(items, arguments.seconds, jobs, options, progress=lambda row: print(told(row), file=sys.stderr))
+    rows = sweep(items, arguments.seconds, jobs, options, progress=lambda row: print(row_line(row), file=sys.stderr))
     if arguments.json:
         _print_rows_as_json(rows)
     else:
@@ -122,7 +122,7 @@ def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: 
     return 0 if all(row.is_well for row in rows) else 1
 
 
-def told(row: Row) -> str:
+def row_line(row: Row) -> str:
     """One comparison in a line."""
     return f'{row.verdict}: {" ".join(row.words)}'
 
@@ -146,7 +146,7 @@ def table(rows: Sequence[Row]) -> str:
 def _print_rows_as_json(rows: Sequence[Row]) -> None:
     import json
 
-    told = [
+    row_line = [
         {
             'launch': ' '.join(row.words),
             'verdict': row.verdict,
@@ -156,7 +156,7 @@ def _print_rows_as_json(rows: Sequence[Row]) -> None:
         }
         for row in rows
     ]
-    print(json.dumps(told, indent=1))
+    print(json.dumps(row_line, indent=1))
 
 
 def _narrow(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:

@@ -34,11 +34,11 @@ def command(
 
     :param parent: the process with which it ends: this one, unless another is named; or a file that it keeps locked.
     """
-    known = told(program, spec, index, os.getpid() if parent is None else parent)
+    known = description(program, spec, index, os.getpid() if parent is None else parent)
     return environment.python, os.path.join(HOME, 'edulaunch', 'extras', 'native', 'program.py'), known
 
 
-def told(program: Program, spec: ProcessSpec, index: Index, parent: int | str) -> str:
+def description(program: Program, spec: ProcessSpec, index: Index, parent: int | str) -> str:
     """What :mod:`edulaunch.extras.native.program` has to know, as JSON."""
     what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
     return json.dumps(

@@ -93,7 +93,9 @@ def install(say: Callable[[str], object]) -> Environment:
     """
     reason = unsuited()
     if reason:
-        raise UnusableInput(f'the real rclpy cannot be installed here: {reason}.', help='use the link of edulaunch[network]')
+        raise UnusableInput(
+            f'the real rclpy cannot be installed here: {reason}.', help='use the default link, which the extra network brings'
+        )
     folder = place()
     if os.path.exists(folder) and not os.path.exists(os.path.join(folder, 'pyvenv.cfg')):
         raise UnusableInput(f'{folder} is there, and is no environment of Python.', help='move it away, and try again')
@@ -106,9 +108,9 @@ def install(say: Callable[[str], object]) -> Environment:
         say(f'fetching {REQUIREMENT} ({NEEDED_MB} MB with what it needs)')
         _fetch([*(pip or [python, '-m', 'pip']), *_pip_words(pip, python), REQUIREMENT], say)
         say('trying it')
-        told = _run([python, '-c', _PROBE], 'the real rclpy was installed, but cannot be imported')
+        probed = _run([python, '-c', _PROBE], 'the real rclpy was installed, but cannot be imported')
         with open(os.path.join(folder, MARK), 'w', encoding='utf-8') as file:
-            file.write(told)
+            file.write(probed)
     return needed()
 
 

@@ -148,12 +148,12 @@ class Observer:
         finally:
             self.node.destroy_client(client)
 
-    def told(self) -> str:
+    def report(self) -> str:
         """Everything that was not told before, as JSON."""
         messages, self.messages = self.messages, {topic: (kind, []) for topic, (kind, _) in self.messages.items()}
         ends = [[*end, when] for end, when in self.ends.items()]
-        told = {'nodes': self.nodes, 'ends': ends, 'messages': messages, 'parameters': self.parameters}
-        return json.dumps(told, default=list)
+        report = {'nodes': self.nodes, 'ends': ends, 'messages': messages, 'parameters': self.parameters}
+        return json.dumps(report, default=list)
 
 
 def _leave(data: bytes) -> None:
@@ -183,7 +183,7 @@ def main() -> int:
         if word == 'end':
             observer.ask()
         if word:
-            print(observer.told(), flush=True)
+            print(observer.report(), flush=True)
         time.sleep(TAKE_EVERY_S)
     rclpy.try_shutdown()
     return 0

@@ -17,20 +17,20 @@ from typing import Any
 
 def main() -> None:
     """Make everything ready, and run the program."""
-    told = json.loads(sys.argv[1])
+    description = json.loads(sys.argv[1])
     sys.argv[:] = sys.argv[2:]
     sys.path[:1] = []  # the folder of this file
-    sys.path.extend([told['home'], *told['path']])
+    sys.path.extend([description['home'], *description['path']])
     from edulaunch.extras.native.ending import end_with
 
-    end_with(told['parent'])
+    end_with(description['parent'])
     from edulaunch.extras.native import adapter, engine
     from edulaunch.extras.native.typesupport import classes
 
-    program = told['program']
+    program = description['program']
     process = engine.install(program['name'])
-    classes.install(told['interfaces'])
-    adapter.install(os.path.join(told['home'], 'edulaunch', 'ros', 'python'))
+    classes.install(description['interfaces'])
+    adapter.install(os.path.join(description['home'], 'edulaunch', 'ros', 'python'))
     sys.exit(_run(program, process))
 
 

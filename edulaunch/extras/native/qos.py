@@ -28,7 +28,7 @@ def to_rclpy(row: Sequence[Any]) -> QoSProfile:
 
 
 def from_rclpy(profile: QoSProfile) -> list[Any]:
-    """The other way round; what is not known of a far endpoint is as by default."""
+    """The other way round; what is not known of a remote endpoint is as by default."""
     history = profile.history.name.lower()
     durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
     times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]

@@ -12,7 +12,8 @@ from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
 from edulaunch.engine.graph.services import ServiceClient
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
-from edulaunch.extras.network.far import FarPublisher, Nowhere, is_far, named
+from edulaunch.extras.network.crossing import EVERYTHING, Crossing
+from edulaunch.extras.network.diagnostics import LinkDiagnostics
 from edulaunch.extras.network.link import (
     PUBLISHER,
     SERVICE,
@@ -20,15 +21,15 @@ from edulaunch.extras.network.link import (
     GraphChanged,
     Interface,
     Link,
+    LinkDiagnostic,
     LinkError,
     Message,
     Request,
     Response,
     Settings,
-    Trouble,
 )
 from edulaunch.extras.network.mirror import Mirror
-from edulaunch.extras.network.troubles import Troubles
+from edulaunch.extras.network.remote import NullQueue, RemotePublisher, is_remote, named
 from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
@@ -45,7 +46,7 @@ CLOCKS_DIFFER_NS = 3 * 10**9
 class Bridge:
     """One machine on one network.
 
-    :param chosen: whether a topic or service of that name crosses.
+    :param crossing: which topics and services cross, in which direction.
     :param tell: called with what the user has to know, one text each.
     :param wall_ns: this computer's clock.
     """
@@ -54,15 +55,15 @@ class Bridge:
         self,
         session: Session,
         link: Link,
-        chosen: Callable[[str], bool] = lambda name: True,
+        crossing: Crossing = EVERYTHING,
         tell: Callable[[str], object] = print,
         wall_ns: Callable[[], int] = wall.time_ns,
     ) -> None:
-        self.session, self.link, self.chosen, self._wall_ns = session, link, chosen, wall_ns
+        self.session, self.link, self.crossing, self._wall_ns = session, link, crossing, wall_ns
         self.graph = session.graph
-        self.troubles = Troubles(tell, self.note)
+        self.diagnostics = LinkDiagnostics(tell, self.note)
         registry = session.host.overlay(session.index).registry
-        self.mirror = Mirror(self.graph, registry, chosen, self._ask, self.troubles.add)
+        self.mirror = Mirror(self.graph, registry, crossing, self._ask, self.diagnostics.add)
         self.sent = self.heard = 0
         self._is_changed = True
         self._is_open = False
@@ -115,7 +116,7 @@ class Bridge:
             self.link.flush()
 
     def _show_own(self) -> None:
-        own = [node for node in self.graph.nodes if not is_far(node)]
+        own = [node for node in self.graph.nodes if not is_remote(node)]
         there = {end.index for node in own for end in node.endpoints}
         for index in [index for index in self._handles if index not in there]:
             self._hide(index)
@@ -132,14 +133,14 @@ class Bridge:
 
     def _show(self, node: NodeEntry, end: Any) -> None:
         name = end.topic_name if end.kind in (PUBLISHER, SUBSCRIPTION) else end.service_name
-        if not self.chosen(name):
+        if not self.crossing.allows(end.kind, name, True):
             return
         overlay = getattr(node.process, 'overlay', None)
         interface = Interface(end.type_name, underlay_registry() if overlay is None else overlay.registry)
         try:
             handle = self.link.add(self._nodes[node], end.kind, name, interface, end.qos)
         except (LinkError, InterfaceError) as error:
-            self.troubles.add(Trouble(f'{end.kind} {name}', str(error)))
+            self.diagnostics.add(LinkDiagnostic(f'{end.kind} {name}', str(error)))
             handle = 0
         self._handles[end.index] = end, handle
         if not handle:
@@ -212,8 +213,8 @@ class Bridge:
                 early, self._early = self._early, deque(maxlen=MOST_EARLY)
                 for message in early:
                     self._message(message)
-            elif isinstance(event, Trouble):
-                self.troubles.add(event)
+            elif isinstance(event, LinkDiagnostic):
+                self.diagnostics.add(event)
             elif isinstance(event, Request):
                 self._request(event)
             else:
@@ -224,7 +225,7 @@ class Bridge:
         try:
             return decode(cls, cdr)
         except (InterfaceError, MemoryError) as error:
-            self.troubles.add(Trouble(f'bytes {what}', f'{what}: dropped, {error}'))
+            self.diagnostics.add(LinkDiagnostic(f'bytes {what}', f'{what}: dropped, {error}'))
             return None
 
     def _message(self, event: Message) -> None:
@@ -258,7 +259,7 @@ class Bridge:
         subscription.queue.append((wire, self.session.sim.now_ns, publisher))
         subscription.on_ready()
 
-    def _compare_clocks(self, publisher: FarPublisher, source_ns: int) -> None:
+    def _compare_clocks(self, publisher: RemotePublisher, source_ns: int) -> None:
         """Tell of a computer with another time. A message that was kept for late joiners may be old."""
         ahead_ns = source_ns - self._wall_ns()
         if not source_ns or abs(ahead_ns) <= CLOCKS_DIFFER_NS or (ahead_ns < 0 and publisher.qos.durability == TRANSIENT_LOCAL):
@@ -267,7 +268,9 @@ class Bridge:
         what = f"the clock of {node} is {seconds:.0f} s ahead of this computer's"
         if ahead_ns < 0:
             what = f'what {node} says on {publisher.topic_name} is {seconds:.0f} s old: its clock is behind, or the way is slow'
-        self.troubles.add(Trouble(f'clock {node}', f'{what}\n  help: set both by NTP; until then tf finds no transforms across'))
+        self.diagnostics.add(
+            LinkDiagnostic(f'clock {node}', f'{what}\n  help: set both by NTP; until then tf finds no transforms across')
+        )
 
     def _request(self, event: Request) -> None:
         asker = self._askers.get(event.handle)
@@ -281,18 +284,18 @@ class Bridge:
         client = self._by_handle.get(event.handle)
         if client is not None:
             wire = self._decoded(client.cls.Response, event.cdr, client.service_name)
-            server = next((each for each in client.servers() if is_far(each.node)), None)
+            server = next((each for each in client.servers() if is_remote(each.node)), None)
             if wire is not None and server is not None:
                 self.heard += 1
                 server.respond((client, event.number), wire)
 
 
 class Asker(ServiceClient):
-    """Asks a service here on behalf of those who are far away. It is in nobody's list of clients."""
+    """Asks a service here on behalf of those on the network. It is in nobody's list of clients."""
 
     def __init__(self, bridge: Bridge, server: Any, handle: int) -> None:
         super().__init__(bridge.graph, bridge.mirror.unknown(), server.service_name, server.cls, server.qos, self._answered)
-        self.queue = Nowhere()  # type: ignore[assignment]
+        self.queue = NullQueue()  # type: ignore[assignment]
         self._bridge, self._server, self._handle = bridge, server, handle
         self._whos: OrderedDict[int, bytes] = OrderedDict()
 

@@ -54,7 +54,7 @@ class Settings(NamedTuple):
     static_peers: tuple[str, ...] = ()
 
 
-class FarNode(NamedTuple):
+class RemoteNode(NamedTuple):
     """A node of the network that is not ours.
 
     :ivar participant: the gid of its participant.
@@ -67,7 +67,7 @@ class FarNode(NamedTuple):
     is_simulated: bool = False
 
 
-class FarEndpoint(NamedTuple):
+class RemoteEndpoint(NamedTuple):
     """An endpoint of the network that is not ours.
 
     :ivar gid: its number; for a service that of what hears its requests, for a client of what sends them.
@@ -81,14 +81,14 @@ class FarEndpoint(NamedTuple):
     type_name: str
     hash: str
     qos: QoS
-    node: FarNode | None
+    node: RemoteNode | None
 
 
-class FarGraph(NamedTuple):
+class RemoteGraph(NamedTuple):
     """Who else is on the network: nothing of what this link itself has made. An unchanged endpoint is the same object again."""
 
-    nodes: Sequence[FarNode]
-    endpoints: Sequence[FarEndpoint]
+    nodes: Sequence[RemoteNode]
+    endpoints: Sequence[RemoteEndpoint]
 
 
 class Message(NamedTuple):
@@ -124,11 +124,11 @@ class GraphChanged(NamedTuple):
     """:meth:`Link.graph` has news."""
 
 
-class Trouble(NamedTuple):
+class LinkDiagnostic(NamedTuple):
     """Something that the user has to know: what was dropped, or what this link cannot do.
 
-    :ivar key: the same trouble has the same key; it is told once, and counted.
-    :ivar about: the name in `text` that it is about: troubles that differ in that name alone are one line of a status.
+    :ivar key: the same diagnostic has the same key; it is told once, and counted.
+    :ivar about: the name in `text` that it is about: diagnostics that differ in that name alone are one line of a status.
     """
 
     key: str
@@ -136,7 +136,7 @@ class Trouble(NamedTuple):
     about: str = ''
 
 
-Event = Message | Request | Response | GraphChanged | Trouble
+Event = Message | Request | Response | GraphChanged | LinkDiagnostic
 
 
 class LinkError(EdulaunchError):
@@ -190,7 +190,7 @@ class Link(Protocol):
         """What has come since; never an echo of what this link sent. Bounded: when more waits, `fileno` stays readable."""
         ...
 
-    def graph(self) -> FarGraph:
+    def graph(self) -> RemoteGraph:
         """Who else is there now."""
         ...
 

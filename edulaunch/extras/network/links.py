@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from edulaunch.engine.nearest import did_you_mean
+from edulaunch.errors import how_to_install
 from edulaunch.extras.network.link import Link, LinkError
 
 LINKS = {
@@ -12,7 +13,7 @@ LINKS = {
     'rclpy': ('edulaunch.extras.network.rclpy_link', 'RclpyLink'),
 }
 DEFAULT = 'cyclonedds'
-INSTALL = "pip install 'edulaunch[network]'"
+INSTALL = how_to_install('network')
 
 
 def make_link(name: str = DEFAULT) -> Link:

@@ -10,59 +10,69 @@ from edulaunch.engine.graph.names import namespace_problem, node_name_problem, t
 from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.errors import InterfaceError
-from edulaunch.extras.network.far import (
+from edulaunch.extras.network.crossing import Crossing
+from edulaunch.extras.network.link import (
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIPTION,
+    Interface,
+    LinkDiagnostic,
+    RemoteEndpoint,
+    RemoteGraph,
+    RemoteNode,
+)
+from edulaunch.extras.network.remote import (
     UNKNOWN_NAME,
     UNKNOWN_NAMESPACE,
-    FarClient,
-    FarPublisher,
-    FarService,
-    FarSubscription,
     Network,
+    RemoteClient,
+    RemotePublisher,
+    RemoteService,
+    RemoteSubscription,
     TypeName,
-    is_far,
+    is_remote,
     join,
 )
-from edulaunch.extras.network.link import PUBLISHER, SERVICE, SUBSCRIPTION, FarEndpoint, FarGraph, FarNode, Interface, Trouble
 
 CLAIMED_WITHIN_NS = 10**9
 """An endpoint that no node has claimed is shown without one after that time: most nodes tell of theirs a little later."""
 
 
 class Mirror:
-    """The far nodes and endpoints of one graph.
+    """The remote nodes and endpoints of one graph.
 
     :param registry: where their types are looked for.
-    :param chosen: whether a topic or service of that name crosses.
-    :param ask: what takes the requests to a service that is far away.
-    :param trouble: told of what cannot be.
+    :param crossing: which topics and services cross, in which direction.
+    :param ask: what takes the requests to a service on the network.
+    :param diagnostic: told of what cannot be.
     """
 
     def __init__(
         self,
         graph: Graph,
         registry: Registry,
-        chosen: Callable[[str], bool],
+        crossing: Crossing,
         ask: Callable[[Any], object],
-        trouble: Callable[[Trouble], object],
+        diagnostic: Callable[[LinkDiagnostic], object],
     ) -> None:
-        self.graph, self.registry, self.chosen, self.ask, self.trouble = graph, registry, chosen, ask, trouble
+        self.graph, self.registry, self.crossing, self.ask, self.diagnostic = graph, registry, crossing, ask, diagnostic
         self.network = Network()
         self.listeners: dict[str, int] = {}
         """How many real subscriptions each topic has."""
-        self._nodes: dict[FarNode, NodeEntry] = {}
-        self._ends: dict[bytes, tuple[FarEndpoint, Any]] = {}
+        self._nodes: dict[RemoteNode, NodeEntry] = {}
+        self._ends: dict[bytes, tuple[RemoteEndpoint, Any]] = {}
         self._unclaimed: dict[bytes, int] = {}
-        self._far = FarGraph((), ())
+        self._remote = RemoteGraph((), ())
         self._unknown: NodeEntry | None = None
 
-    def update(self, far: FarGraph) -> None:
+    def update(self, remote: RemoteGraph) -> None:
         """From now on these are there."""
-        self._far = far
-        known = {end.gid: end for end in far.endpoints if self.chosen(end.name)}
+        self._remote = remote
+        known = {end.gid: end for end in remote.endpoints if self._crosses(end)}
         for gid, (end, mirrored) in list(self._ends.items()):
             if known.get(gid) != end:
                 self._remove(gid, end, mirrored)
-        self._update_nodes(dict.fromkeys(far.nodes))
+        self._update_nodes(dict.fromkeys(remote.nodes))
         for gid, end in known.items():
             if gid not in self._ends and self._is_due(end):
                 self._add(end)
@@ -70,20 +80,20 @@ class Mirror:
 
     def again(self) -> None:
         """Look at the same once more: types have come, or time has passed."""
-        self.update(self._far)
+        self.update(self._remote)
 
-    def publisher(self, gid: bytes, topic: str) -> FarPublisher | None:
+    def publisher(self, gid: bytes, topic: str) -> RemotePublisher | None:
         """Who sent a message; for a link that cannot tell, somebody who may have."""
         found = self._ends.get(gid)
         if found is None and gid:
-            end = next((end for end in self._far.endpoints if end.gid == gid), None)
-            if end is not None and self.chosen(end.name):
+            end = next((end for end in self._remote.endpoints if end.gid == gid), None)
+            if end is not None and self._crosses(end):
                 self._add(end)
                 found = self._ends.get(gid)
         if found is not None:
-            return found[1] if isinstance(found[1], FarPublisher) else None
+            return found[1] if isinstance(found[1], RemotePublisher) else None
         others = self.graph.publishers.get(topic, ())
-        return next((other for other in others if isinstance(other, FarPublisher)), None)
+        return next((other for other in others if isinstance(other, RemotePublisher)), None)
 
     def unknown(self) -> NodeEntry:
         """The node of those that belong to none."""
@@ -102,11 +112,14 @@ class Mirror:
 
     def close(self) -> None:
         """Nobody is there any more."""
-        self.update(FarGraph((), ()))
+        self.update(RemoteGraph((), ()))
         if self._unknown is not None:
             self.graph.tracer.node_removed(self._unknown)
 
-    def _is_due(self, end: FarEndpoint) -> bool:
+    def _crosses(self, end: RemoteEndpoint) -> bool:
+        return self.crossing.allows(end.kind, end.name, False)
+
+    def _is_due(self, end: RemoteEndpoint) -> bool:
         if end.node is not None:
             return True
         now = self.graph.sim.now_ns
@@ -115,28 +128,30 @@ class Mirror:
             self.graph.sim.schedule(now + CLAIMED_WITHIN_NS, self.again)
         return now >= self._unclaimed[end.gid] + CLAIMED_WITHIN_NS
 
-    def _update_nodes(self, wanted: dict[FarNode, None]) -> None:
+    def _update_nodes(self, wanted: dict[RemoteNode, None]) -> None:
         for node in [node for node in self._nodes if node not in wanted]:
             self.graph.remove_node(self._nodes.pop(node))
         for node in wanted:
             if node not in self._nodes:
                 if namespace_problem(node.namespace) or node_name_problem(node.name):
-                    self.trouble(
-                        Trouble('node names', f'a node is called {node.namespace!r} {node.name!r}: not a name, not shown')
+                    self.diagnostic(
+                        LinkDiagnostic('node names', f'a node is called {node.namespace!r} {node.name!r}: not a name, not shown')
                     )
                     continue
                 entry = self._nodes[node] = self.graph.add_node(self.network, node.name, node.namespace)
                 name = entry.fully_qualified_name
-                if any(other.fully_qualified_name == name and not is_far(other) for other in self.graph.nodes):
+                if any(other.fully_qualified_name == name and not is_remote(other) for other in self.graph.nodes):
                     other_one = 'one of another machine' if node.is_simulated else 'a real one'
                     text = f'there are two nodes called {name}: one of this machine, and {other_one}'
-                    self.trouble(
-                        Trouble(f'name {name}', f'{text}\n  help: put one of them into a namespace, or give it another name')
+                    self.diagnostic(
+                        LinkDiagnostic(
+                            f'name {name}', f'{text}\n  help: put one of them into a namespace, or give it another name'
+                        )
                     )
 
-    def _add(self, end: FarEndpoint) -> None:
+    def _add(self, end: RemoteEndpoint) -> None:
         if topic_name_problem(end.name):
-            self.trouble(Trouble('names', f'something on the network is called {end.name!r}: not a name, not shown'))
+            self.diagnostic(LinkDiagnostic('names', f'something on the network is called {end.name!r}: not a name, not shown'))
             return
         node = self._nodes.get(end.node) if end.node is not None else None
         mirrored = self._made(end, node or self.unknown(), self._class(end.type_name))
@@ -145,16 +160,16 @@ class Mirror:
             self.listeners[end.name] = self.listeners.get(end.name, 0) + 1
         join(mirrored)
 
-    def _made(self, end: FarEndpoint, node: NodeEntry, cls: Any) -> Any:
+    def _made(self, end: RemoteEndpoint, node: NodeEntry, cls: Any) -> Any:
         if end.kind == PUBLISHER:
-            return FarPublisher(self.graph, node, end.name, cls, end.qos)
+            return RemotePublisher(self.graph, node, end.name, cls, end.qos)
         if end.kind == SUBSCRIPTION:
-            return FarSubscription(self.graph, node, end.name, cls, end.qos)
+            return RemoteSubscription(self.graph, node, end.name, cls, end.qos)
         if end.kind == SERVICE:
-            return FarService(self.graph, node, end.name, cls, end.qos, self.ask)
-        return FarClient(self.graph, node, end.name, cls, end.qos)
+            return RemoteService(self.graph, node, end.name, cls, end.qos, self.ask)
+        return RemoteClient(self.graph, node, end.name, cls, end.qos)
 
-    def _remove(self, gid: bytes, end: FarEndpoint, mirrored: Any) -> None:
+    def _remove(self, gid: bytes, end: RemoteEndpoint, mirrored: Any) -> None:
         del self._ends[gid]
         if end.kind == SUBSCRIPTION:
             self.listeners[end.name] -= 1
@@ -163,7 +178,7 @@ class Mirror:
     def _class(self, type_name: str) -> Any:
         """The class of a type: of this machine, or of whoever uses it here; a stand-in when nobody knows it."""
         for node in self.graph.nodes:
-            for own in () if is_far(node) else node.endpoints:
+            for own in () if is_remote(node) else node.endpoints:
                 if own.type_name == type_name:
                     return own.cls
         try:
@@ -177,4 +192,4 @@ class Mirror:
         for end, _ in self._ends.values():
             if end.name == name and end.type_name == own.type_name and end.hash not in ('', interface.hash):
                 text = f'{name}: {end.type_name} is not the same here and out there (another definition): messages are misread'
-                self.trouble(Trouble(f'hash {end.type_name}', text))
+                self.diagnostic(LinkDiagnostic(f'hash {end.type_name}', text))

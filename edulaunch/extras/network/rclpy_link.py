@@ -8,6 +8,7 @@ import socket
 import subprocess
 from collections import deque
 from collections.abc import Sequence
+from contextlib import suppress
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.packages import Index, Program
@@ -20,22 +21,26 @@ from edulaunch.extras.network import rclpy_wire as wire
 from edulaunch.extras.network.link import (
     MARK,
     Event,
-    FarEndpoint,
-    FarGraph,
-    FarNode,
     GraphChanged,
     Interface,
+    LinkDiagnostic,
     LinkError,
     Message,
+    RemoteEndpoint,
+    RemoteGraph,
+    RemoteNode,
     Request,
     Response,
     Settings,
-    Trouble,
 )
 
 LONGEST_START_S = 30.0
 MOST_WAITING = 32 << 20
 """Bytes that wait for a side process which does not read; messages beyond that are dropped."""
+BUFFER = 4 << 20
+"""Bytes of the socket's own buffer: what is sent between two turns of the machine has to fit, such as an image."""
+URGENT = (wire.NODE, wire.ADD)
+"""A new node or endpoint does not wait behind messages. Nothing that waits can be about it."""
 AT_ONCE = 1 << 20
 """Bytes that are taken in one turn of the machine."""
 AGAIN = '\n  help: edulaunch network off, then on again'
@@ -52,12 +57,12 @@ class RclpyLink:
 
     def __init__(self) -> None:
         self._count = 0
-        self._out = bytearray()
+        self._out = wire.Outbox()
         self._frames = wire.Frames()
         self._waiting: deque[Event] = deque()
         self._kinds: dict[int, str] = {}
-        self._far = FarGraph((), ())
-        self._known: dict[tuple[object, ...], FarEndpoint] = {}
+        self._remote = RemoteGraph((), ())
+        self._known: dict[tuple[object, ...], RemoteEndpoint] = {}
         self._child: subprocess.Popen[bytes] | None = None
         self._sockets: list[socket.socket] = []
 
@@ -82,6 +87,8 @@ class RclpyLink:
         theirs.close()
         self._wait()
         self._socket.setblocking(False)
+        with suppress(OSError):
+            self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
 
     def _wait(self) -> None:
         """Until the side process is ready.
@@ -99,10 +106,10 @@ class RclpyLink:
             raise LinkError('the side process with the real rclpy did not start.', help=RENEW)
 
     def _say(self, kind: int, handle: int, number: int = 0, data: bytes = b'') -> None:
-        if len(self._out) > MOST_WAITING and kind == wire.PUBLISH:
-            self._waiting.append(Trouble('full', 'the side process with the real rclpy is too slow: messages are dropped'))
+        if self._out.size > MOST_WAITING and kind == wire.PUBLISH:
+            self._waiting.append(LinkDiagnostic('full', 'the side process with the real rclpy is too slow: messages are dropped'))
             return
-        self._out += wire.frame(kind, handle, number, data)
+        self._out.put(wire.frame(kind, handle, number, data), is_urgent=kind in URGENT)
 
     def add_node(self, namespace: str, name: str) -> int:
         """See `Link.add_node`."""
@@ -115,17 +122,17 @@ class RclpyLink:
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`; what rclpy does not want is told later, as a :class:`Trouble`."""
+        """See `Link.add`; what rclpy does not want is told later, as a :class:`LinkDiagnostic`."""
         self._count += 1
         self._kinds[self._count] = f'{kind} {name}'
-        told = {
+        message = {
             'kind': kind,
             'name': name,
             'type': interface.name,
             'layers': interface_layers(interface.registry),
             'qos': list(qos),
         }
-        self._say(wire.ADD, self._count, node, json.dumps(told).encode())
+        self._say(wire.ADD, self._count, node, json.dumps(message).encode())
         return self._count
 
     def remove(self, handle: int) -> None:
@@ -147,15 +154,12 @@ class RclpyLink:
 
     def flush(self) -> None:
         """See `Link.flush`; what the side process does not take now goes out next time."""
-        while self._out:
-            try:
-                sent = self._socket.send(self._out)
-            except BlockingIOError:
-                return
-            except OSError:
-                self._out.clear()  # it has died, which `take` tells
-                return
-            del self._out[:sent]
+        try:
+            self._out.send(self._socket.send)
+        except BlockingIOError:
+            return
+        except OSError:
+            self._out.clear()  # it has died, which `take` reports
 
     def take(self) -> Sequence[Event]:
         """See `Link.take`."""
@@ -178,10 +182,10 @@ class RclpyLink:
         return events
 
     def _died(self) -> None:
-        self._far, self._known = FarGraph((), ()), {}
+        self._remote, self._known = RemoteGraph((), ()), {}
         self._waiting += (
             GraphChanged(),
-            Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more' + AGAIN),
+            LinkDiagnostic('died', 'the side process with the real rclpy has died: nothing crosses any more' + AGAIN),
         )
         silent, bell = socket.socketpair()
         silent.setblocking(False)  # which goes with it to the other number
@@ -195,7 +199,7 @@ class RclpyLink:
             self._waiting.append(GraphChanged())
         elif kind == wire.TROUBLE:
             what = self._kinds.get(handle, 'the link')
-            self._waiting.append(Trouble(f'refused {what}', f'{what}: {data.decode(errors="replace")}'))
+            self._waiting.append(LinkDiagnostic(f'refused {what}', f'{what}: {data.decode(errors="replace")}'))
         elif handle in self._kinds:
             if kind == wire.MESSAGE:
                 self._waiting.append(Message(handle, b'', number, data))
@@ -205,26 +209,28 @@ class RclpyLink:
                 self._waiting.append(Response(handle, number, data))
         return kind
 
-    def _see(self, told: list[list[list[object]]]) -> None:
+    def _see(self, message: list[list[list[object]]]) -> None:
         """A new picture of who is there; an endpoint that was there before is the same object."""
         nodes = {
-            (space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
-            for gid, space, name, is_simulated in told[0]
+            (space, name): RemoteNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
+            for gid, space, name, is_simulated in message[0]
             if not str(name).startswith(MARK)
         }
         before, self._known = self._known, {}
-        for gid, kind, name, type_name, type_hash, qos, space, node in told[1]:
+        for gid, kind, name, type_name, type_hash, qos, space, node in message[1]:
             if str(node).startswith(MARK):
                 continue
             key = (gid, kind, name, type_name, type_hash, tuple(qos) if isinstance(qos, list) else None, nodes.get((space, node)))
             policies = QoS(*qos) if isinstance(qos, list) else QoS()
             texts = (str(kind), str(name), str(type_name), str(type_hash))
-            self._known[key] = before.get(key) or FarEndpoint(bytes.fromhex(str(gid)), *texts, policies, nodes.get((space, node)))
-        self._far = FarGraph(tuple(nodes.values()), tuple(self._known.values()))
+            self._known[key] = before.get(key) or RemoteEndpoint(
+                bytes.fromhex(str(gid)), *texts, policies, nodes.get((space, node))
+            )
+        self._remote = RemoteGraph(tuple(nodes.values()), tuple(self._known.values()))
 
-    def graph(self) -> FarGraph:
+    def graph(self) -> RemoteGraph:
         """See `Link.graph`."""
-        return self._far
+        return self._remote
 
     def fileno(self) -> int:
         """See `Link.fileno`."""

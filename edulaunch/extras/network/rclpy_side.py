@@ -63,7 +63,7 @@ class Side:
         self.early: list[tuple[int, int, bytes]] = []
         self.serial = 0
         self.registries: dict[str, SupportedClasses] = {}
-        self.told = ''
+        self.message = ''
         self.names: list[Any] = []
         self.changed_s = self.looked_s = 0.0
         self.own = self._own_prefix()
@@ -125,9 +125,9 @@ class Side:
         node.destroy_node()
 
     def add(self, handle: int, number: int, data: bytes) -> None:
-        told = json.loads(data)
-        node, kind, name = self.nodes[number], told['kind'], told['name']
-        cls, qos = self._class(told['type'], told['layers']), to_rclpy(told['qos'])
+        message = json.loads(data)
+        node, kind, name = self.nodes[number], message['kind'], message['name']
+        cls, qos = self._class(message['type'], message['layers']), to_rclpy(message['qos'])
         end = getattr(self, f'_add_{kind}')(handle, node, name, cls, qos)
         self.ends[handle] = kind, end, number
 
@@ -242,8 +242,8 @@ class Side:
                 if (name, namespace) not in mine:
                     ends += self._services(name, namespace)
         text = json.dumps([sorted(nodes), sorted(ends, key=lambda end: end[0])])
-        if text != self.told:
-            self.told = text
+        if text != self.message:
+            self.message = text
             self.say(wire.GRAPH, 0, 0, text.encode())
 
     def _services(self, name: str, namespace: str) -> list[list[Any]]:

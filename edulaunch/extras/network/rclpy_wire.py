@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Callable, Iterator
 
 _HEAD = struct.Struct('<IBIq')
+CHUNK = 1 << 18
+"""Small frames are sent together until they have about this many bytes."""
 
 # What the link says.
 NODE, NODE_GONE, ADD, REMOVE, PUBLISH, ASK, ANSWER = range(7)
@@ -35,3 +38,46 @@ class Frames:
             yield kind, handle, number, bytes(self._bytes[at + _HEAD.size : at + _HEAD.size + size])
             at += _HEAD.size + size
         del self._bytes[:at]
+
+
+class Outbox:
+    """Frames that wait to be sent. An urgent frame goes out before all usual ones, after the frame that is half sent."""
+
+    def __init__(self) -> None:
+        self._half_sent = memoryview(b'')
+        self._urgent: deque[bytes] = deque()
+        self._usual: deque[bytes] = deque()
+        self.size = 0
+
+    def put(self, frame: bytes, *, is_urgent: bool = False) -> None:
+        """Add a frame."""
+        (self._urgent if is_urgent else self._usual).append(frame)
+        self.size += len(frame)
+
+    def send(self, write: Callable[[memoryview], int]) -> None:
+        """Send everything.
+
+        :param write: sends the beginning of some bytes and returns how many it took.
+        :raises BlockingIOError: from `write`, when it takes no more now; the rest stays here.
+        """
+        while self.size:
+            if not self._half_sent:
+                self._half_sent = memoryview(self._next_chunk())
+            count = write(self._half_sent)
+            self._half_sent = self._half_sent[count:]
+            self.size -= count
+
+    def clear(self) -> None:
+        """Forget everything."""
+        self._half_sent, self.size = memoryview(b''), 0
+        self._urgent.clear()
+        self._usual.clear()
+
+    def _next_chunk(self) -> bytes:
+        chunk: list[bytes] = []
+        size = 0
+        for frames in (self._urgent, self._usual):
+            while frames and size < CHUNK:
+                chunk.append(frames.popleft())
+                size += len(chunk[-1])
+        return chunk[0] if len(chunk) == 1 else b''.join(chunk)

@@ -7,25 +7,18 @@ import argparse
 from edulaunch.desk.cli.ros2.output import say
 from edulaunch.engine.processes.process import Process
 from edulaunch.errors import UnusableInput
+from edulaunch.extras.network import crossing
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Whether it runs on a real network."""
     parser.add_argument('--network', action='store_true', help='join a real ROS 2 network while it runs (ROS_DOMAIN_ID)')
-    parser.add_argument(
-        '--network-topics',
-        action='append',
-        default=[],
-        metavar='NAMES',
-        help='topics and namespaces that cross, with commas; all',
-    )
-    parser.add_argument('--network-clock', action='store_true', help="publish the machine's time on /clock")
-    parser.add_argument('--network-link', metavar='LINK', help='what carries them: cyclonedds (default) or rclpy')
+    crossing.add_options(parser, 'network-')
 
 
 def wants_network(arguments: argparse.Namespace) -> bool:
     """Whether any of those options was given."""
-    return bool(arguments.network or arguments.network_topics or arguments.network_clock or arguments.network_link)
+    return bool(arguments.network or crossing.option_words(arguments, 'network-'))
 
 
 def begin(arguments: argparse.Namespace, process: Process) -> None:
@@ -37,6 +30,5 @@ def begin(arguments: argparse.Namespace, process: Process) -> None:
         return
     if process.host.join_network is None:
         raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
-    names = [name for names in arguments.network_topics for name in names.split(',') if name]
-    link, clock = arguments.network_link or 'cyclonedds', arguments.network_clock
-    process.lifecycle.at_exit.append(process.host.join_network(process.env, link, clock, names, say))
+    words = crossing.option_words(arguments, 'network-')
+    process.lifecycle.at_exit.append(process.host.join_network(process.env, words, say))

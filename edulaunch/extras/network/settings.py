@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.extras.network.link import LinkError, Settings
@@ -31,14 +31,6 @@ def settings_of(env: Mapping[str, str]) -> Settings:
         wide = 'LOCALHOST'
     peers = tuple(filter(None, (peer.strip() for peer in env.get('ROS_STATIC_PEERS', '').split(';'))))
     return Settings(int(domain), wide, peers if wide != 'OFF' else ())
-
-
-def chooser(names: Sequence[str]) -> Callable[[str], bool]:
-    """Whether a topic or service crosses: one of these, or in one of these namespaces; all when none is named."""
-    wanted = ['/' + name.strip('/') for name in names]
-    if not wanted or '/' in wanted:
-        return lambda name: True
-    return lambda name: any(name == each or name.startswith(each + '/') for each in wanted)
 
 
 def nobody_found(settings: Settings) -> str:

@@ -6,16 +6,16 @@ import selectors
 import sys
 import traceback
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
-from edulaunch.desk.machine.on_network import is_walls_time
+from edulaunch.desk.machine.network import is_walls_time
 from edulaunch.engine.sim.pacing import RealTime
-from edulaunch.errors import EdulaunchError
+from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.extras.network.bridge import Bridge
 from edulaunch.extras.network.clock import ClockNode
+from edulaunch.extras.network.crossing import JoinRequest, join_request
 from edulaunch.extras.network.link import LinkError, Settings
-from edulaunch.extras.network.links import DEFAULT, make_link
-from edulaunch.extras.network.settings import chooser, nobody_found, settings_of
+from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.settings import nobody_found, settings_of
 from edulaunch.runtime.session import Session
 
 MOST_MISTAKES = 20
@@ -25,19 +25,6 @@ SETTLED_NS = 3 * 10**9
 ALONE_NS = 10 * 10**9
 """Who has found nobody then, is told so by the doctor, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
-
-
-class JoinRequest(NamedTuple):
-    """What somebody who joins asks for.
-
-    :ivar link: what carries the messages.
-    :ivar clock: whether the machine's time is published on /clock.
-    :ivar topics: what crosses; nothing named: everything.
-    """
-
-    link: str = DEFAULT
-    clock: bool = False
-    topics: Sequence[str] = ()
 
 
 class Switch:
@@ -71,7 +58,7 @@ class Switch:
             raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
         made = make_link(request.link)
         self.off()
-        bridge = Bridge(self._session, made, chooser(request.topics), tell)
+        bridge = Bridge(self._session, made, request.crossing, tell)
         self._time.is_wall = True
         self._session.follow = self.follow
         try:
@@ -128,20 +115,15 @@ class Switch:
             wait_s = LONGEST_WAIT_S if due_s is None else min(due_s, LONGEST_WAIT_S)
 
     def join(
-        self,
-        env: Mapping[str, str],
-        link: str,
-        clock: bool,
-        topics: Sequence[str],
-        tell: Callable[[str], object],
-        say: Callable[[str], object],
+        self, env: Mapping[str, str], words: Sequence[str], tell: Callable[[str], object], say: Callable[[str], object]
     ) -> Callable[[], object]:
         """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
 
+        :param words: the options of `edulaunch network on`.
         :param say: told where it has joined, and that it has left.
         :raises EdulaunchError: when that cannot be.
         """
-        request = JoinRequest(link, clock, topics)
+        request = join_request(words)
         if self.bridge is not None:
             is_same = (settings_of(env), request) == (self._settings, self._request)
             other = '' if is_same else ', with other settings than asked for here (edulaunch network off, and launch again)'
@@ -180,34 +162,36 @@ class Switch:
         bridge = self.bridge
         if bridge is None:
             return 'the network is off\n'
-        far = bridge.link.graph()
-        simulated = sum(node.is_simulated for node in far.nodes)
+        remote = bridge.link.graph()
+        simulated = sum(node.is_simulated for node in remote.nodes)
         others = f' and {simulated} simulated by other machines' if simulated else ''
         lines = [
             f'network: {self.where()}',
-            f'crossing: {" ".join(self._request.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
-            f'real nodes: {len(far.nodes) - simulated}{others}, with {len(far.endpoints)} endpoints',
-            *(f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}' for node in far.nodes),
-            *(f'warning: {line}' for line in bridge.troubles.lines()),
+            f'crossing: {self._request.crossing}; {bridge.sent} messages sent, {bridge.heard} heard',
+            f'real nodes: {len(remote.nodes) - simulated}{others}, with {len(remote.endpoints)} endpoints',
+            *(
+                f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}'
+                for node in remote.nodes
+            ),
+            *(f'warning: {line}' for line in bridge.diagnostics.lines()),
         ]
-        if not far.nodes and self._session.sim.now_ns > self._joined_ns + SETTLED_NS:
+        if not remote.nodes and self._session.sim.now_ns > self._joined_ns + SETTLED_NS:
             lines.append(f'help: {nobody_found(self._settings)}')
         return '\n'.join(lines) + '\n'
 
     def run(
         self, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
     ) -> int:
-        """`edulaunch network on LINK CLOCK TOPICS...`, `off` or `status`, as the command hands them on; returns the exit code."""
+        """`edulaunch network on OPTIONS...`, `off` or `status`, as the command hands them on; returns the exit code."""
         word = words[0] if words else 'status'
         if word == 'off':
             say('the network is off\n' if self.off() else 'the network was off\n')
             return 0
         if word == 'on':
-            link, clock, *topics = [*words[1:], DEFAULT, ''][: max(2, len(words) - 1)]
             try:
-                self.on(env, JoinRequest(link, clock == 'clock', topics), tell)
+                self.on(env, join_request(words[1:]), tell)
             except EdulaunchError as error:
                 say(f'error: {error}\n')
-                return 1
+                return 2 if isinstance(error, UnusableInput) else 1
         say(self.status())
         return 0

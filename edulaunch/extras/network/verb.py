@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 
+from edulaunch.extras.network.crossing import add_options, join_request, option_words
+
 
 def network_arguments(parser: argparse.ArgumentParser) -> None:
     """On or off, and what crosses."""
     parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
-    parser.add_argument('--topics', nargs='+', default=[], metavar='NAME', help='topics, services and namespaces that cross')
-    parser.add_argument('--clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
-    parser.add_argument('--link', default='cyclonedds', help='what carries the messages: cyclonedds (default) or rclpy')
+    add_options(parser)
 
 
 def network_verb(arguments: argparse.Namespace) -> int:
@@ -24,7 +24,8 @@ def network_verb(arguments: argparse.Namespace) -> int:
         _say_what_is_installed()
     words = ['machine', 'network', arguments.word]
     if arguments.word == 'on':
-        words += [arguments.link, 'clock' if arguments.clock else '-', *arguments.topics]
+        words += option_words(arguments)
+        join_request(option_words(arguments))
     return run(words, start=arguments.word == 'on')
 
 

@@ -8,7 +8,9 @@ CMakeLists.txt (`cmake_text.py` has its syntax). `source_package.py` shows one p
 
 from __future__ import annotations
 
-from edulaunch.engine.packages.reading import Contents, Manifest
+import os
+
+from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
 
 
 def read_source(manifest: Manifest) -> Contents:
@@ -19,4 +21,8 @@ def read_source(manifest: Manifest) -> Contents:
         return read_setup_script(manifest)
     from edulaunch.ros.sources.cmake import read_cmake_lists
 
-    return read_cmake_lists(manifest)
+    contents = read_cmake_lists(manifest)
+    if manifest.build_type == 'catkin':  # much of its CMakeLists.txt means something else there
+        contents.unread = 'catkin'
+        contents.warnings = [PackageWarning(os.path.join(manifest.folder, 'package.xml'), 0, manifest.name, 'ROS 1')]
+    return contents

@@ -58,8 +58,9 @@ class _CMakeLists:
     def __init__(self, manifest: Manifest) -> None:
         self.package = manifest.name
         self.folder = manifest.folder
-        self.file = os.path.join(manifest.folder, 'CMakeLists.txt')
+        self.file = self.top = os.path.join(manifest.folder, 'CMakeLists.txt')
         self.contents = Contents()
+        self.conditions = 0
         self.built: dict[str, int] = {}
         self.output_names: dict[str, str] = {}
         self.functions: dict[str, tuple[tuple[str, ...], list[Command]]] = {}
@@ -90,6 +91,8 @@ class _CMakeLists:
         return self.contents
 
     def warn(self, line: int, sentence: str) -> None:
+        if self.conditions:
+            return  # a build may leave this branch of an if() out
         self.contents.warnings.append(PackageWarning(self.file, line, sentence))
 
     def _follow(self, todo: list[Command]) -> None:
@@ -125,6 +128,9 @@ class _CMakeLists:
 
     def _obey(self, command: Command) -> None:
         if command.name not in _COMMANDS:
+            self.conditions += {'if': 1, 'endif': -1}.get(command.name, 0)
+            if 'install' in command.name or 'subdirectory' in command.name:
+                self.contents.unread = self.contents.unread or f'{command.name}()'
             return
         unknown: list[str] = []
         words = expand(command, self.variables, unknown.append)
@@ -132,6 +138,7 @@ class _CMakeLists:
             self.variables.pop((words or [''])[0], None)  # what is made of an unknown value is unknown
             return
         if unknown:
+            self.contents.unread = self.contents.unread or f'${{{unknown[0]}}}'
             sentence = f'uses ${{{unknown[0]}}}, whose value is not known without running CMake'
             self.contents.warnings.append(PackageWarning(self.file, command.line, sentence, 'unknown'))
         getattr(self, f'_{command.name}')(command.line, words)
@@ -157,7 +164,10 @@ class _CMakeLists:
     # commands; each gets its line and its expanded words
 
     def _project(self, line: int, words: list[str]) -> None:
-        self.variables['PROJECT_NAME'] = self.variables['CMAKE_PROJECT_NAME'] = words[:1]
+        self.variables['PROJECT_NAME'] = words[:1]
+        if self.file != self.top:
+            return  # a project of its own, in a folder below
+        self.variables['CMAKE_PROJECT_NAME'] = words[:1]
         if words and words[0] != self.package:
             self.warn(
                 line,
@@ -234,12 +244,24 @@ class _CMakeLists:
         if words and words[0] != self.package:
             self.warn(line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}')
 
+    def _add_subdirectory(self, line: int, words: list[str]) -> None:
+        """Follow the CMakeLists.txt of a folder below; its variables are its own."""
+        outer = self.folder, self.file, self.variables
+        folder = os.path.normpath(os.path.join(self.folder, words[0])) if words else self.folder
+        if not folder.startswith(self.folder + os.sep) or not os.path.isfile(os.path.join(folder, 'CMakeLists.txt')):
+            return
+        self.folder, self.file = folder, os.path.join(folder, 'CMakeLists.txt')
+        self.variables = {**self.variables, **dict.fromkeys(('CMAKE_CURRENT_SOURCE_DIR', 'CMAKE_CURRENT_LIST_DIR'), [folder])}
+        with open(self.file, encoding='utf-8-sig', errors='replace') as stream:
+            self._follow(list(commands(stream.read())))
+        self.folder, self.file, self.variables = outer
+
     def _install(self, line: int, words: list[str]) -> None:
         mode, items, destination, rest = _clauses(words)
         if mode == 'TARGETS':
             self._native(items)
         elif not destination:
-            if mode:
+            if mode in ('FILES', 'PROGRAMS', 'DIRECTORY') and not {'TYPE', 'DESTINATION'} & {*rest}:
                 self.warn(line, f'install({mode} ...) has no DESTINATION')
         elif mode == 'DIRECTORY':
             self._directories(line, items, destination, rest)
@@ -294,6 +316,7 @@ _COMMANDS = frozenset(
         'list',
         'file',
         'add_executable',
+        'add_subdirectory',
         'ament_auto_add_executable',
         'ament_auto_package',
         'ament_python_install_package',
@@ -303,6 +326,9 @@ _COMMANDS = frozenset(
         'set_target_properties',
     )
 )
+KNOWN = _COMMANDS | {'ament_target_dependencies', 'rosidl_target_interfaces', 'set_target_properties', 'target_compile_features'}
+KNOWN |= {'target_include_directories', 'target_link_libraries', 'add_dependencies', 'target_compile_definitions'}
+"""Commands that install nothing which is not known."""
 _TEST_PROGRAMS = frozenset(
     ('add_executable', 'ament_add_gtest', 'ament_add_gmock', 'ament_add_gtest_executable', 'ament_add_gmock_executable')
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +31,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
     here = here or os.getcwd()
     workspaces = [place.folder for place in index.workspaces]
     same = [(folder, files) for workspace in workspaces for folder, files in _folders_called(package, workspace)]
+    same = [one for one in same if 'package.xml' in one[1] or not find_packages(one[0], [], LOOKED_AT)]
     for folder, files in same:
         if 'package.xml' in files or 'setup.py' in files:
             return _why_no_package(folder, files)
@@ -42,10 +44,15 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
     kind = index.absent(package)
     if kind is not None:
         return {'about': 'packages.absent-package', 'package': package, 'belongs_to': kind}
-    near = nearest_spelling(package, index.packages())
+    near = nearest_spelling(package, [name for name in index.packages() if not _is_another(name, package)])
     if near is None and same:
         return _why_no_package(*same[0])
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
+
+
+def _is_another(name: str, package: str) -> bool:
+    """Whether two names differ in their numbers only: turtlebot3_gazebo is not meant by turtlebot4_gazebo."""
+    return name != package and re.sub(r'\d', '0', name) == re.sub(r'\d', '0', package)
 
 
 def _without_manifest(package: str, here: str) -> str | None:
@@ -76,7 +83,8 @@ def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]
 
 def _why_no_package(folder: str, files: list[str]) -> Facts:
     if 'package.xml' not in files:
-        return {'about': 'packages.no-manifest', 'folder': folder}
+        templates = [name for name in sorted(files) if name.startswith('package') and name.endswith('.xml') and '1' not in name]
+        return {'about': 'packages.no-manifest', 'folder': folder, **({'template': templates[0]} if templates else {})}
     wrong: list[PackageWarning] = []
     if read_manifest(folder, wrong) is None and wrong:
         return _broken(wrong[0])
@@ -124,7 +132,23 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
         'executable': executable,
         'near': near,
         'known': [] if near else names,
+        **_unread(index, package, executable),
     }
+
+
+def _unread(index: Index, package: str, executable: str) -> Facts:
+    """The command of CMakeLists.txt that may make an executable, where edulaunch does not know what it does."""
+    found = source_package(index, package)
+    if found is None or found.is_python:
+        return {}
+    from edulaunch.ros.sources.cmake import KNOWN
+    from edulaunch.ros.sources.cmake_text import commands
+
+    called = [
+        one.name for one in commands(read_text(found.build_file())) if executable in one.words[:1] and one.name not in KNOWN
+    ]
+    unread = f'{called[0]}()' if called else found.contents.unread
+    return {'unread': unread} if unread else {}
 
 
 def _not_built(index: Index, package: str, executable: str) -> Facts:
@@ -159,6 +183,8 @@ def installed_file(index: Index, path: str) -> Facts:
         return _built(index, package)
     if found.contents.broken is not None:
         return _broken(found.contents.broken)
+    if found.contents.unread:
+        return {'about': 'packages.made-by-build', 'template': f'{found.contents.unread} of CMakeLists.txt', 'made': name}
     return _not_installed(found, source)
 
 

@@ -14,6 +14,7 @@ from typing import Any
 
 from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
 from edulaunch.ros.sources.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
+from edulaunch.ros.sources.source_package import read_text
 from edulaunch.ros.sources.static_values import Unknown, first_unknown
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
@@ -224,7 +225,7 @@ class _SetupScript:
         scripts = [script for script in self._known(options, 'scripts') or () if isinstance(script, str)]
         if not entries and not scripts:
             return
-        place = self._script_folder()
+        place = self._script_folder(module for _, module, _ in entries)
         for name, module, function in entries:
             self.contents.entry_points[f'{place}/{name}'] = (module, function)
         for script in scripts:
@@ -253,11 +254,18 @@ class _SetupScript:
             else:
                 yield match[1], match[2], match[3]
 
-    def _script_folder(self) -> str:
+    def _have_nodes(self, modules: Iterable[str]) -> bool:
+        """Whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""
+        files = [os.path.join(self.folder, *module.split('.')) + '.py' for module in modules]
+        return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
+
+    def _script_folder(self, modules: Iterable[str]) -> str:
         """Where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
         section = self.configuration['install'] if self.configuration.has_section('install') else {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:
+            if not self._have_nodes(modules):
+                return 'bin'
             self.warn(
                 f'has no install_scripts=$base/lib/{self.package} below [install], '
                 f'so `ros2 run {self.package} ...` and Node() '

@@ -100,7 +100,8 @@ class SourcePackage:
     def is_test(self, path: str) -> bool:
         """Whether a file stands in a folder of tests, or is called like a test."""
         *folders, name = self.relative(path).split(os.sep)
-        return not {'test', 'tests'}.isdisjoint(folders) or name.startswith('test_') or name.endswith('_test.py')
+        words = name.partition('.')[0].split('_')
+        return not {'test', 'tests'}.isdisjoint(folders) or 'tester' in words or 'test' in (words[0], words[-1])
 
     def is_launch_file(self, path: str) -> bool:
         """Whether this is a launch file: by its name, or by its folder. The description of a launch test is none: pytest and
@@ -111,6 +112,8 @@ class SourcePackage:
             return False
         if name.endswith('.py') and 'generate_test_description' in read_text(path):
             return False
+        if name == 'launch.py' and 'LaunchDescription' not in read_text(path):
+            return False  # a module that is called so
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
         return (

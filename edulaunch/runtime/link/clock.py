@@ -1,14 +1,14 @@
 """One agenda in two processes.
 
-Each half has its own items. Only the half that has the *token* runs, and only while its next item comes before the other half's
+Each peer has its own items. Only the peer that has the *token* runs, and only while its next item comes before the other peer's
 next one; so both together do what one process would, in the same order. The order of two items is that of their *keys*:
 
 * of the heap: (time, priority, 0, sequence);
 * of the queue for the present instant: (now, 0, 1, number). The queue has no sequence numbers, it is just first in, first out. So
-  whenever the other half may have asked for something in between, a *mark* with the next number goes into it; an item's number is
+  whenever the other peer may have asked for something in between, a *mark* with the next number goes into it; an item's number is
   that of the mark before it.
 
-Sequence numbers are counted through both halves: they go along with the token.
+Sequence numbers are counted through both peers: they go along with the token.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ Key = tuple[int, int, int, int]
 NEVER: Key = (FAR_NS, 0, 0, 0)
 BEFORE_ALL = -FAR_NS  # a priority that no item has: of the key where a run ends
 IS_MARK = -1  # in the place of a queued item's priority
-FOR_THE_OTHER = 1 << 16  # how many numbers the other half gets for what a frame makes it ask for
+FOR_THE_OTHER = 1 << 16  # how many numbers the other peer gets for what a frame makes it ask for
 
 
-class HalfSimulation(Simulation):
-    """The clock and agenda of one half.
+class PeerSimulation(Simulation):
+    """The clock and agenda of one peer.
 
-    :ivar other: the key of the other half's next item, as far as is known here.
-    :ivar pass_token: gives the token to the other half with the key of the next item here, and waits until it is back.
+    :ivar other: the key of the other peer's next item, as far as is known here.
+    :ivar pass_token: gives the token to the other peer with the key of the next item here, and waits until it is back.
     """
 
     def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
@@ -41,7 +41,7 @@ class HalfSimulation(Simulation):
         self._number = 0
 
     def mark(self) -> None:
-        """What is asked for from now on comes after all that was asked for in the other half."""
+        """What is asked for from now on comes after all that was asked for in the other peer."""
         self.last_number += 1
         soon = self._soon
         if soon and soon[-1][1] == IS_MARK:
@@ -54,12 +54,12 @@ class HalfSimulation(Simulation):
         return self.last_number
 
     def continue_from(self, number: int) -> None:
-        """The other half has given out numbers up to this one."""
+        """The other peer has given out numbers up to this one."""
         self.last_number = number
         self.mark()
 
     def number_for_the_other(self) -> int:
-        """A number for what a frame makes the other half ask for; what is asked for here afterwards comes later."""
+        """A number for what a frame makes the other peer ask for; what is asked for here afterwards comes later."""
         number = self.last_number + 1
         self.last_number = number + FOR_THE_OTHER
         self.mark()
@@ -87,7 +87,7 @@ class HalfSimulation(Simulation):
         return (agenda[0][0], agenda[0][1], 0, agenda[0][2]) if agenda else NEVER
 
     def run(self, until_ns: int | None = None) -> None:
-        """As in one process. A half that has no `until_ns` runs for ever: the other one ends it."""
+        """As in one process. A peer that has no `until_ns` runs for ever: the other one ends it."""
         self._stopped = False
         self.hub = getcurrent()
         end: Key = NEVER if until_ns is None else (until_ns + 1, BEFORE_ALL, 0, 0)

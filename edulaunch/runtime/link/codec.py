@@ -1,4 +1,4 @@
-"""Frames between the halves: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is read."""
+"""Frames between the peers: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is read."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ LONGEST_FRAME = 16 << 20
 
 
 class Violation(EdulaunchError):
-    """The other half sent what no half of ours sends."""
+    """The other peer sent what no peer of ours sends."""
 
 
 class Kind(IntEnum):
     """What a frame says. The sender of a call waits for RETURN; everything else is taken in passing."""
 
-    TOKEN = 1  # the other half runs now
+    TOKEN = 1  # the other peer runs now
     RETURN = 2
     ADVANCE = 3  # the sender's time
     MARK = 4  # what follows was asked for under this number
@@ -38,7 +38,7 @@ class Kind(IntEnum):
     ANSWERED = 14  # a reply went to its client; for the record
     RESPONSE = 15  # a reply reached a client
     PARAMETER = 16
-    STARTED = 17  # a program of the confined half began
+    STARTED = 17  # a program of the confined peer began
     ENDED = 18
     WROTE = 19
     LOG = 20
@@ -47,7 +47,7 @@ class Kind(IntEnum):
     FACT_OVER = 30
     DESCRIPTOR = 32
     WATCH = 31  # a node may have facts to tell at the end
-    SPAWN = 22  # the trusted half is to host a program
+    SPAWN = 22  # the trusted peer is to host a program
     SIGNAL = 23  # a call, for a hosted program
     HEARD = 24  # whether a hosted program's output is recorded
     OUTPUT = 25  # a call: a hosted program wrote
@@ -149,7 +149,7 @@ class Messages:
 
 
 class ForeignType:
-    """A type of the student's own, as the half that knows only its name has it."""
+    """A type of the student's own, as the peer that knows only its name has it."""
 
     def __init__(self, name: str) -> None:
         self.TYPE = name

@@ -1,4 +1,4 @@
-"""The confined half: launch and everything of the student's. It keeps no record that counts: it tells the trusted half."""
+"""The confined peer: launch and everything of the student's. It keeps no record that counts: it tells the trusted peer."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording.recorder import Recorder
-from edulaunch.runtime.link.clock import HalfSimulation
+from edulaunch.runtime.link.clock import PeerSimulation
 from edulaunch.runtime.link.codec import Kind, Messages, dump, load
-from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.replica import Replica
 from edulaunch.runtime.link.trusted_host import is_hosted
 from edulaunch.runtime.session import Session
 
 
 class HostedProgram:
-    """A program that runs in the trusted half, as the confined one sees it."""
+    """A program that runs in the trusted peer, as the confined one sees it."""
 
     is_passed_on = False
 
@@ -57,18 +57,18 @@ class HostedProgram:
     @is_recorded.setter
     def is_recorded(self, is_recorded: bool) -> None:
         self._is_recorded = is_recorded
-        self.host.half.send(Kind.HEARD, dump([self.pid, is_recorded]))
+        self.host.peer.send(Kind.HEARD, dump([self.pid, is_recorded]))
 
     def send_signal(self, signum: int) -> None:
         """As `Process.send_signal`."""
         if self.returncode is None:
-            self.host.half.call(Kind.SIGNAL, [self.pid, int(signum)])
+            self.host.peer.call(Kind.SIGNAL, [self.pid, int(signum)])
 
 
 class ConfinedRecorder(Recorder):
-    """Keeps nothing: tells the trusted half."""
+    """Keeps nothing: tells the trusted peer."""
 
-    half: Half
+    peer: Peer
     replica: Replica
     messages: Messages
 
@@ -91,50 +91,50 @@ class ConfinedRecorder(Recorder):
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         data = self.messages.packed(client.cls.Request, wire)
-        self.half.send(Kind.ASKED, dump([client.index, sequence, served, data]))
+        self.peer.send(Kind.ASKED, dump([client.index, sequence, served, data]))
 
     def response(self, client: Any, sequence: int, wire: Any) -> None:
         if self.replica.is_ours(client):
             data = self.messages.packed(client.cls.Response, wire)
-            self.half.send(Kind.ANSWERED, dump([client.index, sequence, data]))
+            self.peer.send(Kind.ANSWERED, dump([client.index, sequence, data]))
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
-        """The trusted half sees it, too."""
+        """The trusted peer sees it, too."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
-        self.half.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
+        self.peer.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
 
     def descriptor(
         self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
     ) -> None:
-        self.half.send(Kind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
+        self.peer.send(Kind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
 
     def process_started(self, process: Any) -> None:
         if not isinstance(process, HostedProgram):
-            self.half.send(Kind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
+            self.peer.send(Kind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
 
     def process_exited(self, process: Any) -> None:
         if not isinstance(process, HostedProgram):
-            self.half.send(Kind.ENDED, dump([process.pid, process.returncode, process.exception]))
+            self.peer.send(Kind.ENDED, dump([process.pid, process.returncode, process.exception]))
 
     def output(self, process: Any, stream: str, text: str) -> None:
-        self.half.send(Kind.WROTE, dump([process.pid, stream, text]))
+        self.peer.send(Kind.WROTE, dump([process.pid, stream, text]))
 
     def log(self, process: Process, level: int, logger: str, message: str) -> None:
-        self.half.send(Kind.LOG, dump([process.pid, level, logger, message]))
+        self.peer.send(Kind.LOG, dump([process.pid, level, logger, message]))
 
     def note(self, process: Process | None, kind: str, text: str) -> None:
-        self.half.send(Kind.NOTE, dump([None if process is None else process.pid, kind, text]))
+        self.peer.send(Kind.NOTE, dump([None if process is None else process.pid, kind, text]))
 
     def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
-        self.half.send(Kind.FACT, dump([process.pid, kind, key, data]))
+        self.peer.send(Kind.FACT, dump([process.pid, kind, key, data]))
 
     def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
-        self.half.send(Kind.FACT_OVER, dump([process.pid, kind, key]))
+        self.peer.send(Kind.FACT_OVER, dump([process.pid, kind, key]))
 
     def watch(self, node: NodeEntry, look: Look) -> None:
         super().watch(node, look)
-        self.half.send(Kind.WATCH, dump(node.index))
+        self.peer.send(Kind.WATCH, dump(node.index))
 
     def seen_now(self) -> list[list[Any]]:
         """What the nodes that are alive have to tell, by their numbers."""
@@ -142,7 +142,7 @@ class ConfinedRecorder(Recorder):
 
 
 def _forget(record: Record) -> None:
-    """What the other half publishes, it records."""
+    """What the other peer publishes, it records."""
 
 
 def spec_as_data(spec: ProcessSpec) -> list[Any]:
@@ -155,9 +155,9 @@ def spec_as_data(spec: ProcessSpec) -> list[Any]:
 
 
 class ConfinedHost(Host):
-    """Starts the student's programs here, and lets the trusted half host those that came with edulaunch."""
+    """Starts the student's programs here, and lets the trusted peer host those that came with edulaunch."""
 
-    half: Half
+    peer: Peer
 
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
@@ -175,7 +175,7 @@ class ConfinedHost(Host):
         self.processes.append(hosted)  # type: ignore[arg-type]
         self.tracer.process_started(hosted)
         spec = spec if spec.env is not None else spec._replace(env=self.env)
-        self.half.tell(Kind.SPAWN, dump([hosted.pid, known.argv, program.package, program.executable, spec_as_data(spec)]))
+        self.peer.tell(Kind.SPAWN, dump([hosted.pid, known.argv, program.package, program.executable, spec_as_data(spec)]))
         return hosted
 
     def hosted(self, pid: int) -> Any:
@@ -186,30 +186,30 @@ class ConfinedHost(Host):
 class ConfinedSession(Session):
     """A session whose worlds and stock nodes are elsewhere.
 
-    :param end: of the socket to the trusted half.
+    :param end: of the socket to the trusted peer.
     """
 
-    sim: HalfSimulation
+    sim: PeerSimulation
     recorder: ConfinedRecorder
     host: ConfinedHost
-    simulation_class = HalfSimulation
+    simulation_class = PeerSimulation
     recorder_class = ConfinedRecorder
     host_class = ConfinedHost
 
     def __init__(self, end: socket.socket, **options: Any) -> None:
         super().__init__(**options)
         recorder, host = self.recorder, self.host
-        half = recorder.half = host.half = Half(self.sim, end, trusts=True)
-        self.sim.other = (0, 0, 0, 0)  # the other half runs first
+        peer = recorder.peer = host.peer = Peer(self.sim, end, trusts=True)
+        self.sim.other = (0, 0, 0, 0)  # the other peer runs first
         recorder.messages = Messages(underlay_registry())
-        recorder.replica = Replica(half, self.graph, recorder.messages, host.hosted)
-        half.fatal = lambda error: os._exit(0)  # type: ignore[method-assign]
-        half.calls.update(
+        recorder.replica = Replica(peer, self.graph, recorder.messages, host.hosted)
+        peer.fatal = lambda error: os._exit(0)  # type: ignore[method-assign]
+        peer.calls.update(
             {Kind.OUTPUT: self._on_output, Kind.EXIT: self._on_exit, Kind.ENTRIES: self._entries, Kind.FINISH: self._finish}
         )
 
     def run_as_asked(self) -> None:
-        """Let the trusted half have the token, and run when it gives it back, until it ends this process."""
+        """Let the trusted peer have the token, and run when it gives it back, until it ends this process."""
         with streams_of_programs():
             self.sim.run(None)
 
@@ -241,11 +241,12 @@ class ConfinedSession(Session):
         return [list(entry) for entry in entries]
 
     def _finish(self, payload: memoryview) -> Any:
-        """What was launched, in launch's own words; and what the trusted half asks for."""
+        """What was launched, in launch's own words; and what the trusted peer asks for."""
         types, files = load(bytes(payload))
         self.describe()
         recorder = self.recorder
         sources = {file: self.index.source_path(file) for file in files}
         interfaces = recorder.interfaces(set(types))
-        told = {'launch': recorder.launch, 'roots': recorder.roots, 'seen': recorder.seen_now()}
-        return {**told, 'interfaces': interfaces, 'sources': sources}
+        answer = {'launch': recorder.launch, 'roots': recorder.roots, 'seen': recorder.seen_now()}
+        beside = {name: [one.told() for one in many] for name, many in recorder.beside.items()}
+        return {**answer, 'interfaces': interfaces, 'sources': sources, 'beside': beside}

@@ -1,4 +1,4 @@
-"""Which process each row of a record belongs to, and which program each hosted process is, as the trusted half knows it.
+"""Which process each row of a record belongs to, and which program each hosted process is, as the trusted peer knows it.
 
 Names in a recording are claims of whoever chose them, and two processes can have one name. Positions are not.
 """
@@ -14,7 +14,7 @@ PARTS = ('nodes', 'parameters', 'logs', 'output')
 
 
 class HostedProgram(NamedTuple):
-    """The package and the executable of a program that a trusted half ran itself."""
+    """The package and the executable of a program that a trusted peer ran itself."""
 
     package: str
     executable: str
@@ -24,7 +24,7 @@ class Provenance:
     """Where the rows of a recording come from.
 
     :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 for none.
-    :ivar programs: the programs that the trusted half ran itself, by position in `processes`.
+    :ivar programs: the programs that the trusted peer ran itself, by position in `processes`.
     """
 
     def __init__(self) -> None:

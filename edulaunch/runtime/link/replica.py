@@ -1,6 +1,6 @@
-"""The graph in both halves: what one half does to it, the other repeats, and messages reach whoever listens on either side.
+"""The graph in both peers: what one peer does to it, the other repeats, and messages reach whoever listens on either side.
 
-Each half has every node and endpoint, in the same order and with the same numbers. Those of the other half are *remote*: what
+Each peer has every node and endpoint, in the same order and with the same numbers. Those of the other peer are *remote*: what
 reaches one of them goes over the link instead of into a queue.
 """
 
@@ -27,7 +27,7 @@ from edulaunch.engine.graph.qos import (
 from edulaunch.engine.graph.services import ServiceClient, ServiceServer
 from edulaunch.engine.graph.topics import Publisher, Subscription, WatchedPublisher, connect
 from edulaunch.runtime.link.codec import AS_BEFORE, Kind, Messages, Violation, dump, load
-from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.peer import Peer
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.tracer import Record
@@ -41,7 +41,7 @@ LAST_INDEX = (1 << 32) - 1
 POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KEEP_ALL), (AUTOMATIC, MANUAL_BY_TOPIC))
 
 
-class Outlet:
+class RemoteQueue:
     """In the place of a remote endpoint's queue: holds what comes until `on_ready` sends it. Old samples are there already."""
 
     item: Any = None
@@ -60,21 +60,21 @@ class Outlet:
 
 
 class Replica:
-    """Keeps the graph of one half the same as that of the other.
+    """Keeps the graph of one peer the same as that of the other.
 
-    :param process: the program of a pid at the other half, for nodes that come from there.
+    :param process: the program of a pid at the other peer, for nodes that come from there.
     """
 
-    def __init__(self, half: Half, graph: Graph, messages: Messages, process: Callable[[int], Any]) -> None:
-        self.half = half
+    def __init__(self, peer: Peer, graph: Graph, messages: Messages, process: Callable[[int], Any]) -> None:
+        self.peer = peer
         self.graph = graph
         self.messages = messages
         self.is_repeating = False
         self.theirs: dict[int, Any] = {}
         self._process = process
         self._ours: dict[int, Any] = {}
-        self._known: dict[int, tuple[Any, int]] = {}  # the message of each publisher that the other half has seen last
-        half.handlers.update(
+        self._known: dict[int, tuple[Any, int]] = {}  # the message of each publisher that the other peer has seen last
+        peer.handlers.update(
             {
                 Kind.NODE: self._node,
                 Kind.NODE_GONE: self._node_gone,
@@ -86,19 +86,19 @@ class Replica:
                 Kind.RESPONSE: self._response,
             }
         )
-        half.calls[Kind.REQUEST] = self._request
+        peer.calls[Kind.REQUEST] = self._request
 
     # What happens here goes there
 
     def node_added(self, node: NodeEntry) -> None:
         """See `Tracer`."""
         if not self.is_repeating:
-            self.half.tell(Kind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
+            self.peer.tell(Kind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
 
     def node_removed(self, node: NodeEntry) -> None:
         """See `Tracer`."""
         if not self.is_repeating:
-            self.half.tell(Kind.NODE_GONE, END.pack(node.index))
+            self.peer.tell(Kind.NODE_GONE, END.pack(node.index))
 
     def endpoint_added(self, kind: str, end: Any) -> None:
         """See `Tracer`."""
@@ -106,26 +106,26 @@ class Replica:
             return
         self._ours[end.index] = end
         name = end.topic_name if kind in ('publisher', 'subscription') else end.service_name
-        self.half.tell(Kind.END, dump([kind, end.index, end.node.index, name, end.type_name, list(end.qos)]))
+        self.peer.tell(Kind.END, dump([kind, end.index, end.node.index, name, end.type_name, list(end.qos)]))
         if isinstance(end, WatchedPublisher):
-            end.on_life.append(lambda: self.half.tell(Kind.ALIVE, END.pack(end.index)))
+            end.on_life.append(lambda: self.peer.tell(Kind.ALIVE, END.pack(end.index)))
 
     def endpoint_removed(self, kind: str, end: Any) -> None:
         """See `Tracer`."""
         self._known.pop(end.index, None)
         if not self.is_repeating:
             del self._ours[end.index]
-            self.half.tell(Kind.END_GONE, END.pack(end.index))
+            self.peer.tell(Kind.END_GONE, END.pack(end.index))
 
     def is_ours(self, end: Any) -> bool:
-        """Whether an endpoint belongs to a node of this half."""
+        """Whether an endpoint belongs to a node of this peer."""
         return end.index in self._ours
 
     def published(self, publisher: Any, record: Record) -> None:
-        """Let the other half have a message, before it is delivered."""
+        """Let the other peer have a message, before it is delivered."""
         _, index, wire = record
         self._known[index] = wire, record[0]
-        self.half.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
+        self.peer.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
 
     def _deliver(self, subscription: Any) -> None:
         """A message has reached a remote subscription."""
@@ -138,31 +138,31 @@ class Replica:
         else:
             self._known[publisher.index] = wire, now_ns
             message = self.messages.packed(publisher.cls, wire)
-        self.half.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
+        self.peer.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
 
     def _ask(self, server: Any) -> None:
         """A request has reached a remote server."""
         wire, (client, sequence) = server.queue.item
         data = self.messages.packed(client.cls.Request, wire)
-        self.half.call(Kind.REQUEST, [server.index, client.index, sequence, data])
+        self.peer.call(Kind.REQUEST, [server.index, client.index, sequence, data])
 
     def _respond(self, client: Any) -> None:
         """A reply has reached a remote client."""
         sequence, wire = client.queue.item
         data = self.messages.packed(client.cls.Response, wire)
-        self.half.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
+        self.peer.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
 
     # What happened there is repeated here
 
     def their(self, index: int, kind: type[Any]) -> Any:
-        """The other half's node or endpoint of that number. Raises Violation when it is no `kind`."""
+        """The other peer's node or endpoint of that number. Raises Violation when it is no `kind`."""
         found = self.theirs.get(index)
         if not isinstance(found, kind):
-            raise Violation(f'number {index} is no {kind.__name__} of that half')
+            raise Violation(f'number {index} is no {kind.__name__} of that peer')
         return found
 
     def our(self, index: int, kind: type[Any]) -> Any:
-        """This half's endpoint of that number; None when it is gone."""
+        """This peer's endpoint of that number; None when it is gone."""
         found = self._ours.get(index)
         return found if isinstance(found, kind) else None
 
@@ -207,7 +207,7 @@ class Replica:
 
     def _subscription(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Subscription:
         subscription = Subscription(self.graph, node, topic, cls, qos, lambda: self._deliver(subscription))
-        subscription.queue = Outlet()  # type: ignore[assignment]
+        subscription.queue = RemoteQueue()  # type: ignore[assignment]
         self.graph.add_end(node, self.graph.subscriptions, topic, subscription)
         for publisher in self.graph.publishers.get(topic, ()):
             connect(publisher, subscription)
@@ -215,12 +215,12 @@ class Replica:
 
     def _service(self, node: NodeEntry, name: str, cls: Any, qos: QoS) -> ServiceServer:
         server = self.graph.create_service(node, name, cls, qos, lambda: self._ask(server))
-        server.queue = Outlet()  # type: ignore[assignment]
+        server.queue = RemoteQueue()  # type: ignore[assignment]
         return server
 
     def _client(self, node: NodeEntry, name: str, cls: Any, qos: QoS) -> ServiceClient:
         client = self.graph.create_client(node, name, cls, qos, lambda: self._respond(client))
-        client.queue = Outlet()  # type: ignore[assignment]
+        client.queue = RemoteQueue()  # type: ignore[assignment]
         return client
 
     def _end_gone(self, payload: memoryview) -> None:
@@ -277,7 +277,7 @@ class Replica:
         client.on_ready()
 
     def answered(self, client: Any, sequence: int, wire: Any) -> None:
-        """A reply has come from the other half, to a client here: for the record, where it is kept."""
+        """A reply has come from the other peer, to a client here: for the record, where it is kept."""
 
 
 def _name(value: Any, before: str = '') -> str:

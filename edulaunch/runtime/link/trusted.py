@@ -1,4 +1,4 @@
-"""The trusted half: the clock's owner, worlds and stock nodes, the recorder. It believes nothing that the confined half says of
+"""The trusted peer: the clock's owner, worlds and stock nodes, the recorder. It believes nothing that the confined peer says of
 others, and reads nothing of the student's but frames.
 """
 
@@ -24,9 +24,9 @@ from edulaunch.engine.recording.recorder import Recorder
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.ros.sourcing import source
 from edulaunch.runtime.fittings import hint_of
-from edulaunch.runtime.link.clock import HalfSimulation
+from edulaunch.runtime.link.clock import PeerSimulation
 from edulaunch.runtime.link.codec import Kind, Messages, Violation, load, tuples
-from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.provenance import HostedProgram, Provenance
 from edulaunch.runtime.link.replica import Replica
 from edulaunch.runtime.link.trusted_host import TrustedHost, is_shipped, runs_beside_the_student, spec_from_data, text_of
@@ -35,7 +35,7 @@ STREAMS = ('stdout', 'stderr')
 
 
 class ConfinedProgram:
-    """A program of the confined half, as far as the record needs it."""
+    """A program of the confined peer, as far as the record needs it."""
 
     def __init__(self, pid: int, spec: ProcessSpec) -> None:
         self.pid = pid
@@ -46,8 +46,21 @@ class ConfinedProgram:
         self.exception: dict[str, Any] | None = None
 
 
+class ToldBeside:
+    """The steps of a launch as the confined peer reports them. The live view checks them."""
+
+    pid = 0
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        self._data = data
+
+    def told(self, since: int = 0) -> dict[str, Any]:
+        """All of it."""
+        return self._data
+
+
 class TrustedRecorder(Recorder):
-    """Keeps the record, and lets the confined half know what it may see of it.
+    """Keeps the record, and lets the confined peer know what it may see of it.
 
     :ivar provenance: which process each row belongs to, and which programs ran here.
     :ivar programs: the programs that run here, by pid.
@@ -56,7 +69,7 @@ class TrustedRecorder(Recorder):
     replica: Replica
     texts: dict[str, str]
 
-    def __init__(self, sim: HalfSimulation) -> None:
+    def __init__(self, sim: PeerSimulation) -> None:
         super().__init__(sim)
         self.provenance = Provenance()
         self.programs: dict[int, HostedProgram] = {}
@@ -116,32 +129,32 @@ class TrustedRecorder(Recorder):
         self.replica.endpoint_removed(kind, endpoint)
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
-        """The texts that the confined half gave."""
+        """The texts that the confined peer gave."""
         return self.texts
 
 
 class Trusted:
-    """The trusted half of one run.
+    """The trusted peer of one run.
 
-    :param end: of the socket to the confined half.
+    :param end: of the socket to the confined peer.
     :param quota: how many bytes that may send.
     """
 
     def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
         source()
-        self.sim = HalfSimulation(seed)
+        self.sim = PeerSimulation(seed)
         self.recorder = TrustedRecorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
         self.host = TrustedHost(self.sim, self.graph, Index([underlay_prefix()]), env={}, hint_of=hint_of)
         self.host.identified = self.recorder.programs
-        self.half = self.host.half = Half(self.sim, end, trusts=False, quota=quota)
+        self.peer = self.host.peer = Peer(self.sim, end, trusts=False, quota=quota)
         self.messages = Messages(underlay_registry())
-        self.replica = self.recorder.replica = Replica(self.half, self.graph, self.messages, self._program)
+        self.replica = self.recorder.replica = Replica(self.peer, self.graph, self.messages, self._program)
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
-        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # what is odd about the other half's nodes, by their numbers
-        self.half.calls[Kind.SIGNAL] = self.host.send_signal
-        self.half.handlers.update(
+        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # what is odd about the other peer's nodes, by their numbers
+        self.peer.calls[Kind.SIGNAL] = self.host.send_signal
+        self.peer.handlers.update(
             {
                 Kind.ASKED: self._asked,
                 Kind.ANSWERED: self._answered,
@@ -163,9 +176,9 @@ class Trusted:
     def run(self, duration_s: float) -> dict[str, Any]:
         """Let simulated time pass, and give the content of the recording."""
         with streams_of_programs():
-            self.half.await_token(self.sim.now_ns)
+            self.peer.await_token(self.sim.now_ns)
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
-            self.half.checked(self._describe)
+            self.peer.checked(self._describe)
         self.recorder.stop()
         return self.recorder.content()
 
@@ -184,14 +197,15 @@ class Trusted:
         return found
 
     def _describe(self) -> None:
-        """Ask the other half what it knows of what was launched. It may say what it likes: nothing here depends on it."""
+        """Ask the other peer what it knows of what was launched. It may say what it likes: nothing here depends on it."""
         recorder = self.recorder
         types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
         files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
-        told = self.half.call(Kind.FINISH, [sorted(types), sorted(files)])
-        recorder.launch, recorder.roots, recorder.texts = told['launch'], told['roots'], told['interfaces']
-        self._seen.update({index: [(text_of(kind), dict(data)) for kind, data in seen] for index, seen in told['seen']})
-        recorder.use_sources(lambda path: text_of(told['sources'].get(path, path)))
+        answer = self.peer.call(Kind.FINISH, [sorted(types), sorted(files)])
+        recorder.launch, recorder.roots, recorder.texts = answer['launch'], answer['roots'], answer['interfaces']
+        recorder.beside = {text_of(name): [ToldBeside(dict(one)) for one in many] for name, many in answer['beside'].items()}
+        self._seen.update({index: [(text_of(kind), dict(data)) for kind, data in seen] for index, seen in answer['seen']})
+        recorder.use_sources(lambda path: text_of(answer['sources'].get(path, path)))
 
     def _program(self, pid: Any) -> ConfinedProgram:
         return self._programs[pid]

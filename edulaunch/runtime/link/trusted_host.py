@@ -1,5 +1,5 @@
-"""What the trusted half hosts for the other one: programs that came with edulaunch, but for a few that read a student's files
-or keys, started as that half asks.
+"""What the trusted peer hosts for the other one: programs that came with edulaunch, but for a few that read a student's files
+or keys, started as that peer asks.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from edulaunch.engine.processes.programs import run_program
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.runtime.link.codec import Kind, Violation, load
-from edulaunch.runtime.link.half import Half
+from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.provenance import HostedProgram
 
 OF_THE_STUDENT = {
@@ -45,13 +45,13 @@ def _underlay() -> Underlay:
 
 
 def hosted_program(package: str, executable: str) -> Program | None:
-    """The program of that name, if the trusted half hosts it."""
+    """The program of that name, if the trusted peer hosts it."""
     own = OF_THE_STUDENT.get(package, ())
     return None if own is None or executable in own else _underlay().program(package, executable)
 
 
 def is_hosted(program: Program | None) -> bool:
-    """Whether the trusted half has this very program."""
+    """Whether the trusted peer has this very program."""
     if program is None or program.kind != 'entry_point':
         return False
     ours = hosted_program(program.package, program.executable)
@@ -69,7 +69,7 @@ def is_shipped(word: str) -> bool:
 
 
 def runs_beside_the_student(package: str | None, executable: str | None, word: str) -> bool:
-    """Whether a stock program, started by this word, is one of those that the confined half runs itself."""
+    """Whether a stock program, started by this word, is one of those that the confined peer runs itself."""
     if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
         return False
     is_stand_in = package is not None and absent_kind(package) is not None  # it ends at once, and says what is not here
@@ -85,11 +85,11 @@ class TrustedHost(Host):
     :ivar identified: which program each process that runs here is, by its pid.
     """
 
-    half: Half
+    peer: Peer
     identified: dict[int, HostedProgram]
 
     def spawn(self, payload: memoryview) -> None:
-        """Start a program that the confined half asks for."""
+        """Start a program that the confined peer asks for."""
         pid, argv, package, executable, data = load(bytes(payload))
         spec = spec_from_data(data)
         program = hosted_program(text_of(package), text_of(executable))
@@ -99,12 +99,12 @@ class TrustedHost(Host):
             raise Violation('no program that is hosted here')
         self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
         process = Process(self, spec, pid, argv, lambda process: run_program(process, program))
-        process.on_output = lambda stream, text: self.half.call(Kind.OUTPUT, [pid, stream, text])
-        process.on_exit = lambda code: self.half.call(Kind.EXIT, [pid, code, process.exception])
+        process.on_output = lambda stream, text: self.peer.call(Kind.OUTPUT, [pid, stream, text])
+        process.on_exit = lambda code: self.peer.call(Kind.EXIT, [pid, code, process.exception])
         self.adopt(process)
 
     def their_pid(self, pid: Any) -> int:
-        """The next number, which the confined half has to name."""
+        """The next number, which the confined peer has to name."""
         if pid != self.next_pid() or pid >= 1000 + MOST_PROGRAMS:
             raise Violation('programs are numbered as they come')
         return int(pid)
@@ -128,12 +128,12 @@ class TrustedHost(Host):
             process.is_recorded = is_recorded is True
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """As `Host.parameter_entries`: the confined half reads the file."""
+        """As `Host.parameter_entries`: the confined peer reads the file."""
         program = self.program_here()
-        told = self.half.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
-        if isinstance(told, list):
-            return [_entry(row) for row in told]
-        raise _reading_error(told)
+        answer = self.peer.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
+        if isinstance(answer, list):
+            return [_entry(row) for row in answer]
+        raise _reading_error(answer)
 
 
 def _entry(row: Any) -> Entry:
@@ -149,16 +149,16 @@ def _is_value(value: Any) -> bool:
     return value is None or isinstance(value, (bool, int, float, str))
 
 
-def _reading_error(told: Any) -> Exception:
-    if 'reason' in told:
-        error = ParameterFileError(text_of(told['reason']))
-        return with_facts(error, text_of(told['facts'].pop('about')), **told['facts']) if told['facts'] else error
-    if 'coding' in told:
-        encoding, wrong, start, end, reason = told['coding']
+def _reading_error(answer: Any) -> Exception:
+    if 'reason' in answer:
+        error = ParameterFileError(text_of(answer['reason']))
+        return with_facts(error, text_of(answer['facts'].pop('about')), **answer['facts']) if answer['facts'] else error
+    if 'coding' in answer:
+        encoding, wrong, start, end, reason = answer['coding']
         if not (0 <= start < end < 1 << 26 and isinstance(wrong, bytes)):
             raise Violation('no place in a file')
         return UnicodeDecodeError(text_of(encoding), bytes(start) + wrong, start, end, text_of(reason))
-    number, text, file = told['system']
+    number, text, file = answer['system']
     return OSError(int(number), text_of(text), text_of(file))
 
 

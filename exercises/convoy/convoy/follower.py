@@ -21,7 +21,7 @@ class Follower(Node):
         try:
             seen = self.buffer.lookup_transform(self.me, self.target, Time()).transform.translation
         except TransformException:
-            return  # not yet: the turtle, or its leader, is not there
+            return  # the turtle or its leader does not exist yet
         twist = Twist()
         twist.linear.x = 1.5 * hypot(seen.x, seen.y)
         twist.angular.z = 4.0 * atan2(seen.y, seen.x)

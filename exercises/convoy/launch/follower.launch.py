@@ -14,6 +14,6 @@ def generate_launch_description():
                             ['{x: 2.0, y: 2.0, name: ', me, '}']]),
         Node(package='tf2_ros', executable='static_transform_publisher', name=['carrot_of_', leader],
              arguments=['--x', '-1', '--frame-id', leader, '--child-frame-id', ['carrot_', leader]]),
-        # TODO 1: its broadcaster, and the node follower of convoy, which goes to ['carrot_', leader]
+        # TODO 1: the broadcaster, and the node follower of convoy, which drives to ['carrot_', leader]
 
     ])

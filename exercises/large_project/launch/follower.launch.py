@@ -1,4 +1,4 @@
-"""Tells tf where turtle1 and turtle2 are, and lets turtle2 drive to the frame `target_frame`."""
+"""Two broadcasters for turtle1 and turtle2, and a listener that drives turtle2 to the frame `target_frame`."""
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration

@@ -1,10 +1,10 @@
-"""Everything: two worlds, a follower with its goal, a carrot, and a turtle that copies the follower.
+"""The top-level launch file: two worlds, a follower with its goal, a carrot, and a turtle that copies the follower.
 
     ros2 launch large_project large_project.launch.py goal:=turtle1
 
-A large launch file is short: it includes small ones, and says what differs. Read them first: world.launch.py,
-follower.launch.py and mimic.launch.py lie beside this file, the parameters of the worlds in ../config/turtlesim.yaml.
-Then fill the three gaps: two here, and one in the file of parameters.
+A large launch file can be short if it includes small ones and sets only their differences. Read these first:
+world.launch.py, follower.launch.py and mimic.launch.py beside this file, and the parameters of the worlds in
+../config/turtlesim.yaml. Then fill the three gaps: two here, and one in the parameter file.
 
 Grade it: edugrade exercises/large_project        A hint: edugrade exercises/large_project --hint 1
 """
@@ -17,7 +17,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def include(name, **arguments):
-    """One launch file of this package, with arguments for it."""
+    """Include a launch file of this package, with values for its arguments."""
     path = PathJoinSubstitution([FindPackageShare('large_project'), 'launch', name])
     return IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments=arguments.items())
 
@@ -30,9 +30,9 @@ def generate_launch_description():
             description='The frame that turtle2 drives to: carrot1 or turtle1.',
         ),
         include('world.launch.py'),
-        # TODO 1: include the world once more, in a group that first pushes the namespace turtlesim2
+        # TODO 1: include the world again, in a group that first pushes the namespace turtlesim2
 
-        # TODO 2: give follower.launch.py the value of the launch argument goal as its argument target_frame
+        # TODO 2: pass the launch argument goal to follower.launch.py as its argument target_frame
         include('follower.launch.py'),
         include('mimic.launch.py'),
         Node(package='turtle_tf2_py', executable='fixed_frame_tf2_broadcaster', name='fixed_broadcaster'),

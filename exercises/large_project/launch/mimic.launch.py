@@ -1,4 +1,4 @@
-"""turtle1 of the world turtlesim2 does what turtle2 of the first world does."""
+"""turtle1 of the world turtlesim2 copies turtle2 of the first world."""
 from launch import LaunchDescription
 from launch_ros.actions import Node
 

@@ -1,4 +1,4 @@
-"""One turtle world. Its namespace is up to whoever includes this file; its colours are in config/turtlesim.yaml."""
+"""One turtle world. The file that includes this one chooses its namespace; config/turtlesim.yaml sets its colours."""
 from launch import LaunchDescription
 from launch.substitutions import PathJoinSubstitution
 from launch_ros.actions import Node

@@ -1,9 +1,10 @@
-"""A node that counts what is said on two channels. It counts neither of them, and never comes beyond 1.
+"""A node that should count the messages of two channels. At the moment it receives none of them, and never counts beyond 1.
 
     ros2 launch two_channels two_channels.launch.py first:=red
 
-This file is right; two lines of two_channels/counter.py are wrong. Lesson 0 has both mistakes. The talkers speak once a second,
-and after each message the counter says how many it has heard so far, of both channels together: "messages: 1", "messages: 2".
+This file is right; two lines of two_channels/counter.py are wrong. Lesson 0 shows both mistakes. The talkers publish once
+a second. After each message, the counter should log how many it has received so far, on both channels together:
+"messages: 1", "messages: 2".
 
 Grade it: edugrade exercises/two_channels        A hint: edugrade exercises/two_channels --hint 1
 """

@@ -17,7 +17,7 @@ class Counter(Node):
             self.create_subscription(String, topic, self.on_message, 10)
 
     def on_message(self, message):
-        # TODO 2: what does it remember of the last message?
+        # TODO 2: what does the node remember from the last message?
         count = 0
         count += 1
         self.get_logger().info(f'messages: {count}')

@@ -1,4 +1,4 @@
-"""One sea, as blue as the launch argument blue says. Its namespace is up to whoever includes this file."""
+"""One sea; the launch argument blue sets its blue value. The file that includes this one chooses its namespace."""
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution

@@ -1,8 +1,8 @@
-"""A dark sea in the north and a bright one in the south; or so it should be: both are dark, and the south has other colours, too.
+"""There should be a dark sea in the north and a bright one in the south. Both are dark, and the south has other colours.
 
     ros2 launch two_seas two_seas.launch.py south_blue:=200
 
-Two places are wrong: one here, one in config/sea.yaml. The file sea.launch.py is right: read it first.
+There are two mistakes: one here, one in config/sea.yaml. The file sea.launch.py is right: read it first.
 
 Grade it: edugrade exercises/two_seas        A hint: edugrade exercises/two_seas --hint 1
 """
@@ -15,7 +15,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def sea(namespace, **arguments):
-    """One sea in its namespace, with arguments for sea.launch.py."""
+    """Start one sea in its namespace, with arguments for sea.launch.py."""
     path = PathJoinSubstitution([FindPackageShare('two_seas'), 'launch', 'sea.launch.py'])
     include = IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments=arguments.items())
     return GroupAction([PushROSNamespace(namespace), include])
@@ -26,6 +26,6 @@ def generate_launch_description():
     return LaunchDescription([
         DeclareLaunchArgument('south_blue', default_value='200', description='0 to 255.'),
         sea('north'),
-        # TODO 1: sea.launch.py asks for an argument, but not for this one
+        # TODO 1: sea.launch.py does not declare this argument
         sea('south', south_blue=blue),
     ])

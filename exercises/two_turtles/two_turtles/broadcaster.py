@@ -1,4 +1,4 @@
-"""Tells tf2 where one turtle is in the world."""
+"""Broadcasts where one turtle is in the world."""
 from math import cos, sin
 
 import rclpy
@@ -19,11 +19,11 @@ class Broadcaster(Node):
         t = TransformStamped()
         t.header.stamp = self.get_clock().now().to_msg()
         t.header.frame_id = 'world'
-        # TODO 1: each turtle has a frame of its own
+        # TODO 1: each turtle needs its own frame
         t.child_frame_id = 'turtle1'
         t.transform.translation.x = pose.x
         t.transform.translation.y = pose.y
-        # TODO 2: a quaternion takes half of the angle
+        # TODO 2: a quaternion uses half of the angle
         t.transform.rotation.z = sin(pose.theta)
         t.transform.rotation.w = cos(pose.theta)
         self.tf.sendTransform(t)

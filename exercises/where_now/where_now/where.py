@@ -1,4 +1,4 @@
-"""Says once a second where turtle1 is, and where it was some time ago."""
+"""Logs once a second where turtle1 is, and where it was some time ago."""
 import rclpy
 from rclpy.duration import Duration
 from rclpy.node import Node
@@ -16,9 +16,9 @@ class Where(Node):
 
     def on_timer(self):
         now = self.get_clock().now()
-        # TODO 1: now is always a little too late for tf2; ask for the newest that it has
+        # TODO 1: tf2 has no transform for now yet; ask for the newest one
         self.say('newest', now)
-        # TODO 2: and this is to be self.ago before now
+        # TODO 2: this time should be self.ago before now
         self.say('before', now + self.ago)
 
     def say(self, word, time):

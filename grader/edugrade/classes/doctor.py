@@ -25,6 +25,8 @@ _ATTEMPTS = (
     ('files', 'change its own text', 'posix.open(settings["file"], 1)'),
     ('files', 'change the mode of a file beside the submission', 'posix.chmod(settings["secret"], 0)'),
     ('files', 'change the times of the submission', 'posix.utime(settings["file"])'),
+    ('files', 'change the mode of a device', 'posix.chmod("/dev/null", 0o666)'),
+    ('files', 'change the mode of what is open', 'posix.fchmod(0, 0o666)'),
     ('view', 'see the size of a file beside the submission', 'posix.stat(settings["secret"])'),
     ('view', 'see that there is a rubric', 'posix.stat(settings["rubric"])'),
     ('network', 'connect to a server on this machine', '_socket.socket(2, 1).connect(("127.0.0.1", settings["port"]))'),

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any
 
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import MissingExtra, UnusableInput
 
 from ..files import read_given, write_whole
 from ..grading import grade, plan_work
@@ -22,7 +22,7 @@ from ..options import add_common
 from ..reports.document import document, json_text, receipt
 from ..reports.terminal import printable
 from ..submission import Submission
-from ..variant import CourseSecret, Variant
+from ..variant import CourseSecret, Variant, variant_for
 
 LARGEST_KEY, LARGEST_REPORT = 10_000, 50_000_000
 MAKE = 'openssl genpkey -algorithm ed25519 -out key.pem; openssl pkey -in key.pem -pubout -out public.pem'
@@ -104,7 +104,7 @@ def _library() -> tuple[Any, Any]:
         from cryptography.hazmat.primitives import serialization
         from cryptography.hazmat.primitives.asymmetric import ed25519
     except ImportError:
-        raise UnusableInput('signatures need the package cryptography', help="pip install 'edulaunch[sign]'") from None
+        raise MissingExtra('a signature', 'cryptography', 'sign') from None
     return serialization, ed25519
 
 
@@ -147,7 +147,11 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
         raise UnusableInput(f'the receipt of {options.report} has no seed')
     submission = Submission(options.submission or find_submission(report, options.report))
     rubric = options.rubric or report['rubric']['name'] if submission.exercise != report['rubric']['name'] else options.rubric
-    work = plan_work(submission, rubric, seed, variant=_variant(report))
+    claimed = _variant(report)
+    variant = _known_variant(claimed, report, options) if claimed else None
+    if claimed != variant:
+        yield 'variant: not the one that the course gives this student'
+    work = plan_work(submission, rubric, seed, variant=variant)
     yield from _of_the_seed(report, options, submission)
     now = receipt(work)
     yield from (f'{words}: another one' for key, words in NAMES.items() if before.get(key) != now[key])
@@ -169,6 +173,19 @@ def _variant(report: dict[str, Any]) -> Variant | None:
         return Variant(str(found['student']), str(found['tag']), {str(key): str(text) for key, text in found['values'].items()})
     except (KeyError, TypeError, AttributeError):
         return None
+
+
+def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.Namespace) -> Variant | None:
+    """The variant that the course's secret, or the student's copy of the course, gives; a report may name any.
+
+    :raises UnusableInput: when neither is there.
+    """
+    secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
+    found = variant_for(str(report['rubric']['name']), str(report.get('student') or claimed.student), secret)
+    if found is None and secret is None:
+        words = 'the report is of a personal exercise, and nothing here says whose values are whose'
+        raise UnusableInput(words, help='give --course-secret-file FILE')
+    return found
 
 
 def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission: Submission) -> Iterator[str]:

@@ -96,9 +96,9 @@ def _solution(folder: str, item: Exercise) -> str:
 def _made(works: Sequence[Work], place: str, limits: Limits, kinds: Sequence[str]) -> Iterator[tuple[str, str, Work]]:
     """Record each solution's first run, write its decoys, and plan their gradings."""
     with runner_here(limits) as runner:
-        tickets = [runner.add(work.submission, work.scenarios[:1]) for work in works]
-        for work, ticket in zip(works, tickets, strict=True):
-            (outcome,) = runner.wait(ticket)
+        jobs = [runner.add(work.submission, work.scenarios[:1]) for work in works]
+        for work, job in zip(works, jobs, strict=True):
+            (outcome,) = runner.wait(job)
             for kind, path in decoys(work.submission, _recording(work, outcome), os.path.join(place, work.name)):
                 if kind in kinds:
                     yield work.name, kind, plan_work(Submission(path), work.rubric.file or work.name, SEED)

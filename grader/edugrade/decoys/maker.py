@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from ..library.arguments import written_text
+from ..evidence import written_text
 from .player import LAUNCH, PLAYER, SWAPPED
 
 if TYPE_CHECKING:

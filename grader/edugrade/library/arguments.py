@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence, Mismatch, Missing
+from ..evidence import Evidence, Failure, Mismatch, Missing, written_text
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import DeclaredArgument
-
-_JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
 
 
 def require_declared(run: Evidence, name: str, example: str) -> DeclaredArgument:
@@ -50,30 +49,60 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
     return argument
 
 
-def require_default(run: Evidence, name: str, default: str) -> None:
+def require_default(
+    run: Evidence, name: str, default: str | None, shows: Callable[[Evidence], object] | None = None
+) -> DeclaredArgument:
     """A launch argument has a certain default: the same text, in one part or several, or the same number.
 
+    The runs that do not give it (`Scenario.defaults`) have to be launched without it, and to show it.
+
+    :param default: None: any will do.
+    :param shows: raises Failure where what happens in these runs is not what the default says.
     :raises Missing: as :func:`require_argument`.
     :raises Mismatch: when it has another default.
+    :raises Failure: when it is declared so, and the runs without the argument show something else.
     """
-    argument = require_argument(run, name, default)
+    argument = require_argument(run, name, default or '...')
     seen = written_text(argument.default or '')
-    if not (seen == default or _is_same_number(seen, default)):
+    bare = [scenario for scenario in run if name in run.scenario(scenario).defaults]
+    is_shown = shows is not None and bare and not is_literal(argument.default or '')
+    if default is not None and not is_same_value(seen, default) and not is_shown:
         raise Mismatch(
             f'the default value of "{name}"', default, seen, where=_place(argument), try_=f"write default_value='{default}'"
         )
+    for scenario in [scenario for scenario in run if name in run.bare.get(scenario, ('', ()))[1]]:
+        raise Failure(
+            f'without {name}:=... the launch file does not run as it should',
+            expected='a run without arguments',
+            seen=run.bare[scenario][0],
+            where=_place(argument),
+            try_='launch it without arguments: ros2 launch says what is missing',
+        )
+    if shows is not None and bare:
+        try:
+            shows(run.only(bare))
+        except Failure as failure:
+            if failure.share:  # nearly right: that costs its own points
+                return argument
+            raise Failure(
+                f'launched without {name}:=..., the launch file does not do what the default value says: {failure.rationale}',
+                expected=failure.expected,
+                seen=failure.seen,
+                where=failure.where,
+                try_=failure.try_,
+            ) from None
+    return argument
 
 
-def written_text(described: str) -> str:
-    """The text behind a description such as ``'1' + '.0'``; another substitution stays as it is described."""
-    if len(described) >= 2 and described[0] == described[-1] == "'":
-        return described[1:-1].replace(_JOINT, '')
-    return described
+def is_literal(described: str) -> bool:
+    """Whether a description is that of a text, and of no substitution whose value only a run shows."""
+    return len(described) >= 2 and described[0] == described[-1] == "'"
 
 
-def _is_same_number(seen: str, wanted: str) -> bool:
+def is_same_value(seen: str, wanted: str) -> bool:
+    """Whether two texts of an argument are the same, or the same number."""
     try:
-        return float(seen) == float(wanted)
+        return seen == wanted or float(seen) == float(wanted)
     except ValueError:
         return False
 

@@ -19,7 +19,7 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
     :param follower: the turtle, such as ``/turtle2``.
     :raises Failure: with the largest distance and when it was.
     """
-    track = _driven(run, scenario, follower)
+    track = driven_track(run, scenario, follower)
     worst = farthest(distances(goal, track), since_s)
     is_there = worst is not None and track[-1][0] >= run[scenario].duration_s - LAST_S
     if not (worst is not None and is_there and worst[1] <= bound_m):
@@ -39,7 +39,7 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
 
     :raises Failure: for one that was there from the beginning.
     """
-    track = _driven(run, scenario, follower)
+    track = driven_track(run, scenario, follower)
     if not length(track) >= LEAST_WAY_M:
         raise Failure(
             f'{follower.strip("/")} does not come to its goal, when launched with {run.scenario(scenario).words}',
@@ -70,7 +70,7 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
     """
     recording = run[scenario]
     leader = turtle_track(recording, f'{goal}/pose')
-    track = since(_driven(run, scenario, follower), since_s)
+    track = since(driven_track(run, scenario, follower), since_s)
     way, towards = length(since(leader, since_s)), progress_towards(leader, track)
     if not towards >= LEAST_SHARE * way > 0.0:
         raise Failure(
@@ -101,7 +101,7 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
             )
 
 
-def _driven(run: Evidence, scenario: str, turtle: str) -> Track:
+def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
     """The track of a turtle that drives. Raises Failure for one that was put somewhere (teleported)."""
     track = turtle_track(run[scenario], f'{turtle}/pose')
     if not fastest(track) <= FASTEST_M_S:

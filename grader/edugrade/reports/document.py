@@ -1,4 +1,4 @@
-"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
+"""The JSON report. docs/report.md describes it; FORMAT grows when a reader of the old one could err."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 from ..evidence import Outcome
 from ..results import CheckResult, Refusal, Report
@@ -169,9 +169,9 @@ def digest_of(outcome: Outcome) -> str | None:
 
 def _cause(finding: Finding, paths: ShortPaths) -> dict[str, Any]:
     """A finding with its sentences in English, whatever the reader's language."""
-    from edulaunch.advice import Reader, told
+    from edulaunch.advice import Reader, rendered
 
-    words = told(finding, Reader())
+    words = rendered(finding, Reader())
     where = None if finding.file is None else {'file': paths.text(finding.file), 'line': finding.line}
     return {'rule': finding.rule, 'what': paths.text(words.what), 'where': where, 'try': paths.text(words.do)}
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import shlex
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,7 @@ from ..results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Refusa
 from ..worker import Exceeded, Lost, cpu_limit, in_worker
 from .markup import Markup, element, html_page, joined, table_row
 from .terminal import MARKS, MORE, next_step, points_line, says_less, why_line
-from .wording import ShortPaths, at_level, explained, points_of, retold
+from .wording import ShortPaths, at_level, explained, points_of, translated
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -30,10 +31,13 @@ img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color
 """
 
 
-def page(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
-    """The whole page. Nothing that a student wrote is markup in it, and the browser is told to load nothing."""
+def page(reports: Sequence[Report], refusals: Sequence[Refusal], is_small: bool = False) -> str:
+    """The whole page. Nothing that a student wrote is markup in it, and the browser is told to load nothing.
+
+    :param is_small: for one of the many pages of a class: pictures with few colours, and the command for a replay in its place.
+    """
     parts = [_summary(reports, refusals)] if len(reports) + len(refusals) > 1 else []
-    parts += [_section(report, number) for number, report in enumerate(reports)]
+    parts += [_section(report, number, is_small) for number, report in enumerate(reports)]
     parts += [_refused(refusal) for refusal in refusals]
     meta = [element('meta', name='viewport', content='width=device-width, initial-scale=1')]
     return html_page('edugrade report', STYLE, element('h1', 'edugrade report'), *parts, policy=POLICY, meta=meta)
@@ -53,7 +57,7 @@ def _verdict(report: Report) -> Markup:
     return element('b', report.verdict, style=f'color:{COLOURS[FAILED if report.exit_code else PASSED]}')
 
 
-def _section(report: Report, number: int) -> Markup:
+def _section(report: Report, number: int, is_small: bool) -> Markup:
     paths = ShortPaths(report.folder, report.shown, report.package)
     outcomes = [outcome._replace(text=paths.text(outcome.text) or '') for outcome in report.outcomes]
     return element(
@@ -67,7 +71,8 @@ def _section(report: Report, number: int) -> Markup:
             class_='small',
         ),
         report_html(report),
-        *(run_html(outcome, is_open=place == 0) for place, outcome in enumerate(outcomes)),
+        *(run_html(outcome, is_open=place == 0, is_small=is_small) for place, outcome in enumerate(outcomes)),
+        *([element('p', REPLAY.format(shlex.quote(report.given), report.seed), class_='small')] if is_small else []),
         id=f'r{number}',
     )
 
@@ -94,7 +99,7 @@ def report_html(report: Report) -> Markup:
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
+    results = [paths.result(translated(at_level(result, report.level), reader)) for result in report.results]
     repair = [
         _failed(result, paths, reader, report.level)
         for status in (GRADER_BROKE, FAILED)
@@ -148,43 +153,45 @@ def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
         )
 
 
+COLOURS_OF_SMALL = 32
+REPLAY = 'For a replay of these runs: edugrade {} --seed {} --html report.html'
 LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
 
 
-def run_html(outcome: Outcome, is_open: bool) -> Markup:
+def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
     """One run under a heading that unfolds: how it was launched, and what could be seen."""
     scenario = outcome.scenario
     heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
-    inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording)
+    inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording, is_small)
     attributes = {'open': ''} if is_open else {}
     return element('details', element('summary', heading), inside, **attributes)
 
 
-def _drawn(recording: Recording) -> Markup:
+def _drawn(recording: Recording, is_small: bool) -> Markup:
     """What can be seen, drawn by a worker: a run that cannot be drawn costs nobody the page."""
     try:
-        return Markup(in_worker(lambda: joined(*_seen(recording))))
+        return Markup(in_worker(lambda: joined(*_seen(recording, is_small))))
     except (Exceeded, Lost, RuntimeError) as error:
         return _not_drawn('picture', error)
 
 
-def _seen(recording: Recording) -> Iterator[Markup]:
-    picture = _picture(recording)
+def _seen(recording: Recording, is_small: bool) -> Iterator[Markup]:
+    picture = _picture(recording, is_small)
     if picture is not None:
         yield picture
-    replay = _replay(recording)
+    replay = None if is_small else _replay(recording)
     if replay is not None:
         yield replay
     yield element('p', f'recording {recording.digest()[:12]}', class_='small')
 
 
-def _picture(recording: Recording) -> Markup | None:
+def _picture(recording: Recording, is_small: bool) -> Markup | None:
     """The turtles at the end of the run; the frames when nothing moved, the nodes when there are no frames either."""
     for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
         try:
             with cpu_limit(LONGEST_DRAWING_S):
                 picture = plot()
-                png = picture.png()
+                png = _with_few_colours(picture.png()) if is_small else picture.png()
             data = base64.b64encode(png).decode('ascii')
         except ValueError:  # the view says that there is nothing for it to show
             continue
@@ -193,6 +200,17 @@ def _picture(recording: Recording) -> Markup | None:
         image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
         return element('figure', image, element('figcaption', picture.caption))
     return None
+
+
+def _with_few_colours(png: bytes) -> bytes:
+    """The same picture in a fifth of the bytes."""
+    import io
+
+    from PIL import Image
+
+    with Image.open(io.BytesIO(png)) as image, io.BytesIO() as file:
+        image.convert('RGB').quantize(COLOURS_OF_SMALL, dither=Image.Dither.NONE).save(file, 'png', optimize=True)
+        return file.getvalue()
 
 
 def _replay(recording: Recording) -> Markup | None:

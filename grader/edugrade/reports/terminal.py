@@ -20,7 +20,7 @@ from ..results import (
     Report,
 )
 from ..verdicts import refusal_of
-from .wording import ALL, ShortPaths, at_level, explained, points_of, retold
+from .wording import ALL, ShortPaths, at_level, explained, points_of, translated
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -38,7 +38,7 @@ def render(report: Report, *, colour: bool = False) -> str:
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
+    results = [paths.result(translated(at_level(result, report.level), reader)) for result in report.results]
     mark = partial(_coloured_mark if colour else _plain_mark, reader)
     title = reader.retells(f'{report.given}: {reader.retells(report.title)} (rubric {report.rubric}, seed {report.seed})')
     lines = [printable(title), *([printable(reader.retells(report.word))] if report.word else []), '']

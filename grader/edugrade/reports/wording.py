@@ -123,7 +123,7 @@ WORDS = (
 """Marks and labels: single words, which no search for sentences finds."""
 
 
-def retold(result: CheckResult, reader: Reader) -> CheckResult:
+def translated(result: CheckResult, reader: Reader) -> CheckResult:
     """A result with its sentences in the reader's language."""
     return replace(
         result,
@@ -149,9 +149,9 @@ def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int
     where = None if result.where is None else str(result.where)
     fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
     if result.cause is not None:
-        from edulaunch.advice import told
+        from edulaunch.advice import rendered
 
-        words = told(result.cause, reader._replace(folder=''))
+        words = rendered(result.cause, reader._replace(folder=''))
         where = f' ({words.where})' if words.where else ''
         fields['cause'] = paths.text(f'{words.what}{where}' + (f'\n{words.do}' if level >= ALL else ''))
     return {reader.says(label): text for label, text in fields.items() if text}

@@ -138,7 +138,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
         rubric = read_yaml_rubric(path, data)
     if not isinstance(rubric, Rubric):
         raise UnusableInput(
-            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='docs/grading.md shows how to write one'
+            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='docs/rubrics.md shows how to write one'
         )
     rubric.file, rubric.text = path, data
     return rubric

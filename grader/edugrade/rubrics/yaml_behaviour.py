@@ -30,13 +30,13 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         seen = [(time_s, float(found[1])) for time_s, found in lines]
         thing = f'the count that {wanted["executable"]} prints, when launched with {one.words},'
         if not seen:
-            raise Missing(f'a count in what {wanted["executable"]} prints', seen=_last_lines(one), **one.told)
+            raise Missing(f'a count in what {wanted["executable"]} prints', seen=_last_lines(one), **one.advice)
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not low <= number <= high:
-                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', **one.told)
+                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', **one.advice)
         if len(seen) < len(times) - 1:
-            raise Mismatch(thing, f'a line after each of {len(times)} messages', f'{len(seen)} lines', **one.told)
+            raise Mismatch(thing, f'a line after each of {len(times)} messages', f'{len(seen)} lines', **one.advice)
 
 
 @kind('{executable} says where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')
@@ -48,20 +48,20 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         if len(lines) < LEAST_LINES:
             thing = f'{LEAST_LINES} such lines in what {wanted["executable"]} prints, when launched with {one.words}'
             raise Missing(
-                thing, expected=wanted['example'] or readable(str(wanted['pattern'])), seen=_last_lines(one), **one.told
+                thing, expected=wanted['example'] or readable(str(wanted['pattern'])), seen=_last_lines(one), **one.advice
             )
         for time_s, found in lines:
             x, y, age = (float(found[group]) for group in (1, 2, 3))
             asked, thing = one.number('ago'), f'what {wanted["executable"]} says at {time_s:.2f} s'
             if not abs(age - asked) <= 0.06:
-                raise Mismatch(thing, f'a place that is {asked:g} s old', f'{age:g} s old', **one.told)
+                raise Mismatch(thing, f'a place that is {asked:g} s old', f'{age:g} s old', **one.advice)
             away = _distance(track, time_s - age, x, y)
             if not away <= one.tolerance(0.05):
                 place = _at(track, time_s - age)
-                told = (
+                advice = (
                     f'({place[1]:.2f}, {place[2]:.2f}), where {wanted["turtle"]} was' if place else 'no line: nobody knew it then'
                 )
-                raise Mismatch(thing, told, f'({x:.2f}, {y:.2f})', **one.told)
+                raise Mismatch(thing, advice, f'({x:.2f}, {y:.2f})', **one.advice)
 
 
 def _topics(one: OfRun) -> list[str]:
@@ -109,7 +109,7 @@ def described(run: Evidence, wanted: Wanted) -> None:
         child, parent = one.text('child'), one.text('parent')
         if links.get(child) != parent:
             seen = ', '.join(f'{link} on {above}' for link, above in links.items()) or 'no joint'
-            raise Missing(f'a joint from {parent} to {child} in the description', seen=seen, **one.told)
+            raise Missing(f'a joint from {parent} to {child} in the description', seen=seen, **one.advice)
 
 
 def _links(text: str) -> dict[str, str]:
@@ -134,15 +134,15 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
         thing = f'a bag with the messages of {topic}, when launched with {one.words},'
         if not bags:
-            raise Missing(thing, seen='no bag is written when launch is interrupted', **one.told)
+            raise Missing(thing, seen='no bag is written when launch is interrupted', **one.advice)
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]
         if not counts:
             known = sorted({name for each in bags for name in each['topics']})
-            raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.told)
+            raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.advice)
         count, known = max(counts, key=lambda each: each[1])
         if not len(late) <= known == count:
             seen = f'{count} messages in the bag, {known} of which were published'
-            raise Mismatch(f'what the bag holds of {topic}', f'{len(times)} messages as they were published', seen, **one.told)
+            raise Mismatch(f'what the bag holds of {topic}', f'{len(times)} messages as they were published', seen, **one.advice)
 
 
 @kind('The launch file is written in {format}', 'format')
@@ -155,7 +155,7 @@ def written_in(run: Evidence, wanted: Wanted) -> None:
         other = next((file for file in files if not file.endswith(ending) and not is_shipped(file)), None)
         if other is not None:
             seen = os.path.basename(other)
-            raise Mismatch('the format of the launch file', f'a file that ends in .launch{ending}', seen, **one.told)
+            raise Mismatch('the format of the launch file', f'a file that ends in .launch{ending}', seen, **one.advice)
 
 
 @kind('The launch file runs {words}', 'words')
@@ -167,4 +167,4 @@ def command(run: Evidence, wanted: Wanted) -> None:
         known = [[os.path.basename(line[0]), *line[1:]] for line in lines if line]
         if not any(line[place : place + len(asked)] == asked for line in known for place in range(len(line))):
             seen = '\n'.join(' '.join(line)[:100] for line in known[1:]) or 'nothing'
-            raise Missing(f'the command {wanted["words"]}', seen=seen, **one.told)
+            raise Missing(f'the command {wanted["words"]}', seen=seen, **one.advice)

@@ -8,10 +8,10 @@ from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
-from ..library.arguments import require_argument, require_default
+from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead
-from ..library.following import require_driver, require_near, require_pursuit
+from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers, require_process
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Parameter
 
 Function = Callable[[Evidence, Wanted], None]
+LAST_LOOK_S = 0.5
 MEASURE = 'tolerance near share'
 PROGRAM = 'package executable'
 
@@ -52,13 +53,11 @@ def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], 
     return make
 
 
-@kind('The launch argument {name} is declared, with a default', 'name', 'default')
+@kind('The launch argument {name} is declared, with a default', 'name', 'default shows')
 def argument(run: Evidence, wanted: Wanted) -> None:
-    """A launch argument is declared: with this default, or with any."""
-    if 'default' in wanted:
-        require_default(run, wanted['name'], str(wanted['default']))
-    else:
-        require_argument(run, wanted['name'], '...')
+    """A launch argument is declared: with this default, or with any. The runs without it show the default."""
+    default = str(wanted['default']) if 'default' in wanted else None
+    require_default(run, wanted['name'], default, wanted.shows)
 
 
 @kind('The launch file starts {executable} of {package}', 'package executable')
@@ -110,6 +109,20 @@ def starts(run: Evidence, wanted: Wanted) -> None:
 def ends(run: Evidence, wanted: Wanted) -> None:
     """A node ends at a time, or so long after the start of another node."""
     _happens(run, wanted, 'end', require_ended)
+
+
+@kind('The launch is shut down when it should', 'at', MEASURE)
+def shuts_down(run: Evidence, wanted: Wanted) -> None:
+    """The launch itself ends at a time, before the run is over."""
+    for one in wanted.of_each(run):
+        ended = [
+            process.ended_s for process in one.recording.processes if process.name == 'launch' and process.ended_s is not None
+        ]
+        if not ended:
+            raise Missing(
+                'the end of the launch', expected='it is shut down', seen='it goes on until the run is over', **one.advice
+            )
+        one.require_close('the end of the launch in s', ended[0], one.number('at'), 0.3)
 
 
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
@@ -192,11 +205,11 @@ def logs(run: Evidence, wanted: Wanted) -> None:
         logger = one.text('node').strip('/').replace('/', '.')
         logs, (package, executable) = one.recording.logs, one.program()
         rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
-        said = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
-        if not _fits(wanted, said):
-            seen = last_lines([f'{text}\n' for text in said]) or 'it logs nothing'
+        lines = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
+        if not _fits(wanted, lines):
+            seen = last_lines([f'{text}\n' for text in lines]) or 'it logs nothing'
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            raise Missing(f'such a line of {wanted["node"]}', expected=asked, seen=seen, **one.told)
+            raise Missing(f'such a line of {wanted["node"]}', expected=asked, seen=seen, **one.advice)
 
 
 @kind('{executable} prints {pattern}', 'package executable pattern', 'example')
@@ -204,11 +217,11 @@ def prints(run: Evidence, wanted: Wanted) -> None:
     """A program prints a line that fits."""
     for one in wanted.of_each(run):
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
-        said = [one.recording.output[row].text for row in rows]
-        if not _fits(wanted, (line for text in said for line in text.splitlines())):
+        lines = [one.recording.output[row].text for row in rows]
+        if not _fits(wanted, (line for text in lines for line in text.splitlines())):
             thing = f'such a line in what {wanted["executable"]} prints, when launched with {one.words},'
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            raise Missing(thing, expected=asked, seen=last_lines(said) or 'nothing is printed', **one.told)
+            raise Missing(thing, expected=asked, seen=last_lines(lines) or 'nothing is printed', **one.advice)
 
 
 def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
@@ -222,8 +235,11 @@ def place(run: Evidence, wanted: Wanted) -> None:
     for one in wanted.of_each(run):
         track = _turtle(one, 'turtle')
         if not track:
-            advice = {**one.told, 'try_': wanted.try_ or 'who spawns it?'}
+            advice = {**one.advice, 'try_': wanted.try_ or 'who spawns it?'}
             raise Missing(f'the turtle {wanted["turtle"]}', seen='no pose of it', **advice)
+        if track[-1][0] < one.recording.duration_s - LAST_LOOK_S:
+            advice = {**one.advice, 'try_': wanted.try_ or 'who takes it away?'}
+            raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=f'its last pose, at {track[-1][0]:.2f} s', **advice)
         for axis, key in enumerate(('x', 'y'), 1):
             if key in wanted:
                 one.require_close(f'{key} of {wanted["turtle"]} at the end in m', track[-1][axis], one.number(key), 0.05)
@@ -261,7 +277,7 @@ def travels(run: Evidence, wanted: Wanted) -> None:
                 expected=f'at least {asked:g} m',
                 seen=f'{way:.2f} m',
                 share=min(share, wanted['share'] or 0.0),
-                **one.told,
+                **one.advice,
             )
 
 
@@ -276,7 +292,7 @@ def circle(run: Evidence, wanted: Wanted) -> None:
                 f'{who} drives no circle, when launched with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
                 seen=f'{length(track):.2f} m travelled, on no circle',
-                **one.told,
+                **one.advice,
             )
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
 
@@ -308,7 +324,10 @@ def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]
     """For each run who moves, and where it was."""
     for one in wanted.of_each(run):
         _require_driver(one, str(wanted['turtle']))
-        if wanted['turtle']:
+        if wanted['turtle'] and wanted['driver']:
+            name = f'/{str(wanted["turtle"]).strip("/")}'
+            yield one, str(wanted['turtle']), driven_track(one.alone, one.scenario, name)
+        elif wanted['turtle']:
             yield one, str(wanted['turtle']), _turtle(one, 'turtle')
         else:
             yield one, 'the robot', odometry_track(one.recording, wanted['odometry'] or '/odom')

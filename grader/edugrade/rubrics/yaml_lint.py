@@ -1,4 +1,5 @@
-"""What a rubric in YAML should not do although it can be read: give points for a name that any node may have."""
+"""What a rubric in YAML should not do although it can be read: give points for a name that any node may have, or for a default
+that no run shows."""
 
 from __future__ import annotations
 
@@ -30,6 +31,29 @@ def points_for_names(file: str) -> Iterator[str]:
         elif kind and check.get('points') and not check[kind].get('package'):
             line = node.start_mark.line + 1
             yield f'line {line}: {kind} gives points for a name that any node may have: add package: NAME to it'
+
+
+def points_for_defaults(file: str) -> Iterator[str]:
+    """Yield a sentence for each check of a rubric that gives points for a default which no run shows.
+
+    :param file: the path of a rubric that can be read.
+    """
+    with open(file, encoding='utf-8') as stream:
+        root: Any = yaml.compose(stream, yaml.SafeLoader)
+    runs = [] if all(key.value != 'runs' for key, _ in root.value) else [_plain(node) for node in _part(root, 'runs').value]
+    left_out = {name for run in runs for name in run.get('defaults') or ()}
+    for node in _part(root, 'checks').value:
+        check = _plain(node)
+        asked = check.get('argument')
+        if not asked or not check.get('points') or 'default' not in asked:
+            continue
+        name, value = asked['name'], asked['default']
+        line = node.start_mark.line + 1
+        if name not in left_out:
+            default = f'{{{name}: {value}}}'
+            yield f'line {line}: no run shows the default of {name}: leave {name} out of a run that has defaults: {default}'
+        elif not asked.get('shows'):
+            yield f'line {line}: nothing shows the default of {name}: add shows: [CHECK], a check of what happens'
 
 
 def _part(node: Any, name: str) -> Any:

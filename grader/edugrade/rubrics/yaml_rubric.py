@@ -16,11 +16,12 @@ from .yaml_wanted import ARGUMENT, Wanted
 
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')
+CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
-    """The rubric that a YAML file describes; docs/grading.md says how.
+    """The rubric that a YAML file describes; docs/rubric_checks.md says how.
 
     :raises RubricMistake: naming file and line of what is wrong.
     """
@@ -48,6 +49,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
         check = _check(node, problem, checks, names)
         checks[check.name] = check
     _refuse_unknown_arguments(parts['checks'], runs, problem)
+    _refuse_unknown_proofs(parts['checks'], checks, problem)
     title = _value(parts['title'], problem)
     turn = {name: _value(parts[name], problem) for name in TURN if name in parts}
     if 'decoys' in parts:
@@ -71,31 +73,48 @@ def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Sc
 
 
 def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
-    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt'))
+    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults'))
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
     name = str(_value(parts['name'], problem))
     given = _mapping(parts['arguments'], problem, 'arguments', None) if 'arguments' in parts else {}
     arguments = {key: _argument(value, problem) for key, value in given.items()}
+    usual = _mapping(parts['defaults'], problem, 'defaults', None) if 'defaults' in parts else {}
+    defaults = {key: _default(value, problem) for key, value in usual.items()}
+    twice = next((value for key, value in usual.items() if key in given), None)
+    if twice is not None:
+        raise problem(twice, 'an argument is given by arguments, or has its default by defaults, and not both')
     duration = _number(parts['duration'], problem) if 'duration' in parts else (lambda random: 20.0)
     seed = int(_value(parts['seed'], problem)) if 'seed' in parts else 0
     is_interrupted = _value(parts['interrupt'], problem) if 'interrupt' in parts else False
     if not isinstance(is_interrupted, bool):
         raise problem(parts['interrupt'], f'interrupt is {is_interrupted!r}, and true or false is expected')
     return lambda random: Scenario(
-        name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed, is_interrupted
+        name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed, is_interrupted, defaults
     )
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
     """A launch argument: as it is written, or chosen for each submission."""
+    if isinstance(node, yaml.MappingNode) and any(pair[0].value == 'word' for pair in node.value):
+        syllables = _value(_mapping(node, problem, 'a choice', ('word',))['word'], problem)
+        if not isinstance(syllables, int) or not 2 <= syllables <= 6:
+            raise problem(node, 'word is a number of syllables from 2 to 6')
+        return lambda random: ''.join(random.choice(CONSONANTS) + random.choice(VOWELS) for _ in range(syllables))
     if isinstance(node, yaml.MappingNode):
         number, decimals = _number(node, problem), _decimals(node, problem)
         return lambda random: f'{found:.{decimals}f}' if isinstance(found := number(random), float) else str(found)
     if not isinstance(node, yaml.ScalarNode):
-        raise problem(node, 'an argument is a text, {between: [LOW, HIGH]} or {one_of: [...]}')
+        raise problem(node, 'an argument is a text, {between: [LOW, HIGH]}, {one_of: [...]} or {word: 3}')
     text = str(node.value)  # as it is typed after name:=
     return lambda random: text
+
+
+def _default(node: yaml.Node, problem: Problem) -> str | None:
+    """The default that an argument should have; null: any."""
+    if not isinstance(node, yaml.ScalarNode):
+        raise problem(node, 'a default is a text, or null where any default will do')
+    return None if _value(node, problem) is None else str(node.value)
 
 
 def _number(node: yaml.Node, problem: Problem) -> Callable[[Random], Any]:
@@ -118,12 +137,16 @@ def _number(node: yaml.Node, problem: Problem) -> Callable[[Random], Any]:
         raise problem(node, 'a choice is {between: [LOW, HIGH], decimals: 2} or {one_of: [...]}')
     decimals = _decimals(node, problem)
     low, high = (round(end * 10**decimals) for end in ends)
+    if not decimals:
+        return lambda random: random.randint(low, high)
     return lambda random: random.randint(low, high) / 10**decimals
 
 
 def _decimals(node: yaml.MappingNode, problem: Problem) -> int:
     parts = _mapping(node, problem, 'a choice', None)
-    decimals = _value(parts['decimals'], problem) if 'decimals' in parts else 2
+    ends = _value(parts['between'], problem) if 'between' in parts else ()
+    usual = 0 if isinstance(ends, list) and ends and all(isinstance(end, int) for end in ends) else 2
+    decimals = _value(parts['decimals'], problem) if 'decimals' in parts else usual
     if not isinstance(decimals, int) or not 0 <= decimals <= 6:
         raise problem(node, 'decimals is a whole number from 0 to 6')
     return decimals
@@ -145,6 +168,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
     wanted = Wanted(given, last)
+    wanted.shows = lambda run: [known[str(each)](run) for each in given.get('shows', ())]
     try:
         wanted.refuse_odd_values()
     except ValueError as error:
@@ -193,12 +217,22 @@ def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Sce
     if isinstance(node, yaml.ScalarNode):
         for name in ARGUMENT.findall(str(node.value)):
             for scenario in _choose(runs, Random(0)):
-                if name not in scenario.arguments:
+                if name not in {**scenario.arguments, **scenario.defaults}:
                     raise problem(node, f'the run {scenario.name} has no argument {name}; it has {scenario.words}')
         return
     for child in node.value:
         for each in child if isinstance(child, tuple) else (child,):
             _refuse_unknown_arguments(each, runs, problem)
+
+
+def _refuse_unknown_proofs(node: yaml.Node, known: Mapping[str, Check], problem: Problem) -> None:
+    """Refuse `shows` with what is no list of checks' names."""
+    for item in node.value:
+        for kind in (pair[1] for pair in item.value if isinstance(pair[1], yaml.MappingNode)):
+            for part in (value for key, value in kind.value if key.value == 'shows'):
+                names = _value(part, problem)
+                if not isinstance(names, list) or not names or any(name not in known for name in names):
+                    raise problem(part, f'shows is a list of names of checks; there are {", ".join(known)}')
 
 
 def _mapping(node: yaml.Node, problem: Problem, what: str, known: tuple[str, ...] | None) -> dict[str, yaml.Node]:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from ..evidence import Evidence
+from ..evidence import Evidence, Mismatch
 from ..library.close import require_close
 from ..shortened import readable
 
@@ -25,7 +25,12 @@ OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
 
 
 class Wanted(dict[str, Any]):
-    """What a check of a rubric asks for; values may have ``$(arg name)`` in them, the launch argument of the run."""
+    """What a check of a rubric asks for; values may have ``$(arg name)`` in them, the launch argument of the run.
+
+    :ivar shows: applies the checks that show in a run what a default says.
+    """
+
+    shows: Callable[[Evidence], object] | None = None
 
     def __init__(self, given: dict[str, Any], try_: str | None) -> None:
         super().__init__(given)
@@ -78,7 +83,7 @@ class OfRun:
         self.recording: Recording = run[scenario]
         self.words = run.scenario(scenario).words
         self.alone = run.only([scenario])
-        self.told: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
+        self.advice: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
 
     def program(self) -> tuple[str | None, str | None]:
         """Return the package and the executable that the rubric names, each None where it does not."""
@@ -96,12 +101,15 @@ class OfRun:
 
     def filled(self, value: object) -> str:
         """Return a value as text, with the launch arguments of the run in it."""
-        arguments = self.run.scenario(self.scenario).arguments
+        arguments = self.run.arguments_of(self.scenario)
         return ARGUMENT.sub(lambda found: arguments[found[1]], str(value))
 
     def number(self, key: str) -> float:
         """A value as a number; it may have to be calculated."""
-        return calculated(self.text(key))
+        try:
+            return calculated(self.text(key))
+        except ValueError:  # a default that is no number
+            raise Mismatch(f'the value of {self.wanted[key]}', 'a number', self.text(key), **self.advice) from None
 
     def same_type(self, key: str) -> Any:
         """A value as YAML reads it: ``$(arg radius)`` is 0.5 when radius:=0.5."""

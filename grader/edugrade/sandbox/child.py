@@ -1,7 +1,7 @@
-"""The confined half of one run: launches the submission, joined to the trusted half by a link.
+"""The confined peer of one run: launches the submission, joined to the trusted peer by a link.
 
 Loaded by `starter.py`. It confines itself before it reads the student's file, imports nothing of edugrade, and keeps no record.
-Besides the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_half.py`).
+Besides the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_peer.py`).
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ def warm_up() -> None:
 
 
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
-    """Be the confined half, in a process that was just forked: be confined, lower the limits, launch.
+    """Be the confined peer, in a process that was just forked: be confined, lower the limits, launch.
 
-    :param link: to the trusted half.
-    :param words: a pipe for what confines this half, and for the last words.
+    :param link: to the trusted peer.
+    :param words: a pipe for what confines this peer, and for the last words.
     :param confine: puts the layers of confinement on, given what may be read and the folder to write in, and says which hold.
     """
     os.setsid()
@@ -126,7 +126,7 @@ def limit_resources(limits: dict[str, int]) -> None:
 
 
 def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
-    """When time is nearly up, say where the program was. (The trusted half ends what does not answer.)"""
+    """When time is nearly up, say where the program was. (The trusted peer ends what does not answer.)"""
 
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         report: dict[str, Any] = {'reason': 'timeout'}
@@ -153,7 +153,7 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
 
 
 def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
-    """Take part in the run until the trusted half ends it; or what kept this half from it, as a frame's letter and content."""
+    """Take part in the run until the trusted peer ends it; or what kept this peer from it, as a frame's letter and content."""
     try:
         # What a failure needs, while there is memory: an import that runs out of it ends CPython with SIGSEGV, not a MemoryError.
         import pathlib  # noqa: F401
@@ -166,7 +166,7 @@ def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
     try:
         session = ConfinedSession(link, seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s'])
         session.launch(job['file'], None, job['arguments'])
-        if job['is_interrupted']:  # when all is recorded that counts: the trusted half lets time go on for this
+        if job['is_interrupted']:  # when all is recorded that counts: the trusted peer lets time go on for this
             session.sim.schedule(session.sim.now_ns + round(job['duration_s'] * 1e9) + 1, session.interrupt)
         session.run_as_asked()
         os._exit(0)

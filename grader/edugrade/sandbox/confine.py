@@ -34,8 +34,12 @@ class Confinement:
     def __init__(
         self, readable: Sequence[str], listable: Sequence[str], shown: Sequence[str] = (), hidden: Sequence[str] = ()
     ) -> None:
-        self._program = seccomp.filter_program() if IS_LINUX else None
-        self._heard_program = seccomp.filter_program(is_heard=True) if IS_LINUX else None
+        self._programs = {
+            (has_listener, has_view): seccomp.filter_program(has_listener, has_view) if IS_LINUX else None
+            for has_listener in (False, True)
+            for has_view in (False, True)
+        }
+        self._has_view = False
         self._shown, self._hidden = [*shown, *DEVICES], hidden
         can = landlock.version() > 0
         self._readable = landlock.open_paths(readable) if can else []
@@ -46,6 +50,7 @@ class Confinement:
         """Let this process see nothing of the file system but what it may read: HELD, or why not, for VIEW."""
         narrowed = _tried(lambda: view.enter(home, [*self._shown, *readable], self._hidden))
         os.chdir(home)
+        self._has_view = not isinstance(narrowed, str)
         return {VIEW: narrowed if isinstance(narrowed, str) else HELD}
 
     def put_on(self, readable: Sequence[str], home: str, notes: socket.socket | None = None) -> dict[str, str]:
@@ -86,18 +91,19 @@ class Confinement:
         return landlock.restrict(rules)
 
     def _filter_calls(self, notes: socket.socket | None) -> int:
-        if self._program is None or self._heard_program is None:
+        quiet, listened = (self._programs[has_listener, self._has_view] for has_listener in (False, True))
+        if quiet is None or listened is None:
             raise OSError('no filter of system calls is known for this machine')
         if notes is not None:
             try:
-                listener = seccomp.restrict_heard(self._heard_program)
+                listener = seccomp.restrict_with_listener(listened)
             except OSError:  # an old kernel, or somebody listens to the grader: then calls are refused without a name
                 pass
             else:
                 socket.send_fds(notes, [b'L'], [listener])
                 os.close(listener)
                 return 0
-        seccomp.restrict(self._program)
+        seccomp.restrict(quiet)
         return 0
 
 

@@ -45,20 +45,20 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
             prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
         begin(end)
     end.close()
-    told: dict[str, object] = {}
+    result: dict[str, object] = {}
     refused: dict[str, None] = {}
     try:
         link.sendall(json.dumps({'pid': pid, 'guard': os.getpid()}).encode() + b'\n')
-        told = _Watch(link, notes, pid, home, memory_bytes, refused).until_it_ends()
+        result = _Watch(link, notes, pid, home, memory_bytes, refused).until_it_ends()
     except OSError:  # the runner is gone
         pass
     finally:
         end_all(pid)
         remove_tree(home)
     if refused:
-        told['refused'] = list(refused)
+        result['refused'] = list(refused)
     with suppress(OSError):
-        link.sendall(json.dumps(told).encode() + b'\n')
+        link.sendall(json.dumps(result).encode() + b'\n')
     os._exit(0)
 
 

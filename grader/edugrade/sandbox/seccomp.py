@@ -29,6 +29,8 @@ OPTIONS = (1, 2, 3, 15, 16, 23, 29, 30, 39, 0x53564D41)
 """Of prctl: what tells, the name of a thread, its timer's slack, the signal when its parent dies, names of memory."""
 REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x5421, 0x5429, 0x5450, 0x5451, 0x802C542A)
 """Of ioctl: settings and size of a terminal, its group, bytes that wait, blocking or not, close-on-exec or not."""
+COMMANDS = (*range(8), 36, 37, 38, 1030, 1032, 1033, 1034)
+"""Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes."""
 STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
 RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl of the listener
 NOTE_BYTES = 80
@@ -57,6 +59,7 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
         'prlimit64': [_argument(0), *_one_of([0], refuse)],  # of no other process
         'prctl': [_argument(0), *_one_of(OPTIONS, refuse)],
         'ioctl': [_argument(1), *_one_of(REQUESTS, refuse)],
+        'fcntl': [_argument(1), *_one_of(COMMANDS, refuse)],
         # Of datagrams each could have an address of its own, which leads to any socket in the file system.
         'socketpair': [
             *(_argument(0), _instruction(EQUAL, UNIX, 1), refuse),
@@ -74,15 +77,16 @@ def column_here() -> int | None:
     return ARCHITECTURES.get(os.uname().machine, (None, 0))[0]
 
 
-def filter_program(is_heard: bool = False) -> bytes | None:
+def filter_program(has_listener: bool = False, has_view: bool = False) -> bytes | None:
     """The filter for this machine; None for an architecture whose numbers are not known here.
 
-    :param is_heard: whether a listener answers refused calls.
+    :param has_listener: whether a listener answers refused calls.
+    :param has_view: whether the run has a view of its own: see `calls.allowed`.
     """
     column = column_here()
     if column is None:
         return None
-    refuse = _instruction(RETURN, NOTIFY if is_heard else ERRNO | errno.EPERM)
+    refuse = _instruction(RETURN, NOTIFY if has_listener else ERRNO | errno.EPERM)
     parts = [
         _instruction(LOAD, ARCHITECTURE),
         _instruction(EQUAL, ARCHITECTURES[os.uname().machine][1], 1, 0),
@@ -91,7 +95,7 @@ def filter_program(is_heard: bool = False) -> bytes | None:
     ]
     if column == 0:
         parts += [_instruction(GREATER_OR_EQUAL, X32, 0, 1), _instruction(RETURN, ERRNO | errno.EPERM)]
-    for number in calls.allowed(column).values():
+    for number in calls.allowed(column, has_view).values():
         parts += [_instruction(EQUAL, number, 0, 1), _instruction(RETURN, ALLOW)]
     how = _looked_at(refuse)
     for name, number in calls.looked_at(column).items():
@@ -112,8 +116,8 @@ def restrict(program: bytes) -> None:
     prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(_Program(len(program) // 8, program)))
 
 
-def restrict_heard(program: bytes) -> int:
-    """As `restrict`, for a program that `is_heard`. Gives the listener, a descriptor.
+def restrict_with_listener(program: bytes) -> int:
+    """As `restrict`, for a program that `has_listener`. Gives the listener, a descriptor.
 
     :raises OSError: when the kernel has none, or somebody else listens to this process already.
     """

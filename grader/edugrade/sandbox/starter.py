@@ -39,7 +39,7 @@ def main() -> NoReturn:
     settings: dict[str, Any] = json.loads(_exactly(control, int.from_bytes(_exactly(control, LENGTH_BYTES), 'big')))
     open_many()
     sys.path[:] = settings['path']
-    confine, guard, trusted_half = _load_sandbox()
+    confine, guard, trusted_peer = _load_sandbox()
     child = _load_child()
     confinement = confine.Confinement(settings['readable'], settings['listable'], settings['shown'], settings['hidden'])
     child.warm_up()
@@ -54,7 +54,7 @@ def main() -> NoReturn:
             _begin(
                 job,
                 descriptors,
-                partial(_be_a_run, job, (descriptors[0], descriptors[1]), child, confinement, trusted_half),
+                partial(_be_a_run, job, (descriptors[0], descriptors[1]), child, confinement, trusted_peer),
                 guard,
             )
         for descriptor in descriptors:
@@ -96,34 +96,35 @@ def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[socket.so
 
 
 def _be_a_run(
-    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any, notes: socket.socket
+    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_peer: Any, notes: socket.socket
 ) -> NoReturn:
-    """Move house, and be the trusted half of a run, which has the confined one as its child."""
+    """Move house, and be the trusted peer of a run, which has the confined one as its child."""
     try:
-        half = _half(job, ends, child, confinement, trusted_half, notes)
+        peer = _peer(job, ends, child, confinement, trusted_peer, notes)
     except BaseException as error:  # nothing of the submission has been read
-        trusted_half.send(ends[0], *trusted_half.broke(error))
+        trusted_peer.send(ends[0], *trusted_peer.broke(error))
         os._exit(0)
-    half.run()
+    peer.run()
     os._exit(0)
 
 
-def _half(
-    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any, notes: socket.socket
+def _peer(
+    job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_peer: Any, notes: socket.socket
 ) -> Any:
-    """The trusted half, confined, after the other one was forked."""
+    """The trusted peer, confined, after the other one was forked."""
     channel, output = ends
     os.setsid()
-    null = os.open(os.devnull, os.O_RDONLY)
-    for source, target in ((null, 0), (output, 1), (output, 2)):
-        os.dup2(source, target)
-    os.close(null)
+    for target in (1, 2):
+        os.dup2(output, target)
     os.close(output)
     os.chdir(job['home'])
     os.environ.clear()
     os.environ.update(job['environment'])
 
     view = {} if job['sandbox'] == 'off' else confinement.narrow_view(job['readable'], job['home'])
+    null = os.open(os.devnull, os.O_RDONLY)  # of this view, where it is read-only: a run can change the mode of what it has open
+    os.dup2(null, 0)
+    os.close(null)
 
     def confine(readable: list[str], home: str) -> dict[str, str]:
         return {**confinement.put_on(readable, home, notes), **view}
@@ -134,25 +135,25 @@ def _half(
         finally:
             os._exit(1)  # the submission was not read, or what failed could not be said
 
-    half = trusted_half.TrustedHalf(job, channel, confined)
+    peer = trusted_peer.TrustedPeer(job, channel, confined)
     notes.close()
     if job['sandbox'] != 'off':
-        confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other half is what is told
+        confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other peer is what is told
     confinement.let_go()
     child.limit_resources(job['limits'])
-    return half
+    return peer
 
 
 def _load_sandbox() -> tuple[Any, Any, Any]:
-    """The modules confine, guard and trusted_half of this folder, which no run can find: they are not among the loaded ones."""
+    """The modules confine, guard and trusted_peer of this folder, which no run can find: they are not among the loaded ones."""
     spec = spec_from_file_location('edugrade_sandbox', os.path.join(HERE, '__init__.py'), submodule_search_locations=[HERE])
     assert spec is not None
     sys.modules['edugrade_sandbox'] = module_from_spec(spec)
-    from edugrade_sandbox import confine, guard, trusted_half  # type: ignore[import-not-found]
+    from edugrade_sandbox import confine, guard, trusted_peer  # type: ignore[import-not-found]
 
     for name in [name for name in sys.modules if name.startswith('edugrade_sandbox')]:
         del sys.modules[name]
-    return confine, guard, trusted_half
+    return confine, guard, trusted_peer
 
 
 def _load_child() -> Any:

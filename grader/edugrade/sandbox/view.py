@@ -1,7 +1,8 @@
 """A tree of folders of its own for a run: what it may not read is not there, so that no name and no size of it is seen.
 
 It needs a mount namespace: root may make one, and so may ordinary users where the system lets them make user namespaces. The tree
-is a file system in memory with a limit of its own, so that a run cannot fill a disk; what may be read is bound into it.
+is a file system in memory, into which is bound what may be read. All of it is read-only, devices too: no mode and no time of a
+file changes. The run's own folder is another file system in memory, with a limit of its own, so that a run cannot fill a disk.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from .system import IS_LINUX, effective_capabilities, libc, syscall
 
 NEW_NAMESPACE, NEW_USERS = 0x00020000, 0x10000000
 NO_SETUID, NO_DEVICES, BIND, RECURSIVE, PRIVATE, DETACH = 2, 4, 0x1000, 0x4000, 1 << 18, 2
+TREE_BYTES = 16 << 20
+MOUNT_SETATTR, HERE, WITH_ALL_BELOW, READ_ONLY = 442, -100, 0x8000, 1
 PIVOT_ROOT = {'x86_64': 155, 'aarch64': 41}
 MOST_LINKS = 40
 READ_ALL = 1 << 1 | 1 << 2  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
@@ -32,7 +35,7 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
         raise OSError('only Linux has namespaces')
     _unshare()
     _mount('none', '/', None, RECURSIVE | PRIVATE)
-    _mount('tmpfs', home, 'tmpfs', NO_SETUID | NO_DEVICES, f'size={MOST_BYTES},nr_inodes={MOST_FILES},mode=755')
+    _mount('tmpfs', home, 'tmpfs', NO_SETUID | NO_DEVICES, f'size={TREE_BYTES},mode=755')
     tree = _Tree(home)
     for place in sorted({os.path.abspath(place) for place in shown}, key=lambda place: (len(os.path.realpath(place)), place)):
         tree.show(place)
@@ -40,8 +43,10 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
         if os.path.isdir(home + place):
             _mount('tmpfs', home + place, 'tmpfs', NO_SETUID | NO_DEVICES, 'size=4096,nr_inodes=2,mode=755')
     os.makedirs(home + home, exist_ok=True)
-    os.chmod(home + home, 0o700)
     os.makedirs(home + '/tmp', exist_ok=True)
+    _make_read_only(home)
+    own = f'size={MOST_BYTES},nr_inodes={MOST_FILES},mode=700'
+    _mount('tmpfs', home + home, 'tmpfs', NO_SETUID | NO_DEVICES, own)
     os.chdir(home)
     syscall(PIVOT_ROOT[os.uname().machine], b'.', b'.')
     _checked(libc.umount2(b'.', DETACH))
@@ -99,6 +104,12 @@ def _unshare() -> None:
         with open(f'/proc/self/{name}', 'w') as file:
             file.write(text)
     return None
+
+
+def _make_read_only(place: str) -> None:
+    """Let nothing of the mounts at a place and below it be changed."""
+    wanted = (ctypes.c_uint64 * 4)(READ_ONLY, 0, 0, 0)
+    syscall(MOUNT_SETATTR, HERE, os.fsencode(place), WITH_ALL_BELOW, ctypes.byref(wanted), ctypes.sizeof(wanted))
 
 
 def _mount(source: str, place: str, kind: str | None, flags: int, options: str | None = None) -> None:

@@ -1,10 +1,11 @@
-"""A row of turtles: turtle1 drives, turtle2 follows it, turtle3 follows turtle2, and so on. This is what the course was for.
+"""A row of turtles: turtle1 drives, turtle2 follows it, turtle3 follows turtle2, and so on.
 
     ros2 launch convoy convoy.launch.py count:=3
 
-The launch argument count, 1 to 3, says how many follow. Each goes to a carrot, 1 m behind the turtle in front of it: its parts
-are in follower.launch.py, with the arguments me and leader; its node, convoy/follower.py, is complete. No follower starts
-before the simulator has started. There are three gaps: one in follower.launch.py, two here.
+The launch argument count, 1 to 3, is the number of followers. Each follower drives to a carrot, 1 m behind the turtle in
+front of it. follower.launch.py starts the parts of one follower and has the arguments me and leader. The node,
+convoy/follower.py, is complete. No follower starts before the simulator has started. There are three gaps: one in
+follower.launch.py, two here.
 
 Grade it: edugrade exercises/convoy        A hint: edugrade exercises/convoy --hint 1
 """
@@ -30,7 +31,7 @@ def generate_launch_description():
     sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
     row = [follower(number) for number in (2, 3, 4)]
     return LaunchDescription([
-        DeclareLaunchArgument('count', default_value='1', choices=['1', '2', '3'], description='How many follow.'),
+        DeclareLaunchArgument('count', default_value='1', choices=['1', '2', '3'], description='Number of followers.'),
         Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name='broadcaster_turtle1',
              parameters=[{'turtlename': 'turtle1'}]),
         ExecuteProcess(cmd=[*DRIVE, '{linear: {x: 1.0}, angular: {z: 0.4}}']),

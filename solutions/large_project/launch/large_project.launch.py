@@ -1,6 +1,10 @@
-"""Everything: two worlds, a follower with its goal, a carrot, and a turtle that copies the follower.
+"""The top-level launch file: two worlds, a follower with its goal, a carrot, and a turtle that copies the follower.
 
     ros2 launch large_project large_project.launch.py goal:=turtle1
+
+A large launch file can be short if it includes small ones and sets only their differences. Read these first:
+world.launch.py, follower.launch.py and mimic.launch.py beside this file, and the parameters of the worlds in
+../config/turtlesim.yaml. Then fill the three gaps: two here, and one in the parameter file.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription
@@ -11,7 +15,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def include(name, **arguments):
-    """One launch file of this package, with arguments for it."""
+    """Include a launch file of this package, with values for its arguments."""
     path = PathJoinSubstitution([FindPackageShare('large_project'), 'launch', name])
     return IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments=arguments.items())
 

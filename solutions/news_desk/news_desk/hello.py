@@ -1,4 +1,4 @@
-"""Says a word again and again."""
+"""Publishes a word again and again."""
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String

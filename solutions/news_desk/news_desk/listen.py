@@ -1,4 +1,4 @@
-"""Writes what it hears into the log."""
+"""Logs every message that it receives."""
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String

@@ -1,4 +1,4 @@
-"""Tells tf2 where one turtle is in the world."""
+"""Broadcasts where one turtle is in the world."""
 from math import cos, sin
 
 import rclpy

@@ -1,4 +1,4 @@
-"""Says once a second where turtle1 is, and where it was some time ago."""
+"""Logs once a second where turtle1 is, and where it was some time ago."""
 import rclpy
 from rclpy.duration import Duration
 from rclpy.node import Node

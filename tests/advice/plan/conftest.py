@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 from pathlib import Path
@@ -12,7 +11,9 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.packages import Index
+from edulaunch.engine.processes.commands import CommandSet
 from edulaunch.ros.sources import read_source
+from edulaunch.runtime.shell import SimulatedShell
 
 SEEDS = Path(__file__).resolve().parents[3] / '..' / 'shared' / 'seeds'
 FILES = (SEEDS / 'files').resolve()
@@ -24,6 +25,16 @@ def seed_rows() -> list[tuple[dict[str, Any], dict[str, Any]]]:
         return []
     rows = json.loads((FILES / 'index.json').read_text(encoding='utf-8'))
     return [(row, entry) for row in rows if isinstance(row.get('oracle'), list) for entry in row['oracle']]
+
+
+def xacro(process: Any) -> int:
+    """The oracle's xacro only printed the file."""
+    process.is_recorded = False
+    process.write('stdout', Path(process.argv[1]).read_text(encoding='utf-8'))
+    return 0
+
+
+TOOLS = CommandSet({'xacro': xacro}, SimulatedShell())
 
 
 class Places:
@@ -38,7 +49,10 @@ class Places:
         self.stage1 = root / 'stage1'
         self._fill_stage1(_share(self.stage1, 'launch_tutorial'))
         self._tools = root / 'bin'
-        self._make_xacro()
+        self._tools.mkdir()
+        script = self._tools / 'xacro'
+        script.write_text('found on the PATH, and run by `xacro` above', encoding='utf-8')
+        script.chmod(0o755)
 
     def _fill_stage1(self, share: Path) -> None:
         """launch_tutorial as of section 2: the final launch files, with the early ones over them."""
@@ -48,13 +62,6 @@ class Places:
         for path in early.iterdir():
             shutil.copy(path, share / ('config' if path.suffix == '.yaml' else 'launch'))
 
-    def _make_xacro(self) -> None:
-        """The oracle's xacro only printed the file."""
-        self._tools.mkdir()
-        script = self._tools / 'xacro'
-        script.write_text('#!/bin/sh\nexec cat "$1"\n', encoding='utf-8')
-        script.chmod(0o755)
-
     def index(self, file: str) -> Index:
         """What the oracle had for this file, all other packages being placeholders."""
         if file.startswith('large_projects/stage1/'):
@@ -62,7 +69,7 @@ class Places:
         return Index([self.standin], [FILES], read_source=read_source, underlay=None)
 
     def environ(self) -> dict[str, str]:
-        return {'USER': 'student', 'PATH': os.pathsep.join((str(self._tools), '/usr/bin', '/bin'))}
+        return {'USER': 'student', 'PATH': f'{self._tools}:/usr/bin:/bin'}
 
     def normalised(self, plan: Any, index: Index) -> Any:
         """The plan with its paths as the README writes them."""

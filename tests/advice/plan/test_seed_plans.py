@@ -11,7 +11,7 @@ import pytest
 from edulaunch.advice.plan import make_plan
 from edulaunch.engine.packages import Index
 from edulaunch.ros.sources import read_source
-from tests.advice.plan.conftest import FILES, SEEDS, seed_rows
+from tests.advice.plan.conftest import FILES, SEEDS, TOOLS, seed_rows
 
 PLANS = [(row, entry) for row, entry in seed_rows() if entry['outcome'] == 'plan']
 
@@ -20,7 +20,7 @@ PLANS = [(row, entry) for row, entry in seed_rows() if entry['outcome'] == 'plan
 def test_the_plan_is_that_of_the_original_launch(row: Any, entry: Any, places: Any) -> None:
     expected = json.loads((SEEDS / entry['plan']).read_text(encoding='utf-8'))
     index = places.index(row['file'])
-    plan = make_plan(FILES / row['file'], entry['args'], index, places.environ(), assume_packages=True)
+    plan = make_plan(FILES / row['file'], entry['args'], index, places.environ(), assume_packages=True, command_set=TOOLS)
     assert places.normalised(plan, index) == expected
 
 

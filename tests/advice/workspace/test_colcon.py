@@ -19,7 +19,7 @@ from edulaunch.runtime.session import index_for
 SEEDS = Path(__file__).resolve().parents[4] / 'shared' / 'seeds' / 'files'
 PACKAGES = ('large_projects/launch_tutorial', 'tf2_book/learning_tf2_py')
 COLCON = shutil.which('colcon', path=os.pathsep.join([os.path.dirname(sys.executable), os.environ.get('PATH', '')]))
-pytestmark = pytest.mark.skipif(COLCON is None, reason="colcon is not installed (pip install 'edulaunch[workspace]')")
+pytestmark = pytest.mark.skipif(COLCON is None, reason="colcon is not installed (pip install '.[workspace]')")
 
 
 def build(folder: Path) -> None:

@@ -7,14 +7,14 @@ from typing import Any
 
 import pytest
 
-from edulaunch.advice import judge_sources, told
+from edulaunch.advice import judge_sources, rendered
 from edulaunch.advice.reader import Reader
 from edulaunch.desk.cli.main import main
 
 
 def said(folder: Path) -> list[str]:
     """Place and sentence of each finding."""
-    lines = [told(finding, Reader(folder=str(folder))) for finding in judge_sources(str(folder))]
+    lines = [rendered(finding, Reader(folder=str(folder))) for finding in judge_sources(str(folder))]
     return [f'{line.where}: {line.what}' for line in lines]
 
 
@@ -35,8 +35,8 @@ def test_pkg_check_tells_each_with_its_place_and_what_to_do(robo: Any, node: str
     robo.write('robo/robo/brake.py', node)
     assert main(['pkg', 'check', str(robo.folder)]) == 1
     assert capsys.readouterr().out == (
-        'robo/robo/brake.py: the node brake.py has no entry point\n'
-        "  help: add 'brake = robo.brake:main' to console_scripts in setup.py\n"
+        'robo/robo/brake.py: brake.py has a main() that starts a node, and no entry point\n'
+        "  help: to start it with ros2 run, add 'brake = robo.brake:main' to console_scripts in setup.py\n"
         '1 package checked (robo): 1 finding\n'
     )
 
@@ -73,7 +73,7 @@ def test_scripts_of_a_cmake_package(workspace: Any, node: str) -> None:
     assert said(workspace.folder) == [
         'robo/scripts/one.py:1: the program one.py has no first line that says what runs it',
         'robo/scripts/two.py: two.py is installed as a plain file, which may not be executed',
-        'robo/scripts/three.py: no build installs the program three.py',
+        'robo/scripts/three.py: three.py starts a node, and no build installs it',
     ]
 
 
@@ -90,7 +90,7 @@ def test_files_that_are_no_python(robo: Any) -> None:
     (robo.folder / 'robo/robo/latin.py').write_bytes(b'NAME = "gr\xfc\xdfe"\n')
     robo.write('robo/robo/words.py', 'NAME = "grüße"\n')
     (only,) = judge_sources(str(robo.folder))
-    assert told(only).do == 'save latin.py as UTF-8'
+    assert rendered(only).do == 'save latin.py as UTF-8'
 
 
 def test_the_same_package_twice(robo: Any) -> None:
@@ -103,7 +103,7 @@ def test_build_output_in_a_repository(robo: Any) -> None:
     robo.write('install/local_setup.bash')
     robo.write('install/robo/share/robo/package.xml', '<package><name>robo</name></package>')
     (first, *_) = judge_sources(str(robo.folder))
-    assert (first.rule, told(first).what) == (
+    assert (first.rule, rendered(first).what) == (
         'packages.build-output-committed',
         'install/ was made by colcon, and stands in the repository',
     )
@@ -139,3 +139,24 @@ def test_a_build_of_links_or_of_the_same_text_is_not_old(robo: Any) -> None:
     assert said(robo.folder) == []
     (place / 'drive.py').write_text('')
     assert said(robo.folder) == ['robo/robo/drive.py: robo was changed after it was built: robo/drive.py']
+
+
+def test_a_macro_of_another_package_may_install_what_nothing_else_does(workspace: Any, node: str) -> None:
+    workspace.cmake('robo', 'company_install_all()', 'rclpy launch')
+    workspace.write('robo/launch/go.launch.py', 'from launch import LaunchDescription\n')
+    workspace.write('robo/scripts/one.py', node)
+    assert said(workspace.folder) == []
+
+
+def test_what_is_in_a_comment_is_not_launched(workspace: Any) -> None:
+    workspace.cmake('robo', 'install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})', 'launch')
+    workspace.write('robo/launch/a.launch.py', "# Node(package='turtlesim')\n")
+    workspace.write('robo/launch/b.launch.xml', '<launch>\n<!--\n<node pkg="turtlesim" exec="x"/>\n-->\n</launch>\n')
+    assert said(workspace.folder) == []
+
+
+def test_an_entry_point_may_name_a_module_of_another_package(workspace: Any, node: str) -> None:
+    workspace.python('arm', '')
+    workspace.write('arm/arm/move.py', node)
+    workspace.python('robo', 'move = arm.move:main')
+    assert [line for line in said(workspace.folder) if 'entry point ' in line] == []

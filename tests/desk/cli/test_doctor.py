@@ -87,7 +87,10 @@ def test_sarif_has_the_place_and_the_rule(capsys: pytest.CaptureFixture[str]) ->
     (result,) = run['results']
     assert log['version'] == '2.1.0' and run['tool']['driver']['rules'][result['ruleIndex']]['id'] == 'programs.same-name'
     place = result['locations'][0]['physicalLocation']
-    assert place == {'artifactLocation': {'uri': Path(SAME).as_uri()}, 'region': {'startLine': 9}}
+    assert place == {
+        'artifactLocation': {'uri': Path(SAME).as_uri()},
+        'region': {'startLine': 9, 'startColumn': 13, 'endLine': 9, 'endColumn': 98},
+    }
     assert result['level'] == 'warning' and result['message']['text'].startswith('two nodes are called /talker')
 
 

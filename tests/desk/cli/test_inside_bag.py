@@ -214,3 +214,14 @@ def test_the_clock_of_a_playback_runs_as_fast_as_the_playback(bag) -> None:
     bag.run('ros2 bag play drive --clock 10 -r 2', 2.0)
     times = [int(line.removeprefix('nanosec: ')) for line in clock.out.splitlines() if line.startswith('nanosec')]
     assert len(times) == 6 and {(after - before) % 10**9 for before, after in itertools.pairwise(times)} == {2 * 10**8}
+
+
+def test_without_rosbags_the_message_says_which_extra_to_install(machine, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('edulaunch.desk.cli.ros2.bag.find_spec', lambda name: None)
+    typed = machine.run('ros2 bag record -a', 0.5)
+    assert typed.code == 1
+    assert (
+        "ros2 bag needs rosbags, which is not installed\n  help: in the folder of edulaunch's setup.sh, type: pip install '.[bags]'"
+        in typed.err
+    )
+    assert list(machine.folder.iterdir()) == []

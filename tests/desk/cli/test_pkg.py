@@ -68,3 +68,15 @@ def test_check_prints_findings_and_counts_them(here: Path, capsys: pytest.Captur
 def test_check_of_no_folder_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['pkg', 'check', 'nowhere']) == 2
     assert "'nowhere' is not a directory" in capsys.readouterr().err
+
+
+def test_in_a_course_it_says_how_to_make_a_package_in_python(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = 'For one in Python, delete it and type: ros2 pkg create robo --build-type ament_python'
+    assert main(['pkg', 'create', 'robo']) == 0
+    assert words not in capsys.readouterr().err
+    (here / 'exercises').mkdir()
+    (here / 'exercises' / 'course.toml').write_text('')
+    assert main(['pkg', 'create', 'robo', '--destination-directory', 'exercises']) == 0
+    assert words in capsys.readouterr().err
+    assert main(['pkg', 'create', 'robot', '--build-type', 'ament_python']) == 0
+    assert words not in capsys.readouterr().err

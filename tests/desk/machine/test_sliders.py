@@ -13,8 +13,8 @@ pytest.importorskip('ipywidgets')
 import edulaunch  # noqa: E402
 from edulaunch import UnusableInput  # noqa: E402
 from edulaunch.desk.machine.started import Machine  # noqa: E402
-from edulaunch.desk.view.film import Film  # noqa: E402
-from edulaunch.desk.view.replay import OfRecorder, film_of  # noqa: E402
+from edulaunch.desk.view.replay import RecorderSource, timeline_of  # noqa: E402
+from edulaunch.desk.view.timeline import Timeline  # noqa: E402
 from edulaunch.engine.recording import Recording  # noqa: E402
 
 NODE = """
@@ -52,20 +52,20 @@ def test_the_film_says_what_parameters_were_declared_to_be(machine: Machine) -> 
         ['/arm', 'count', '', False, [1, 9, 2]],
         ['/arm', 'name', '', True, None],
     ]
-    assert declared(Film(OfRecorder(machine.session.recorder)).piece()) == told
+    assert declared(Timeline(RecorderSource(machine.session.recorder)).delta()) == told
     saved = Recording.from_bytes(machine.recording().to_bytes())
-    film = film_of(saved)
-    assert declared(film) == told
-    assert {row[2]: row[5] for row in film['parameters'] if row[2] in ('gain', 'count', 'name')} == {
+    timeline = timeline_of(saved)
+    assert declared(timeline) == told
+    assert {row[2]: row[5] for row in timeline['parameters'] if row[2] in ('gain', 'count', 'name')} == {
         'gain': True,
         'count': False,
         'name': False,
     }
 
 
-def declared(film: dict[str, Any]) -> list[list[Any]]:
+def declared(timeline: dict[str, Any]) -> list[list[Any]]:
     """What the node itself declares; rclpy adds one that is read-only."""
-    rows = [row[1:] for row in film['descriptors']]
+    rows = [row[1:] for row in timeline['descriptors']]
     assert rows[0][1] == 'start_type_description_service'
     return rows[1:]
 

@@ -10,8 +10,8 @@ import pytest
 import edulaunch
 from edulaunch import UnusableInput
 from edulaunch.desk.machine.started import Machine
-from edulaunch.desk.view.film import Film
-from edulaunch.desk.view.replay import OfRecorder
+from edulaunch.desk.view.replay import RecorderSource
+from edulaunch.desk.view.timeline import Timeline
 
 
 @pytest.fixture
@@ -87,11 +87,11 @@ def test_what_is_not_there_is_named(speed: float, tab: str, step: str) -> None:
 
 def test_a_machine_that_goes_on_for_long_lets_old_messages_go_and_says_from_where_it_has_them() -> None:
     with edulaunch.start('turtlesim', 'multisim.launch.py', keep_s=20) as machine:
-        film = Film(OfRecorder(machine.session.recorder))
+        timeline = Timeline(RecorderSource(machine.session.recorder))
         counts = []
         for _ in range(6):
             recording = machine.run(20)
-            film.piece()
+            timeline.delta()
             counts.append(sum(topic.count for topic in recording.topics.values()))
         assert recording.duration_s == 120 and recording.trajectory('/turtlesim1/turtle1').t[0] == pytest.approx(100, abs=0.1)
         assert counts[-1] <= counts[1] * 1.1

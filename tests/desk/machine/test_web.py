@@ -85,9 +85,9 @@ def test_words_and_film_cross_in_both_directions() -> None:
         await page.write_message('{"op": "next"}')
         assert await loop.sock_recv(machine, 100) == wire.frame(wire.INPUT, b'{"op": "next"}\n')
         await loop.sock_sendall(
-            machine, wire.frame(wire.OUTPUT, b'{"piece"') + wire.frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n')
+            machine, wire.frame(wire.OUTPUT, b'{"delta"') + wire.frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n')
         )
-        assert [await page.read_message(), await page.read_message()] == ['{"piece": {}}', '{"said": "x"}']
+        assert [await page.read_message(), await page.read_message()] == ['{"delta": {}}', '{"said": "x"}']
         machine.close()
         assert await page.read_message() is None
         page.close()

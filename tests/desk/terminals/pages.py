@@ -60,6 +60,7 @@ class Step(NamedTuple):
 class Page(NamedTuple):
     """A page of a tutorial.
 
+    :ivar group: which of the four groups of tutorials it is in.
     :ivar seed: of the seed tutorials, whose files are copied.
     :ivar copies: what is copied there: from, to.
     :ivar files: small files that the reader has written, by name.
@@ -67,6 +68,7 @@ class Page(NamedTuple):
 
     title: str
     steps: tuple[Step, ...]
+    group: str
     seed: str = ''
     copies: tuple[tuple[str, str], ...] = ()
     files: tuple[tuple[str, str], ...] = ()
@@ -79,6 +81,7 @@ def pages() -> Iterator[Page]:
             yield Page(
                 data['title'],
                 tuple(map(_step, data['step'])),
+                path.stem.partition('_')[2],
                 data.get('seed', ''),
                 tuple(data.get('copies', {}).items()),
                 tuple(data.get('files', {}).items()),

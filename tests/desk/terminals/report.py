@@ -1,47 +1,79 @@
-"""Writes docs/commands.md and docs/from_a_tutorial.md from the pages that are tried in terminals."""
+"""Writes the pages on commands in docs/ from the tutorials that are tried in terminals: `python -m tests.desk.terminals.report`."""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
 from pathlib import Path
 
 from tests.desk.terminals.pages import Page, Step, pages
 
 DOCS = Path(__file__).resolve().parents[3] / 'docs'
-COMMANDS_PAGE, TUTORIAL_PAGE = DOCS / 'commands.md', DOCS / 'from_a_tutorial.md'
+GROUPS = {
+    'seeds': 'Five public tutorials',
+    'beginner': 'Official tutorials: command line tools',
+    'client_libraries': 'Official tutorials: client libraries',
+    'tf2_and_demos': 'Official tutorials: tf2 and demos',
+}
+NOTE = '`python -m tests.desk.terminals.report` writes this page.'
 
 
-def commands_page() -> str:
-    """Every command with how it goes here."""
-    found = list(pages())
+def documents() -> dict[str, str]:
+    """Return the content of each page by its path in docs/."""
+    found = {f'commands/{group}.md': _group_page(group) for group in GROUPS}
+    return {'commands.md': _commands_page(), 'from_a_tutorial.md': _tutorial_page(), **found}
+
+
+def _commands_page() -> str:
+    """Return the page that lists the groups, with how many commands work."""
     lines = [
         '# Commands of the tutorials',
         '',
-        'Made by `python -m tests.desk.terminals.report`; `tests/desk/terminals` types every command into a real terminal, in the order of its',
-        'page and with as many terminals as that opens, and looks at what it shows. Each terminal begins with the lines that',
-        '`source .venv/bin/activate` brings, too.',
+        'A test types every command of these tutorials into a real terminal, in the order of the tutorial, and checks the output.',
+        'Each terminal is prepared as `source .venv/bin/activate` does it.',
         '',
-        *_counts(found),
+        '| commands of | work word for word | differ | are not offered |',
+        '|---|---|---|---|',
+        *map(_count, GROUPS),
+        '',
+        '[From a tutorial](from_a_tutorial.md) lists what to type where a command differs.',
+        NOTE,
     ]
-    for page in found:
-        lines += ['', f'## {page.title}', '', '| command | here |', '|---|---|']
+    return '\n'.join(lines) + '\n'
+
+
+def _count(group: str) -> str:
+    steps = (step for page in _of(group) for step in page.steps if not step.is_ours)
+    words = Counter(re.split('[:,]', step.verdict)[0] for step in steps)
+    return f'| [{GROUPS[group]}](commands/{group}.md) | {words["works"]} | {words["differs"]} | {words["not offered"]} |'
+
+
+def _group_page(group: str) -> str:
+    """Return the page with every command of one group, and its result."""
+    lines = [f'# {GROUPS[group]}', '', f'[Commands of the tutorials](../commands.md) explains the test. {NOTE}']
+    for page in _of(group):
+        lines += ['', f'## {page.title}', '', '| command | result |', '|---|---|']
         lines += [f'| {_code(step.says)} | {_cell(step)} |' for step in page.steps if not step.is_ours]
     return '\n'.join(lines) + '\n'
 
 
-def tutorial_page() -> str:
-    """What to type where a page says something else."""
+def _of(group: str) -> list[Page]:
+    return [page for page in pages() if page.group == group]
+
+
+def _tutorial_page() -> str:
+    """Return the page with what to type where a tutorial has something else."""
     lines = [
         '# From a tutorial',
         '',
         'Follow a ROS 2 tutorial as it is. Type `source .venv/bin/activate` in each terminal, or [put the line into the settings of your',
-        'shell](terminals.md#one-line-in-each-terminal) once. Then `ros2`, and the lines that set up a computer (`source`, `colcon`, `rosdep`,',
-        '`apt`), do what they should. In a terminal where a real ROS 2 is sourced, `ros2` is the real one. This table lists the other lines;',
-        '[commands.md](commands.md) lists every command that was tried.',
+        'shell](terminals.md#one-line-in-each-terminal) once. `ros2` and the set-up commands (`source`, `colcon`, `rosdep`, `apt`) then work as in the',
+        'tutorial. In a terminal where a real ROS 2 is sourced, `ros2` is the real one.',
         '',
-        '| the page says | you type | why |',
+        'This table lists the commands that differ. [Commands of the tutorials](commands.md) lists every command that was tested.',
+        NOTE,
+        '',
+        '| the tutorial has | you type | reason |',
         '|---|---|---|',
     ]
     rows = {step.says: step for page in pages() for step in page.steps if step.differs or step.why}
@@ -50,17 +82,6 @@ def tutorial_page() -> str:
         for step in rows.values()
     ]
     return '\n'.join(lines) + '\n'
-
-
-def _counts(found: Iterable[Page]) -> list[str]:
-    tried = ((page, step) for page in found for step in page.steps if not step.is_ours)
-    words = Counter((bool(page.seed), re.split('[:,]', step.verdict)[0]) for page, step in tried)
-    rows = (("the official tutorials' pages", False), ('the five seed tutorials', True))
-    return [
-        '| commands of | works word for word | differs | not offered |',
-        '|---|---|---|---|',
-        *(f'| {name} | {words[key, "works"]} | {words[key, "differs"]} | {words[key, "not offered"]} |' for name, key in rows),
-    ]
 
 
 def _cell(step: Step) -> str:
@@ -72,5 +93,6 @@ def _code(text: str) -> str:
 
 
 if __name__ == '__main__':
-    COMMANDS_PAGE.write_text(commands_page(), encoding='utf-8')
-    TUTORIAL_PAGE.write_text(tutorial_page(), encoding='utf-8')
+    (DOCS / 'commands').mkdir(exist_ok=True)
+    for name, text in documents().items():
+        (DOCS / name).write_text(text, encoding='utf-8')

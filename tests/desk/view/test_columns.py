@@ -1,4 +1,4 @@
-"""Steps give back the values, and pieces fit behind each other."""
+"""Steps give back the values, and deltas fit behind each other."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ VALUES = st.lists(st.floats(-1e6, 1e6) | st.just(0.0) | st.sampled_from([math.na
 
 
 @given(VALUES, st.integers(0, 20))
-def test_steps_in_two_pieces_give_the_values_to_the_scale(values: list[float], cut: int) -> None:
+def test_steps_in_two_deltas_give_the_values_to_the_scale(values: list[float], cut: int) -> None:
     first, last = number_steps(values[:cut], FINE)
     second, _ = number_steps(values[cut:], FINE, last)
     found = numbers(first, FINE) + numbers(second, FINE, last)

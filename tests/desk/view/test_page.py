@@ -6,9 +6,11 @@ import base64
 import json
 import re
 import zlib
+from pathlib import Path
 
 import pytest
 
+from edulaunch.desk.view import page as page_module
 from edulaunch.desk.view.page import FILES, live_page, module, packed, recorded_page, script
 
 PIECE = {'start': 0, 'now': 1, 'logs': [[0, 'x', 'x', 20, '</script><script>alert(1)</script>']]}
@@ -36,9 +38,15 @@ def test_packing_is_the_same_every_time() -> None:
 
 
 def test_no_name_is_defined_twice_in_the_joined_script() -> None:
-    names = re.findall(r'^(?:const|let|class|function|async function) (\w+)', script(), re.MULTILINE)
+    texts = [(Path(page_module.__file__).with_name('page') / name).read_text(encoding='utf-8') for name in FILES]
+    names = re.findall(r'^(?:const|let|class|function|async function) (\w+)', '\n'.join(texts), re.MULTILINE)
     assert len(names) == len(set(names))
     assert len(FILES) == len(set(FILES))
+
+
+def test_comments_and_indents_are_not_part_of_what_a_notebook_stores() -> None:
+    assert not re.search(r'(?m)^ ', script()) and '/* Small words' not in script()
+    assert "'/*'" not in script() and script().count('class GraphView') == 1
 
 
 def test_the_module_exports_what_a_widget_needs() -> None:

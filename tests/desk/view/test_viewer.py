@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edulaunch.advice.wording import Mark
-from edulaunch.desk.view import Living
+from edulaunch.desk.view import ViewedMachine
 from edulaunch.desk.view.viewer import TICK_NS, Viewer
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording import Recording
@@ -19,7 +19,7 @@ from edulaunch.runtime.session import Session
 from tests.house import EXAMPLES
 
 
-class Desk(Living):
+class Desk(ViewedMachine):
     """A viewer with what it said, on a machine whose wall clock the test moves."""
 
     def __init__(self, session: Session) -> None:
@@ -140,7 +140,7 @@ def test_the_rules_look_when_somebody_asks(desk: Desk, monkeypatch: pytest.Monke
     desk.ask('advise')
     desk.viewer.show()
     assert desk.said[-2:][0] == {'said': 'to look at: 1'}
-    assert desk.said[-1]['piece']['advice'] == [{'time': 1_000_000, 'subject': {}, 'text': 'so long already', 'rule': 'length'}]
+    assert desk.said[-1]['delta']['advice'] == [{'time': 1_000_000, 'subject': {}, 'text': 'so long already', 'rule': 'length'}]
 
 
 def one_mark(recording: Recording) -> list[Mark]:
@@ -187,7 +187,7 @@ def test_the_state_of_time_is_told_when_it_changes(desk: Desk) -> None:
     desk.viewer.show()
     desk.ask('pause')
     desk.viewer.show()
-    going = {'running': True, 'speed': 1.0, 'can_continue': False, 'network': None}
+    going = {'running': True, 'speed': 1.0, 'can_continue': False, 'network': None, 'steps_launches': False}
     assert [message.get('machine') for message in desk.said] == [going, None, {**going, 'running': False}]
 
 
@@ -239,3 +239,46 @@ FIELDS = st.sampled_from(
 def test_whatever_a_page_says_is_answered_and_harms_nothing(desk: Desk, words: Any) -> None:
     desk.viewer.take(words)
     desk.time.advance()
+
+
+def test_a_launch_is_stepped_and_its_processes_stopped_and_restarted() -> None:
+    with Session() as session, streams_of_programs():
+        session.steps_launches = True
+        session.launch('turtlesim', 'multisim.launch.py')
+        desk = Desk(session)
+        desk.time.paused = False
+        desk.time.advance()
+        assert desk.time.paused and session.sim.is_suspended
+        trace = session.traces[0]
+        stops = [trace.stepper.at.number]
+        for way in ('into', 'event'):
+            desk.ask('launch', pid=trace.pid, way=way)
+            stops.append(trace.stepper.at.number)
+        assert [trace.steps[number].is_event for number in stops] == [False, False, True]
+        desk.ask('play')
+        desk.go(0.5)
+        (one, two) = (step for step in trace.steps if step.process_name)
+        desk.ask('process', pid=trace.pid, number=one.number, what='restart')
+        desk.ask('process', pid=trace.pid, number=two.number, what='kill')
+        desk.go(0.5)
+        assert (len(one.runs), one.is_running, two.runs[0][3]) == (2, True, -9)
+        desk.ask('launch', pid=trace.pid, way='line', file='multisim.launch.py', line=1)
+        assert desk.said[-1] == {'said': 'the launch did not come there within 10 s of simulated time'}
+        desk.ask('launch', pid=trace.pid, way='there')
+        desk.ask('launch', pid=1, way='into')
+        desk.ask('process', pid=trace.pid, number=0, what='kill')
+        desk.ask('stops', on=True, again=True)
+        assert [message['said'].partition(':')[0] for message in desk.said[-4:]] == ['launch', 'launch', 'process', 'stops']
+
+
+def test_a_page_that_is_closed_lets_a_launch_go_on_that_waits_before_an_action() -> None:
+    with Session() as session, streams_of_programs():
+        session.steps_launches = True
+        session.launch('turtlesim', 'multisim.launch.py')
+        desk = Desk(session)
+        desk.time.advance()
+        assert session.sim.is_suspended and desk.time.paused
+        desk.viewer.close()
+        assert not session.sim.is_suspended and not desk.time.paused
+        desk.go(0.1)
+        assert [step.is_running for step in session.traces[0].steps if step.process_name] == [True, True]

@@ -104,3 +104,11 @@ def test_run_finds_the_package_of_its_launch_file(ws: Path) -> None:
     assert any('hello from robo' in line.text for line in recording.output)
     with pytest.raises(edulaunch.LaunchFileError, match="package 'robo' not found"):
         edulaunch.run(file, duration_s=1, workspaces=[])
+
+
+def test_packages_deeper_in_the_current_folder_are_found_with_a_launch_file_of_theirs(tmp_path: Path) -> None:
+    one = package(tmp_path / 'repo' / 'group' / 'one')
+    package(tmp_path / 'repo' / 'other' / 'two')
+    here = str(tmp_path / 'repo')
+    assert find_workspaces(here, {}) == []
+    assert find_workspaces(here, {}, str(one / 'launch' / 'a.launch.py')) == [str(one), here]

@@ -56,7 +56,7 @@ class World:
             self.sim,
             Graph(self.sim),
             ScriptIndex(folder),
-            env={'HOME': '/home/student'},  # type: ignore[arg-type]
+            env={'HOME': '/home/student', 'USER': 'ada', 'LOGNAME': 'ada'},  # type: ignore[arg-type]
             hint_of=hint_of,
             stdin={'asks-1': 'first line\nsecond line\n'},
         )

@@ -344,3 +344,11 @@ def test_a_module_that_is_run_is_in_its_package(world: Any) -> None:
     world.write('lib/robot/main.py', 'from .parts import ARM\nprint(__name__, __package__, ARM)\n')
     script = 'from edulaunch.engine.processes.current import current_process\n'
     assert world.run(script + 'current_process().loader.run_module("robot.main")') == '__main__ robot arm\n'
+
+
+def test_a_launch_file_is_in_no_package(world: Any) -> None:
+    world.write('my.launch.py', 'print([__name__, __package__, __spec__.origin == __file__])\n')
+    script = 'from edulaunch.engine.processes.current import current_process\n'
+    assert world.run(script + f'current_process().loader.run_file({str(world.folder / "my.launch.py")!r}, "my_launch")') == (
+        "['my_launch', '', True]\n"
+    )

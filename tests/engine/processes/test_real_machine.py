@@ -31,6 +31,8 @@ def notes(world: Any, text: str) -> list[str]:
         ('for _ in "ab":\n    with open("/proc/uptime"): pass', ['/proc/uptime']),
         ('import pathlib\npathlib.Path("/proc/stat").read_text()', ['/proc/stat (pathlib)']),
         ('import os\nos.listdir("/sys/class")', ['/sys/class']),
+        ('import os\nos.environ["USER"], os.getenv("HOME"), os.environ.get("NOBODY")', ['$USER']),
+        ('import getpass\ngetpass.getuser()', ['$LOGNAME']),
         ('import socket\nsocket.gethostname()', ['socket.gethostname']),
         ('import socket\ns = socket.socket()\ns.bind(("127.0.0.1", 0))\ns.close()', ['socket.bind']),
         (

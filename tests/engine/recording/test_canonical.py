@@ -84,6 +84,8 @@ def generate_launch_description():
 TELLS = """import json, os, sys, tempfile
 print(os.getcwd(), __file__, os.path.realpath(__file__), os.path.expanduser('~'), sys.executable, sys.prefix, json.__file__)
 print(tempfile.gettempdir(), os.environ['HOME'])
+with tempfile.TemporaryDirectory() as place:
+    print(place, tempfile.mktemp())
 json.loads('{')
 """
 
@@ -98,6 +100,7 @@ def test_a_program_that_prints_its_folders_has_the_same_digest_elsewhere(tmp_pat
         monkeypatch.chdir(folder / 'work')
         monkeypatch.setenv('HOME', str(folder / 'home'))
         monkeypatch.setattr('tempfile.tempdir', str(folder / 'tmp'))
+        monkeypatch.setenv('TMPDIR', str(folder / 'tmp'))
         script = os.path.join(tmp_path, f'link-{number}', 'launch', 'tells.py')
         Path(script).write_text(TELLS)
         file = Path(script).with_name('tells.launch.py')

@@ -92,3 +92,37 @@ def test_a_loop_that_only_polls_is_moved_on_by_time() -> None:
     start(sim, body)
     sim.run()
     assert log == [5_000_000]
+
+
+def test_a_suspended_task_goes_on_before_everything_else_and_nothing_is_scheduled_for_it() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        sim.schedule(sim.now_ns, lambda: note(sim, log, 'later'))
+        note(sim, log, 'before')
+        current_task().suspend()
+        note(sim, log, 'after')
+
+    start(sim, body)
+    sim.run(sim.now_ns + 10**9)
+    assert (log, sim.is_suspended, sim.elapsed_s) == ([(0.0, 'before')], True, 0.0)
+    number = sim.last_number
+    sim.run(sim.now_ns + 10**9)
+    assert log == [(0.0, 'before'), (0.0, 'after'), (0.0, 'later')]
+    assert (sim.is_suspended, sim.elapsed_s, sim.last_number) == (False, 1.0, number)
+
+
+def test_a_suspended_task_can_be_killed() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        try:
+            current_task().suspend()
+        finally:
+            note(sim, log, 'unwound')
+
+    task = start(sim, body)
+    sim.run()
+    task.kill()
+    sim.run()
+    assert (log, task.finished) == ([(0.0, 'unwound')], True)

@@ -10,7 +10,7 @@ import pytest
 
 from edulaunch.engine.packages import Program
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.extras.native.command import HOME, told
+from edulaunch.extras.native.command import HOME, description
 from edulaunch.extras.native.environment import Environment
 from edulaunch.runtime.session import index_for
 
@@ -22,7 +22,12 @@ def run_program(real: Environment, file: Path, *workspaces: Path) -> str:
     """Run a script as a node of a launch is run, to its end; what it printed."""
     program = Program('script', '', file.name, str(file), file=str(file))
     index = index_for(workspaces)  # what is generated for sources goes with it
-    words = [real.python, f'{HOME}/edulaunch/extras/native/program.py', told(program, ProcessSpec(()), index, 0), str(file)]
+    words = [
+        real.python,
+        f'{HOME}/edulaunch/extras/native/program.py',
+        description(program, ProcessSpec(()), index, 0),
+        str(file),
+    ]
     done = subprocess.run(words, capture_output=True, text=True, timeout=LONGEST_S, cwd=file.parent)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -191,7 +196,7 @@ def test_classes_from_text_and_compiled_ones_understand_each_other(real: Environ
         words = [
             real.python,
             f'{HOME}/edulaunch/extras/native/program.py',
-            told(program, ProcessSpec(()), index_for([]), 0),
+            description(program, ProcessSpec(()), index_for([]), 0),
             str(file),
         ]
         ours = subprocess.run([*words, 'ours', 'plain'], capture_output=True, text=True, timeout=LONGEST_S)
@@ -230,7 +235,12 @@ while told < 50:
 def test_ctrl_c_waits_while_c_code_waits_for_a_message(real: Environment, tmp_path: Path) -> None:
     file = script(tmp_path, INTERRUPTED)
     program, index = Program('script', '', 'x', str(file), file=str(file)), index_for([])
-    words = [real.python, f'{HOME}/edulaunch/extras/native/program.py', told(program, ProcessSpec(()), index, 0), str(file)]
+    words = [
+        real.python,
+        f'{HOME}/edulaunch/extras/native/program.py',
+        description(program, ProcessSpec(()), index, 0),
+        str(file),
+    ]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
         assert child.stdout is not None and child.stderr is not None
         assert child.stdout.readline() == 'ready\n'

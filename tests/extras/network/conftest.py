@@ -36,7 +36,7 @@ def place(air: Air) -> Iterator[Places]:
 @pytest.fixture
 def domain() -> Iterator[int]:
     """A domain that nobody else on this computer has."""
-    pytest.importorskip('cyclonedds', reason="cyclonedds is not installed: pip install 'edulaunch[network]'")
+    pytest.importorskip('cyclonedds', reason="cyclonedds is not installed: pip install '.[network]'")
     with own_domain() as number:
         yield number
 

@@ -17,12 +17,12 @@ from edulaunch.extras.network.link import (
     SERVICE,
     SUBSCRIPTION,
     Event,
-    FarEndpoint,
-    FarGraph,
-    FarNode,
     GraphChanged,
     Interface,
     Message,
+    RemoteEndpoint,
+    RemoteGraph,
+    RemoteNode,
     Request,
     Response,
     Settings,
@@ -68,8 +68,8 @@ class MemoryLink:
     def __init__(self, air: Air) -> None:
         self.air = air
         self.events: list[Event] = []
-        self.nodes: dict[int, FarNode] = {}
-        self.ends: dict[int, FarEndpoint] = {}
+        self.nodes: dict[int, RemoteNode] = {}
+        self.ends: dict[int, RemoteEndpoint] = {}
         self.published: list[bytes] = []
         self.gid = os.urandom(16)
         self._count = 0
@@ -85,7 +85,7 @@ class MemoryLink:
 
     def add_node(self, namespace: str, name: str) -> int:
         handle = self._next()
-        self.nodes[handle] = FarNode(self.gid, namespace, name)
+        self.nodes[handle] = RemoteNode(self.gid, namespace, name)
         return handle
 
     def remove_node(self, handle: int) -> None:
@@ -95,7 +95,7 @@ class MemoryLink:
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
         handle = self._next()
         gid = self.gid[:12] + handle.to_bytes(4, 'big')
-        self.ends[handle] = FarEndpoint(gid, kind, name, interface.name, interface.hash, qos, self.nodes[node])
+        self.ends[handle] = RemoteEndpoint(gid, kind, name, interface.name, interface.hash, qos, self.nodes[node])
         return handle
 
     def remove(self, handle: int) -> None:
@@ -129,9 +129,9 @@ class MemoryLink:
         events, self.events = self.events, []
         return events
 
-    def graph(self) -> FarGraph:
+    def graph(self) -> RemoteGraph:
         others = [link for link in self.air.links if link is not self]
-        return FarGraph(
+        return RemoteGraph(
             [node for link in others for node in link.nodes.values()], [end for link in others for end in link.ends.values()]
         )
 

@@ -42,6 +42,10 @@ class Peer(Node):
     def hear(self, topic, stays=''):
         self.create_subscription(String, topic, lambda message: tell('heard', message.data), STAYS if stays else 10)
 
+    def count(self, topic):
+        heard = []
+        self.create_subscription(String, topic, lambda message: (heard.append(0), tell('count', len(heard))), 10)
+
     def hear_log(self, _):
         from rcl_interfaces.msg import Log
 

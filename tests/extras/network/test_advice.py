@@ -5,12 +5,13 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
-from edulaunch.advice import judge, told
+from edulaunch.advice import judge, rendered
 from edulaunch.advice.reader import Reader
 from edulaunch.engine.graph.qos import BEST_EFFORT, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
+from edulaunch.extras.network.crossing import JoinRequest
 from edulaunch.extras.network.link import Interface, Settings
-from edulaunch.extras.network.switch import ALONE_NS, JoinRequest
+from edulaunch.extras.network.switch import ALONE_NS
 from tests.extras.network.places import PUBLISHER, STRING, TRIGGER, Air, MemoryLink, Place, cls_of, text, turns
 from tests.extras.network.test_mistakes import machine as machine
 
@@ -18,7 +19,7 @@ UNDERLAY = Interface(STRING, underlay_registry())
 
 
 def findings(place: Any) -> list[tuple[str, str]]:
-    return [(found.rule, told(found, Reader()).what) for found in judge(place.session.snapshot())]
+    return [(found.rule, rendered(found, Reader()).what) for found in judge(place.session.snapshot())]
 
 
 def real(air: Air, here: Place, name: str = 'real', qos: QoS = QoS(), type_hash: str | None = None) -> tuple[MemoryLink, int]:

@@ -8,9 +8,9 @@ import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
-from edulaunch.extras.network.far import named
-from edulaunch.extras.network.link import FarEndpoint, FarNode, Interface, Settings
-from edulaunch.extras.network.settings import chooser
+from edulaunch.extras.network.crossing import Crossing
+from edulaunch.extras.network.link import Interface, RemoteEndpoint, RemoteNode, Settings
+from edulaunch.extras.network.remote import named
 from tests.extras.network.places import PUBLISHER, STRING, Air, MemoryLink, cls_of, text, turns
 
 UNDERLAY = Interface(STRING, underlay_registry())
@@ -150,15 +150,15 @@ def test_bytes_that_are_no_message_are_dropped_and_told_and_the_next_ones_heard(
     turns(here)
     assert here.heard == [('good',)]
     assert len(here.said) == 1 and '/chatter: dropped, these' in here.said[0]
-    assert here.bridge.troubles.lines()[0].endswith('(6 times)')
+    assert here.bridge.diagnostics.lines()[0].endswith('(6 times)')
 
 
 def test_names_that_are_none_are_not_shown(place: Any, air: Air) -> None:
     here = place('a')
     real, node = raw(air)
-    end = FarEndpoint(b'x' * 16, PUBLISHER, '/a b', STRING, '', QoS(), FarNode(real.gid, '/', 'real'))
+    end = RemoteEndpoint(b'x' * 16, PUBLISHER, '/a b', STRING, '', QoS(), RemoteNode(real.gid, '/', 'real'))
     real.ends[77] = end
-    real.nodes[78] = FarNode(real.gid, 'nowhere', '\x1b[2J')
+    real.nodes[78] = RemoteNode(real.gid, 'nowhere', '\x1b[2J')
     turns(here)
     assert here.nodes() == ['/a', '/real'] and list(here.graph.publishers) == []
     assert len(here.said) == 2 and '\\x1b' in here.said[0]
@@ -218,7 +218,7 @@ def test_no_simulated_service_answers_for_a_real_one(place: Any) -> None:
 
 
 def test_only_what_was_chosen_crosses(place: Any) -> None:
-    here, there = place('a', chosen=chooser(['/turtle1', 'tf'])), place('b')
+    here, there = place('a', crossing=Crossing(['/turtle1', 'tf'])), place('b')
     for topic in ('/turtle1/pose', '/turtle10/pose', '/tf', '/rosout'):
         here.publisher(topic)
         there.publisher(topic)

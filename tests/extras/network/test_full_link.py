@@ -154,7 +154,7 @@ def test_a_peer_that_sends_broken_bytes_another_type_and_far_too_much_does_no_ha
     (tmp_path / 'hostile.py').write_text(HOSTILE)
     peer = machine.script(tmp_path / 'hostile.py')
     machine.until(lambda: ''.join(heard['/bad']).count('data: whole') >= 5 and ''.join(heard['/flood']).count('data: x') >= 100)
-    told = machine.place.bridge.troubles.lines()
+    told = machine.place.bridge.diagnostics.lines()
     assert any(line.startswith('/bad: dropped, ') for line in told), told
     assert 'data' not in ''.join(heard['/number']), 'an Int32 is no String'
     peer.kill()

@@ -12,8 +12,9 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.sim.pacing import RealTime
-from edulaunch.extras.network.link import FarNode, LinkError, Settings
-from edulaunch.extras.network.switch import MOST_MISTAKES, JoinRequest, Switch
+from edulaunch.extras.network.crossing import Crossing, JoinRequest
+from edulaunch.extras.network.link import LinkError, RemoteNode, Settings
+from edulaunch.extras.network.switch import MOST_MISTAKES, Switch
 from edulaunch.runtime.session import Session
 from tests.extras.network.places import Air, MemoryLink
 
@@ -78,7 +79,7 @@ def machine(monkeypatch: pytest.MonkeyPatch, air: Air) -> Iterator[Any]:
 def test_it_joins_on_the_time_of_the_wall_and_leaves(machine: Any) -> None:
     here = machine(time.time_ns() - 5 * 10**9)
     before_ns = time.time_ns()
-    here.switch.on({'ROS_DOMAIN_ID': '7'}, JoinRequest(topics=['/tf']), here.said.append)
+    here.switch.on({'ROS_DOMAIN_ID': '7'}, JoinRequest(crossing=Crossing(['/tf'])), here.said.append)
     assert before_ns <= here.session.sim.now_ns <= time.time_ns() and here.time.is_wall
     assert here.switch.status().startswith('network: domain 7 of this computer alone, by memory\ncrossing: /tf; 0 messages sent')
     assert here.switch.off() and here.link.is_closed and not here.time.is_wall and not here.selector.get_map()
@@ -108,12 +109,12 @@ def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(ma
 
 def test_who_launches_with_the_network_is_told_that_it_has_joined_and_left(machine: Any) -> None:
     here = machine()
-    leave = here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, (), here.said.append, here.said.append)
+    leave = here.switch.join({'ROS_DOMAIN_ID': '7'}, (), here.said.append, here.said.append)
     where = 'domain 7 of this computer alone, by memory'
     assert here.said.pop() == f'joined the real ROS 2 network: {where}'
-    again = here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, (), here.said.append, here.said.append)
+    again = here.switch.join({'ROS_DOMAIN_ID': '7'}, (), here.said.append, here.said.append)
     assert here.said.pop() == f'this machine is on the real ROS 2 network already: {where}'
-    here.switch.join({'ROS_DOMAIN_ID': '7'}, 'cyclonedds', False, ['/tf'], here.said.append, here.said.append)
+    here.switch.join({'ROS_DOMAIN_ID': '7'}, ['--topics=/tf'], here.said.append, here.said.append)
     assert 'already, with other settings than asked for here (edulaunch network off, and launch again): ' in here.said.pop()
     again()
     assert here.said == [] and here.switch.bridge is not None
@@ -129,7 +130,7 @@ def test_simulated_nodes_of_other_machines_are_told_from_real_ones(machine: Any)
     other = MemoryLink(here.link.air)
     other.open(Settings())
     other.add_node('/', 'real')
-    other.nodes[other.add_node('/', 'turtlesim')] = FarNode(other.gid, '/', 'turtlesim', True)
+    other.nodes[other.add_node('/', 'turtlesim')] = RemoteNode(other.gid, '/', 'turtlesim', True)
     here.heard()
     status = here.switch.status()
     assert 'real nodes: 1 and 1 simulated by other machines, with 0 endpoints\n  /real\n  /turtlesim (simulated)\n' in status

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -88,8 +89,8 @@ def test_topics_cross_both_ways_and_each_sees_the_other(wire: Any, peer: Any) ->
     wire.until(lambda: '/lab/real_peer' in here.nodes() and '/down' in here.graph.publishers, each)
     [mirrored] = here.graph.publishers['/down']
     assert (mirrored.node.name, mirrored.type_name) == ('real_peer', STRING)
-    far = {end.name: end for end in here.link.graph().endpoints}
-    assert far['/down'].hash == type_hash(STRING, underlay_registry().spec)
+    remote = {end.name: end for end in here.link.graph().endpoints}
+    assert remote['/down'].hash == type_hash(STRING, underlay_registry().spec)
 
 
 def test_what_stays_reaches_a_late_joiner_and_the_log_crosses(wire: Any, peer: Any) -> None:
@@ -145,3 +146,22 @@ def test_a_peer_that_is_killed_leaves_and_another_is_heard(wire: Any, peer: Any)
     peer('say=/chatter,second')
     wire.until(lambda: ('second',) in here.heard)
     wire.until(lambda: len(here.graph.publishers['/chatter']) == 1)
+
+
+def test_every_image_of_a_reliable_publisher_arrives(wire: Any, peer: Any) -> None:
+    """One megabyte, ten times a second, as from a camera."""
+    here, real = wire.place('sim'), peer('count=/image')
+    image = here.publisher('/image')
+    wire.until(lambda: image.subscription_count, real.read)
+    due = time.monotonic()
+    sent = 0
+
+    def publish() -> None:
+        nonlocal sent, due
+        real.read()
+        if sent < 20 and time.monotonic() >= due:
+            image.publish(('x' * 1_000_000,))
+            sent, due = sent + 1, due + 0.1
+
+    wire.until(lambda: real.last('count') == [20], publish)
+    assert not here.said

@@ -6,7 +6,7 @@ import pytest
 
 from edulaunch.extras.network.link import LinkError, Settings
 from edulaunch.extras.network.links import make_link
-from edulaunch.extras.network.settings import chooser, settings_of
+from edulaunch.extras.network.settings import settings_of
 
 
 def test_without_settings_nobody_beyond_this_computer_is_looked_for() -> None:
@@ -38,17 +38,3 @@ def test_what_makes_no_sense_is_told(name: str, value: str, said: str) -> None:
 def test_an_unknown_link_is_told() -> None:
     with pytest.raises(LinkError, match='cyclonedds, rclpy'):
         make_link('cyclone')
-
-
-@pytest.mark.parametrize(
-    ('names', 'crossing'),
-    [
-        ([], '/tf /turtle1/pose /turtle10/pose'),
-        (['/'], '/tf /turtle1/pose /turtle10/pose'),
-        (['turtle1', '/tf'], '/tf /turtle1/pose'),
-        (['/turtle1/'], '/turtle1/pose'),
-        (['/turtle1/pose'], '/turtle1/pose'),
-    ],
-)
-def test_names_and_namespaces_that_cross(names: list[str], crossing: str) -> None:
-    assert ' '.join(filter(chooser(names), ['/tf', '/turtle1/pose', '/turtle10/pose'])) == crossing

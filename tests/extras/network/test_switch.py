@@ -14,11 +14,11 @@ from typing import Any
 import pytest
 
 from edulaunch.desk.cli.main import main
+from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.desk.machine.terminals import Terminals
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.link import Interface
 from edulaunch.ros.serialization.cdr import encode
 from edulaunch.runtime.session import Session
@@ -133,7 +133,9 @@ def test_a_launch_with_a_machine_of_its_own_says_which_command_joins(capsys: pyt
 def test_the_doctor_reports_the_real_network_while_it_is_on(monkeypatch: pytest.MonkeyPatch, domain: int) -> None:
     monkeypatch.setenv('ROS_DOMAIN_ID', str(domain))
     with selectors.DefaultSelector() as selector, Session(start_ns=time.time_ns() - 10**11) as session:
-        terminals = Terminals(session, RealTime(session.sim), selector)
+        machine = LiveMachine(selector=selector)
+        machine.use(session)
+        Terminals(machine)
 
         def report() -> str:
             said: list[str] = []
@@ -143,21 +145,23 @@ def test_the_doctor_reports_the_real_network_while_it_is_on(monkeypatch: pytest.
             return ''.join(said)
 
         assert 'middleware name    : edulaunch (simulated)' in report()
-        terminals.join_network(True)
+        machine.join_network(True)
         assert 'middleware name    : cyclonedds ' in (told := report())
         assert f'real ROS 2 network                  : domain {domain} of this computer alone, by cyclonedds' in told
-        terminals.join_network(False)
+        machine.join_network(False)
         assert 'middleware name    : edulaunch (simulated)' in report()
 
 
 def test_what_the_button_of_a_page_says(monkeypatch: pytest.MonkeyPatch, domain: int) -> None:
     monkeypatch.setenv('ROS_DOMAIN_ID', str(domain))
     with selectors.DefaultSelector() as selector, Session(start_ns=time.time_ns()) as session:
-        terminals = Terminals(session, RealTime(session.sim), selector)
-        assert terminals.is_on_network is False
-        assert terminals.join_network(True).startswith(f'network: domain {domain} of this computer alone, by ')
-        assert terminals.is_on_network is True
-        assert terminals.join_network(False) == 'the network is off'
-        assert terminals.is_on_network is False
+        machine = LiveMachine(selector=selector)
+        machine.use(session)
+        Terminals(machine)
+        assert machine.is_on_network is False
+        assert machine.join_network(True).startswith(f'network: domain {domain} of this computer alone, by ')
+        assert machine.is_on_network is True
+        assert machine.join_network(False) == 'the network is off'
+        assert machine.is_on_network is False
         monkeypatch.setenv('ROS_DOMAIN_ID', 'home')
-        assert terminals.join_network(True).startswith("error: ROS_DOMAIN_ID is 'home'")
+        assert machine.join_network(True).startswith("error: ROS_DOMAIN_ID is 'home'")

@@ -21,7 +21,7 @@ def comes(x: float, y: float) -> Track:
 
 
 def run(scenario: Scenario, **changes: Any) -> FakeRun:
-    moves = scenario.arguments['carrot'] == 'moving'
+    moves = scenario.arguments.get('carrot') == 'moving'
 
     def at(time_s: float) -> tuple[float, float]:
         track = circles(3.0, 1.0) if moves else comes(5.5, 7.5)
@@ -61,7 +61,7 @@ def test_both_broadcasters_at_once_are_named() -> None:
 
 
 def test_the_default_is_the_fixed_one() -> None:
-    result = graded('carrot', lambda s: run(s, launch=declared('carrot', 'moving')))['default_is_fixed']
+    result = graded('carrot', lambda s: run(s, launch=declared('carrot', "'moving'")))['default_is_fixed']
     assert (result.expected, result.seen, result.where) == ('fixed', 'moving', (FILE, 3))
 
 
@@ -85,7 +85,7 @@ def test_a_carrot_that_does_not_swing_is_not_the_moving_one() -> None:
 
 
 def test_a_wrong_default_costs_its_own_point_only() -> None:
-    assert statuses(graded('carrot', lambda s: run(s, launch=declared('carrot', 'moving')))) == {'default_is_fixed': 'failed'}
+    assert statuses(graded('carrot', lambda s: run(s, launch=declared('carrot', "'moving'")))) == {'default_is_fixed': 'failed'}
 
 
 def test_carrots_that_are_right_in_the_last_instant_only_do_not_count() -> None:

@@ -15,7 +15,7 @@ LEFT = (0.0, 0.0, sin(1.5708 / 2), cos(1.5708 / 2))
 
 def run(scenario: Scenario, **changes: Any) -> FakeRun:
     frames = {
-        'laser': frame('base_link', 0.2, 0.0, float(scenario.arguments['height']), is_static=True),
+        'laser': frame('base_link', 0.2, 0.0, float(scenario.arguments.get('height', 0.5)), is_static=True),
         'camera': frame('laser', 0.0, 0.0, 0.1, LEFT, is_static=True),
         **changes,
     }
@@ -103,7 +103,8 @@ def test_a_frame_that_is_not_a_number_is_in_no_place(number: float) -> None:
         'camera': frame('laser', 0.0, 0.0, number, (number,) * 4, is_static=True),
     }
     results = graded('static_frame', lambda scenario: run(scenario, **wrong))
-    assert statuses(results) == {'laser_is_in_its_place': 'failed', 'camera_is_in_its_place': 'failed'}
+    failed = ('argument_is_declared', 'laser_is_in_its_place', 'camera_is_in_its_place')
+    assert statuses(results) == dict.fromkeys(failed, 'failed')
     turned = frame('laser', 0.0, 0.0, 0.1, (0.0, 0.0, number, number), is_static=True)
     assert statuses(graded('static_frame', lambda s: run(s, camera=turned))) == {'camera_is_in_its_place': 'failed'}
 

@@ -308,7 +308,7 @@ RIGHT: dict[str, tuple[str, str, str]] = {
         '',
         changed(
             BROKEN,
-            ('        # tf is told', f'        {TWO_BROADCASTERS},\n        # tf is told'),
+            ('        # Two broadcasters', f'        {TWO_BROADCASTERS},\n        # Two broadcasters'),
             *[
                 (
                     f"        Node(\n            package='turtle_tf2_py',\n            executable='turtle_tf2_broadcaster',\n            name='broadcaster{n}',\n            parameters=[{{'turtlename': 'turtle{n}'}}],\n        ),\n",

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import re
 from html import unescape
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import pytest
 from edugrade import Scenario
 from edugrade.evidence import Outcome
 from edugrade.reports.page import page, report_html, run_html
@@ -17,6 +19,7 @@ from edugrade.reports.terminal import render
 from edugrade.results import CheckResult, Refusal
 from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
 
+SOLUTION = Path(__file__).resolve().parents[3] / 'solutions' / 'circle.launch.py'
 SCRIPT = '</script><script>alert(1)</script><img src=x onerror=alert(1)>'
 
 
@@ -54,6 +57,19 @@ def test_a_run_shows_its_picture_with_words_for_it_and_its_replay() -> None:
     assert '<img src="data:image/png;base64,UE5H" alt="one turtle">' in text
     assert 'turtle1 at (1, 2) &amp; more' in text
     assert '<iframe sandbox="allow-scripts">' in text
+
+
+@pytest.mark.processes
+def test_a_page_of_a_class_is_small() -> None:
+    from edugrade.grading import grade, plan_work
+    from edugrade.job import Limits
+    from edugrade.submission import Submission
+
+    work = plan_work(Submission(str(SOLUTION)))
+    (made,) = grade([work], Limits(sandbox='off'))
+    text = page([made], [], is_small=True)
+    assert len(text) < 40_000 and 'data:image/png' in text and '<iframe' not in text
+    assert f'edugrade {SOLUTION} --seed {work.seed} --html report.html' in text
 
 
 def test_where_nothing_moved_there_is_no_replay() -> None:

@@ -12,9 +12,9 @@ from pathlib import Path
 import made_report
 import pytest
 from edugrade import Evidence, Scenario
+from edugrade.attempts import UNCHANGED, progress_folder, record_attempt
 from edugrade.cli import main
 from edugrade.evidence import Failure
-from edugrade.noted import UNCHANGED, noted, progress_folder
 from edugrade.progress_file import ProgressFile
 from edugrade.reports.terminal import render
 from edugrade.reports.wording import ALL, KIND, THING, ShortPaths, at_level, level_of
@@ -135,11 +135,11 @@ def test_a_file_that_does_not_run_says_at_once_what_is_wrong() -> None:
 
 def test_the_same_text_twice_is_no_try(tmp_path: Path) -> None:
     report = made_report.report(made_report.FAILED)
-    first, second = noted(report, str(tmp_path)), noted(report, str(tmp_path))
+    first, second = record_attempt(report, str(tmp_path)), record_attempt(report, str(tmp_path))
     assert (first.word, first.level) == ('', KIND) and (second.word, second.level) == (UNCHANGED, KIND)
     assert UNCHANGED in render(second)
     changed = replace(report, sha256='beef')
-    assert (noted(changed, str(tmp_path)).word, noted(changed, str(tmp_path)).level) == ('', THING)
+    assert (record_attempt(changed, str(tmp_path)).word, record_attempt(changed, str(tmp_path)).level) == ('', THING)
     assert ProgressFile(str(tmp_path)).of(report.rubric).attempts == 2
 
 

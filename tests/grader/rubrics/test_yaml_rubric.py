@@ -99,3 +99,23 @@ def test_the_command_says_it_and_gives_no_mark(tmp_path: Path, capsys: pytest.Ca
     (tmp_path / 'a.launch.py').write_text('')
     assert main([str(tmp_path / 'a.launch.py'), '--rubric', str(tmp_path / 'a.yaml')]) == 3
     assert capsys.readouterr().err == f'edugrade: the rubric is wrong: {tmp_path}/a.yaml:1: the rubric lacks runs and checks\n'
+
+
+def test_whole_bounds_without_decimals_give_whole_numbers() -> None:
+    text = """title: A
+runs:
+  - {name: one, arguments: {count: {between: [1, 5]}, speed: {between: [1.0, 5]}, exact: {between: [1, 5], decimals: 1}}}
+checks: [{alive: {}}]
+"""
+    found = [read_yaml_rubric('a.yaml', text.encode()).scenarios(seed)[0].arguments for seed in range(20)]
+    assert {each['count'] for each in found} == {'1', '2', '3', '4', '5'}
+    assert all(len(each['speed']) == 4 and len(each['exact']) == 3 for each in found)
+
+
+def test_a_name_can_be_made_up_for_each_submission() -> None:
+    text = 'title: A\nruns: [{name: one, arguments: {room: {word: 3}}}]\nchecks: [{alive: {}}]\n'
+    rubric = read_yaml_rubric('a.yaml', text.encode())
+    found = {rubric.scenarios(seed)[0].arguments['room'] for seed in range(50)}
+    assert len(found) > 45 and all(len(name) == 6 and name.isalpha() and name.islower() for name in found)
+    with pytest.raises(RubricMistake, match='a.yaml:2: word is a number of syllables from 2 to 6'):
+        read_yaml_rubric('a.yaml', text.replace('3', '99').encode())

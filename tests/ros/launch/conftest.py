@@ -62,7 +62,7 @@ class FakeHost:
         self.sim = sim
         self.compiled: dict[str, Any] = {}
         self.hints = DeferredHints()
-        self.compiled: dict[str, Any] = {}
+        self.make_launch_observer = None
         self.log: list[tuple[float, str, str]] = []
         self.specs: list[Any] = []
         self.scripts: dict[str, Callable[[FakeProgram], object]] = {}

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 import rclpy
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor, await_or_execute
+from rclpy.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor, await_or_execute
 from rclpy.node import Node
 from rclpy.task import Future
 from std_msgs.msg import String
@@ -325,3 +325,22 @@ def test_a_subclass_may_use_names_that_ros_2_does_not_have(ros: Ros, world: Worl
         world.say((answer.result(), answer.source, executor.turn_mark))
 
     assert ros(body) == [(False, 'camera', 'mine')]
+
+
+@pytest.mark.parametrize(
+    'spin',
+    [
+        lambda executor, future: executor.spin(),
+        lambda executor, future: executor.spin_once(timeout_sec=0.1),
+        lambda executor, future: executor.spin_until_future_complete(future, timeout_sec=0.1),
+        lambda executor, future: executor.spin_once_until_future_complete(future, timeout_sec=0.1),
+    ],
+)
+def test_the_base_class_executes_nothing(spin: Callable[[Executor, Future], object]) -> None:
+    """Real rclpy 7.1.6 raises NotImplementedError without a text."""
+    rclpy.init(args=[])
+    try:
+        with pytest.raises(NotImplementedError, match='^$'):
+            spin(Executor(), Future())
+    finally:
+        rclpy.shutdown()

@@ -15,7 +15,7 @@ from rclpy.exceptions import (
     InvalidTopicNameException,
 )
 from rclpy.expand_topic_name import expand_topic_name
-from rclpy.node import Node
+from rclpy.node import HIDDEN_NODE_PREFIX, Node
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
@@ -194,3 +194,11 @@ def test_a_bad_name_that_is_only_resolved_is_an_rcl_error(ros: Ros, world: World
         "failed to resolve name: topic name must not contain repeated '/'",
         'failed to resolve name: unknown substitution: {nod}',
     ]
+
+
+def test_a_node_with_the_hidden_prefix_is_in_the_graph(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node(f'{HIDDEN_NODE_PREFIX}probe')
+        world.say([name for name in node.get_node_names() if name.startswith('_')])
+
+    assert ros(body) == [['_probe']]

@@ -153,3 +153,33 @@ def test_what_the_build_makes_is_not_looked_for_in_the_sources(workspace: Any) -
     index = workspace.index()
     index.contents('robo')
     assert index.warnings == ()
+
+
+def test_folders_below_are_followed_and_their_projects_are_their_own(workspace: Any) -> None:
+    files = {
+        'demo/CMakeLists.txt': 'project(demo)\ninstall(DIRECTORY launch DESTINATION share/robo)\n',
+        'demo/launch/a.launch.py': '',
+        'b.yaml': '',
+    }
+    text = (
+        'project(robo)\nadd_subdirectory(demo)\nadd_subdirectory(..)\ninstall(FILES b.yaml DESTINATION share/${PROJECT_NAME})\n'
+    )
+    workspace.cmake_package('robo', text, files)
+    index = workspace.index()
+    assert {'share/robo/launch/a.launch.py', 'share/robo/b.yaml'} <= {*index.contents('robo').files}
+    assert index.warnings == () and index.contents('robo').unread == ''
+
+
+@pytest.mark.parametrize(
+    ('lines', 'unread'),
+    [
+        ('if(WITH_MAPS)\ninstall(DIRECTORY maps DESTINATION share/robo)\nendif()', ''),
+        ('install(CODE "message(done)")', ''),
+        ('install(FILES a.h TYPE INCLUDE)', ''),
+        ('company_install_all()', 'company_install_all()'),
+    ],
+)
+def test_what_a_build_may_well_accept_is_no_warning(workspace: Any, lines: str, unread: str) -> None:
+    workspace.cmake_package('robo', f'project(robo)\n{lines}\n', {'a.h': ''})
+    assert workspace.warnings('robo') == []
+    assert workspace.index().contents('robo').unread == unread

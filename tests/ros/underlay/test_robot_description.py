@@ -229,3 +229,9 @@ def generate_launch_description():
     text = '\n'.join(line.text for line in recording.output)
     assert '?>\n<!-- of the student -->\n<robot' in text
     assert '</robot>\n<!-- the end -->\nover' in text
+
+
+def test_without_the_parser_the_program_ends_with_the_line_that_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('robot_state_publisher._joints.find_spec', lambda name: None)
+    with pytest.raises(SystemExit, match=r"urdf-parser-py, which is not installed\n.*pip install '\.\[urdf\]'"):
+        read_joints('<robot name="r"/>')

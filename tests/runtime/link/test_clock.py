@@ -1,4 +1,4 @@
-"""Two halves of an agenda do what one agenda does, in the same order."""
+"""Two peers of an agenda do what one agenda does, in the same order."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
-from edulaunch.runtime.link.clock import HalfSimulation
+from edulaunch.runtime.link.clock import PeerSimulation
 from edulaunch.runtime.link.codec import Kind, dump, load
-from edulaunch.runtime.link.half import Gone, Half
+from edulaunch.runtime.link.peer import Gone, Peer
 from tests.house import EXAMPLES
 
 END_NS = EPOCH_NS + 8
 
 
 class Item(NamedTuple):
-    """What runs: in which half, how much later than it was asked for, and what it asks for itself."""
+    """What runs: in which peer, how much later than it was asked for, and what it asks for itself."""
 
-    is_far: bool
+    is_confined: bool
     delay_ns: int
     priority: int
     then: tuple[Item, ...] = ()
@@ -40,7 +40,7 @@ items = st.recursive(asked_for(st.just([])), lambda inner: asked_for(st.lists(in
 
 
 def at_this_instant_elsewhere(item: Item) -> bool:
-    """Whether it jumps the other half's queue: what a frame makes the other half do never does."""
+    """Whether it jumps the other peer's queue: what a frame makes the other peer do never does."""
     return any(one.priority < 0 and not one.delay_ns for one in walk(item))
 
 
@@ -66,51 +66,51 @@ def in_one(item: Item) -> list[tuple[int, Item]]:
 
 def in_two(item: Item) -> list[tuple[int, Item]]:
     ends = socket.socketpair()
-    halves = [Half(HalfSimulation(), end, trusts=is_far) for end, is_far in zip(ends, (False, True), strict=True)]
+    peers = [Peer(PeerSimulation(), end, trusts=is_confined) for end, is_confined in zip(ends, (False, True), strict=True)]
     log: list[tuple[int, Item]] = []
     everything = walk(item)
 
     def asker(here: int) -> Callable[[Item], None]:
-        half = halves[here]
+        peer = peers[here]
 
         def ask(one: Item) -> None:
-            if one.is_far == bool(here):
-                half.sim.schedule(half.sim.now_ns + one.delay_ns, lambda: run(one), one.priority)
+            if one.is_confined == bool(here):
+                peer.sim.schedule(peer.sim.now_ns + one.delay_ns, lambda: run(one), one.priority)
             else:
-                half.tell(Kind.NODE, dump(next(number for number, each in enumerate(everything) if each is one)))
+                peer.tell(Kind.NODE, dump(next(number for number, each in enumerate(everything) if each is one)))
 
         def run(one: Item) -> None:
-            log.append((half.sim.now_ns, one))
+            log.append((peer.sim.now_ns, one))
             for child in one.then:
                 ask(child)
 
-        half.handlers[Kind.NODE] = lambda payload: ask(everything[load(bytes(payload))])
+        peer.handlers[Kind.NODE] = lambda payload: ask(everything[load(bytes(payload))])
         return ask
 
     near, _ = asker(0), asker(1)
 
-    def be_far() -> None:
-        halves[1].sim.other = (0, 0, 0, 0)
+    def be_confined() -> None:
+        peers[1].sim.other = (0, 0, 0, 0)
         try:
-            halves[1].sim.run(None)
+            peers[1].sim.run(None)
         except Gone:
             return
         finally:
             ends[1].close()
 
-    far = threading.Thread(target=be_far)
-    far.start()
+    confined = threading.Thread(target=be_confined)
+    confined.start()
     try:
-        halves[0].await_token(EPOCH_NS)
+        peers[0].await_token(EPOCH_NS)
         near(item)
-        halves[0].sim.run(END_NS)
+        peers[0].sim.run(END_NS)
     finally:
         ends[0].close()
-        far.join(5.0)
+        confined.join(5.0)
     return log
 
 
 @settings(max_examples=3 * EXAMPLES // 2)
 @given(items.filter(lambda item: not at_this_instant_elsewhere(item)))
-def test_two_halves_do_what_one_agenda_does(item: Item) -> None:
+def test_two_peers_do_what_one_agenda_does(item: Item) -> None:
     assert in_two(item) == in_one(item)

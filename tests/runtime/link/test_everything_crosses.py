@@ -1,4 +1,4 @@
-"""Nothing that the recorder hears of in one process stays behind in the confined half."""
+"""Nothing that the recorder hears of in one process stays behind in the confined peer."""
 
 from __future__ import annotations
 

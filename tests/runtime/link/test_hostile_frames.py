@@ -1,4 +1,4 @@
-"""Whatever the confined half sends, the trusted one believes nothing of it that is not its own to say, and comes to an end."""
+"""Whatever the confined peer sends, the trusted one believes nothing of it that is not its own to say, and comes to an end."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.sim.simulation import EPOCH_NS
 from edulaunch.runtime.link.codec import AS_CDR, HEADER, LONGEST_FRAME, Kind, Violation, dump
-from edulaunch.runtime.link.half import NUMBER, TIME, TOKEN, Gone, TooMuch
+from edulaunch.runtime.link.peer import NUMBER, TIME, TOKEN, Gone, TooMuch
 from edulaunch.runtime.link.replica import END as NUMBERED
 from edulaunch.runtime.link.replica import ENDS
 from edulaunch.runtime.link.trusted import Trusted
@@ -72,11 +72,11 @@ WITH_SIM = (
     + returned(1 << 30)
     + returned(1 << 31)
 )
-"""A program of one's own and a turtlesim, which has told its two lines and runs; then it is the confined half's turn."""
+"""A program of one's own and a turtlesim, which has told its two lines and runs; then it is the confined peer's turn."""
 
 
 def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tuple[Trusted, Exception]:
-    """What the trusted half makes of these bytes, after which the other end is closed; and why it gives up."""
+    """What the trusted peer makes of these bytes, after which the other end is closed; and why it gives up."""
     ours, theirs = socket.socketpair()
     ours.setblocking(True)
     theirs.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 22)
@@ -91,7 +91,7 @@ def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tupl
             trusted.recorder.stop()
             raise error
 
-        trusted.half.fatal = fatal  # type: ignore[method-assign]
+        trusted.peer.fatal = fatal  # type: ignore[method-assign]
         with pytest.raises(Exception):  # noqa: B017  (it may come up inside a program, which prints the first one and goes on)
             trusted.run(duration_s)
         return trusted, errors[0]

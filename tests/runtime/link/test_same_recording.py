@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-PROGRAM = Path(__file__).resolve().parent / 'two_halves.py'
+PROGRAM = Path(__file__).resolve().parent / 'two_peers.py'
 AT_LEAST = {'large_project': 1, 'solutions': 11, 'exercises': 5, 'underlay': 25, 'corpus': 60}
 
 

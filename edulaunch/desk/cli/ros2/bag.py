@@ -7,12 +7,14 @@ import os
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from edulaunch.desk.cli.ros2.bag_metadata import read_metadata, unreadable
 from edulaunch.desk.cli.ros2.output import say_lines, with_help
 from edulaunch.engine.processes.current import current_process
+from edulaunch.errors import MissingExtra
 
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
 """How the topic of a service's events, and its type, end."""
@@ -45,12 +47,22 @@ def found_bag(path: str) -> str:
     raise RuntimeError(with_help(f'[ERROR] [ros2bag]: {text}', 'give the folder that `ros2 bag record` made'))
 
 
+def require_rosbags() -> None:
+    """Check that bags can be read and written.
+
+    :raises MissingExtra: when rosbags is not installed.
+    """
+    if find_spec('rosbags') is None:
+        raise MissingExtra('ros2 bag', 'rosbags', 'bags')
+
+
 @contextmanager
 def opened(path: str) -> Iterator[Any]:
     """The reader of the bag at `path`.
 
     :raises RuntimeError: when there is no bag, or one that cannot be read.
     """
+    require_rosbags()
     from rosbags.rosbag2 import Reader
 
     folder = found_bag(path)

@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.desk.cli.ros2 import cli_node, names
-from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder
+from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder, require_rosbags
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.graph import qos
 from edulaunch.engine.graph.graph import Graph
@@ -113,6 +113,7 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
             '--regex',
             'write `ros2 bag record -a` to record everything',
         )
+    require_rosbags()
     folder = new_folder() if arguments.output is None else folder_of(arguments.output)
     if os.path.exists(folder):
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."

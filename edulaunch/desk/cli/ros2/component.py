@@ -69,8 +69,6 @@ def load(node: Node, name: str, arguments: argparse.Namespace) -> str | None:
     """Load a component into a container and say so; returns the text of an error."""
     from composition_interfaces.srv import LoadNode
 
-    from edulaunch.desk.cli.ros2.output import say
-
     answer = cli_node.call(
         node,
         f'{name}/_container/load_node',

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import signal
 from typing import Any
 
@@ -15,6 +16,7 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.task import current_task
 from edulaunch.errors import UnusableInput
+from edulaunch.ros.sources.missing import missing_executable, missing_package
 from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launch_argument
 
 
@@ -117,8 +119,6 @@ def run_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run_verb(arguments: argparse.Namespace) -> int | str:
     """Run it to its end; returns its exit code."""
-    import shlex
-
     from edulaunch.advice.workspace.not_needed import WINDOWS, shown_by
 
     process = current_process()
@@ -167,7 +167,6 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
 
 def _not_found(index: Index, package: str, executable: str) -> str:
     from edulaunch.advice.wording import help_of_facts
-    from edulaunch.ros.sources.missing import missing_executable, missing_package
 
     if package not in index.packages():
         return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package, current_process().cwd)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
@@ -132,8 +133,6 @@ def python_value(value: Any) -> Any:
 
 def type_help(reason: str) -> str | None:
     """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
-    import re
-
     found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 

@@ -8,6 +8,7 @@ import os
 from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.engine.processes.current import current_process
+from edulaunch.errors import PackageError
 
 
 def create_arguments(parser: argparse.ArgumentParser) -> None:
@@ -21,7 +22,6 @@ def create_verb(arguments: argparse.Namespace) -> str | None:
     """Make it below the folder of the program that asks, and say what is made."""
     from edulaunch.advice.workspace.new_package import create_package
     from edulaunch.desk.cli.pkg import described_package
-    from edulaunch.errors import PackageError
 
     process = current_process()
     user = process.env.get('USER') or 'user'

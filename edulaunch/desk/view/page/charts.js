@@ -1,6 +1,6 @@
 /* What happened when: the timeline of processes, logs and topics; and numbers of topics over time. */
 
-const LINES = ['#2a6fdb', '#d1495b', '#2e8c30', '#9c6ade', '#c97b12', '#128a8a'], DASHES = [[], [6, 3], [2, 2], [9, 3, 2, 3], [4, 4], [1, 3]];
+const LINES = ['#2a6fdb', '#b0348f', '#2e8c30', '#9c6ade', '#c97b12', '#128a8a'], DASHES = [[], [6, 3], [2, 2], [9, 3, 2, 3], [4, 4], [1, 3]];
 
 class TimelineView {
   constructor(desk) {
@@ -58,7 +58,7 @@ class TimelineView {
       }
       y += 17;
     }
-    pen.strokeStyle = '#cc241d';
+    pen.strokeStyle = colours.mark;
     pen.lineWidth = 1.5;
     line(pen, [[at(time), 0], [at(time), height]]);
     this.canvas.setAttribute('aria-label', `${processes.length} processes (${processes.map(process => process.name + (process.to <= this.to ? ` ended with ${process.code}` : '')).join(', ')}), ${topics.length} topics, ${store.logs.length} log lines over ${this.to.toFixed(1)} seconds; now at ${time.toFixed(2)}`);
@@ -135,7 +135,7 @@ class PlotView {
     const pad = (high - low) * 0.06, x = t => 52 + (t - from) / (to - from) * (width - 62), y = v => height - 24 - (v - low + pad) / (high - low + 2 * pad) * (height - 34);
     this.frame(pen, width, height, { from, to, low: low - pad, high: high + pad, x, y });
     for (const row of this.lines) this.curve(pen, row, from, to, x, y);
-    pen.strokeStyle = '#cc241d';
+    pen.strokeStyle = colours.mark;
     pen.lineWidth = 1;
     if (time <= to) line(pen, [[x(time), 6], [x(time), height - 24]]);
     for (const row of this.lines) {

@@ -1,4 +1,4 @@
-/* What the page knows: columns that only grow, fed by pieces of a film (edulaunch/desk/view/film.py). Times are seconds. */
+/* What the page knows: columns that only grow, fed by deltas of a timeline (edulaunch/desk/view/timeline.py). Times are seconds. */
 
 const FINE = 10000, KEPT_S = 600;
 
@@ -43,9 +43,9 @@ class Topic {
     this.columns = fields.map(([, how]) => how === 'text' ? [] : new Grow());
     this.place = new Map(fields.map(([path], i) => [path, i]));
   }
-  add(piece) {
-    this.t.steps(piece.t, 1e6);
-    piece.c.forEach((steps, i) => {
+  add(delta) {
+    this.t.steps(delta.t, 1e6);
+    delta.c.forEach((steps, i) => {
       const column = this.columns[i];
       if (this.fields[i][1] === 'float') column.steps(steps, FINE);
       else if (this.fields[i][1] === 'number') column.steps(steps, 1);
@@ -75,8 +75,8 @@ class Track {
   constructor({ child, parent, by, static: fixed }) {
     Object.assign(this, { child, parent, by, fixed, c: Array.from({ length: 9 }, () => new Grow()) });
   }
-  add(piece) {
-    piece.c.forEach((steps, i) => this.c[i].steps(steps, i < 2 ? 1e6 : i < 5 ? FINE : FINE * 100));
+  add(delta) {
+    delta.c.forEach((steps, i) => this.c[i].steps(steps, i < 2 ? 1e6 : i < 5 ? FINE : FINE * 100));
   }
   /* Number of the newest transform that was published by a time; -1 for none. */
   at(time) { return this.c[0].upTo(time + 1e-7) - 1; }
@@ -93,46 +93,67 @@ class Track {
 class Store {
   constructor() {
     Object.assign(this, {
-      start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), robots: [], nodes: [], processes: [], endpoints: [],
+      start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), robots: [], launches: new Map(), nodes: [], processes: [], endpoints: [],
       parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
-  apply(piece) {
-    this.start = (piece.start ?? this.start * 1e6) / 1e6;
-    this.now = piece.now / 1e6;
-    for (const row of piece.topics || []) {
+  apply(delta) {
+    this.start = (delta.start ?? this.start * 1e6) / 1e6;
+    this.now = delta.now / 1e6;
+    for (const row of delta.topics || []) {
       const key = row.name + ' ' + row.type;
       if (!this.topics.has(key)) { this.topics.set(key, new Topic(row.name, row.type, row.fields)); this.version++; }
       this.topics.get(key).add(row);
     }
-    for (const row of piece.tf || []) {
+    for (const row of delta.tf || []) {
       const key = `${row.child}\n${row.parent}\n${row.by}\n${row.static}`;
       if (!this.tracks.has(key)) { this.tracks.set(key, new Track(row)); this.version++; }
       this.tracks.get(key).add(row);
     }
-    for (const [topic, time, frame, angle, step, ranges] of piece.scans || []) {
+    for (const [topic, time, frame, angle, step, ranges] of delta.scans || []) {
       if (!this.scans.has(topic)) this.scans.set(topic, []);
       this.scans.get(topic).push({ time: time / 1e6, frame, angle, step, ranges });
     }
-    for (const [time, name, described, parts] of piece.robots || []) { this.robots.push({ t: time / 1e6, name, described, parts }); this.version++; }
-    const rows = (name, make) => { for (const row of piece[name] || []) { this[name].push(make(row)); this.version++; } };
+    for (const [time, name, described, parts] of delta.robots || []) { this.robots.push({ t: time / 1e6, name, described, parts }); this.version++; }
+    const rows = (name, make) => { for (const row of delta[name] || []) { this[name].push(make(row)); this.version++; } };
     rows('endpoints', ([t, kind, name, type, node, index, qos]) => ({ t: t / 1e6, kind, name, type, node, index, qos }));
     rows('parameters', ([t, node, name, value, origin, double]) => ({ t: t / 1e6, node, name, value, origin, double }));
-    for (const [, node, name, description, fixed, limits] of piece.descriptors || []) { this.descriptors.set(node + ' ' + name, { description, fixed, limits }); this.version++; }
+    for (const [, node, name, description, fixed, limits] of delta.descriptors || []) { this.descriptors.set(node + ' ' + name, { description, fixed, limits }); this.version++; }
     rows('logs', ([t, process, logger, level, text]) => ({ t: t / 1e6, process, logger, level, text }));
     rows('output', ([t, process, stream, text]) => ({ t: t / 1e6, process, stream, text }));
     rows('notes', ([t, process, kind, text]) => ({ t: t / 1e6, process, kind, text }));
-    const living = (name, make) => { for (const row of piece[name] || []) { this[name][row[0]] = make(row); this.version++; } };
+    const living = (name, make) => { for (const row of delta[name] || []) { this[name][row[0]] = make(row); this.version++; } };
     const seconds = value => value === null ? Infinity : value / 1e6;
     living('nodes', ([, name, process, index, from, to]) => ({ name, process, index, from: from / 1e6, to: seconds(to) }));
     living('processes', ([, name, pid, argv, from, to, code]) => ({ name, pid, argv, from: from / 1e6, to: seconds(to), code }));
     living('calls', ([, t, service, type, client, request, served, replied]) =>
       ({ t: t / 1e6, service, type, client, request, served, replied: seconds(replied) }));
-    for (const end of piece.endpoints || []) this.publisherNode.set(end[5], end[4]);
-    if (piece.advice) { this.advice = piece.advice.map(row => ({ ...row, t: row.time / 1e6 })); this.version++; }
+    for (const told of delta.launches || []) this.launched(told);
+    for (const end of delta.endpoints || []) this.publisherNode.set(end[5], end[4]);
+    if (delta.advice) { this.advice = delta.advice.map(row => ({ ...row, t: row.time / 1e6 })); this.version++; }
     if (!this.grows) return;
-    if (this.from === 0 && piece.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
+    if (this.from === 0 && delta.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
     if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);
+  }
+  /* The steps of a launch that are new or have changed: by number, in the order of their visit, and by the step around them. */
+  launched({ pid, at, rows }) {
+    if (!this.launches.has(pid)) this.launches.set(pid, { pid, at: null, name: 'launch', steps: [], order: [], below: new Map(), version: 0 });
+    const launch = this.launches.get(pid), seconds = value => value / 1e6;
+    launch.at = at ?? null;
+    launch.version++;
+    for (const row of rows) {
+      const before = launch.steps[row.number], step = before || { depth: 0 };
+      Object.assign(step, row, { t: row.time === null ? Infinity : seconds(row.time) });
+      if (row.due !== undefined) step.due = seconds(row.due);
+      if (row.fired_at) step.fired_at = row.fired_at.map(seconds);
+      if (row.runs) step.runs = row.runs.map(([pid, from, to, code]) => [pid, seconds(from), to === null ? null : seconds(to), code]);
+      if (before) continue;
+      launch.steps[row.number] = step;
+      step.depth = row.parent < 0 ? 0 : (launch.steps[row.parent]?.depth ?? 0) + 1;
+      launch.below.set(row.parent, [...(launch.below.get(row.parent) || []), step]);
+      if (row.kind === 'include' && row.parent < 0) launch.name = row.text.split('/').pop();
+    }
+    launch.order = launch.steps.filter(step => step?.order > 0).sort((a, b) => a.order - b.order);
   }
   /* When the oldest message is from that is here. */
   first() { return Math.min(this.now, ...[...this.topics.values()].filter(topic => topic.t.n).map(topic => topic.t.a[0])); }

@@ -8,33 +8,33 @@ class Desk {
     Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1 });
     this.store.grows = this.live;
     this.machine = { running: true, speed: 1 };
-    this.options = { axes: false, colours: true };
+    this.options = { axes: false, colours: true, whole: Boolean(options.whole) };
     this.box = make('section', { class: options.whole ? 'desk whole' : 'desk', 'aria-label': link ? 'live view of the machine' : 'replay of a run' });
     root.append(this.box);
     this.head();
     this.stage();
     this.side(options.tab);
     this.bar();
-    this.theme(options.theme || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
-    new ResizeObserver(() => this.redraw()).observe(this.box);
+    this.follows(options.theme);
+    new ResizeObserver(() => { if (!this.colours.field) this.theme(this.box.dataset.theme); this.redraw(); }).observe(this.box);
     if (link) link.on(message => this.hear(message));
     this.box.addEventListener('keydown', event => this.key(event));
     this.beat = this.beat.bind(this);
     this.redraw();
   }
   head() {
-    this.title = make('strong', {}, 'edulaunch');
+    this.title = make(this.options.whole ? 'h1' : 'strong', {}, 'edulaunch');
     this.state = make('span', { class: 'state', role: 'status' });
     this.alerts = new AlertsView(this);
     this.save = button('Export', 'save what has happened as a page that plays it, from disk and without a network', () => this.send({ op: 'export' }));
     this.save.hidden = !this.live;
     this.net = button('Network', 'join the real ROS 2 network, or leave it', () => this.send({ op: 'network', on: !this.machine.network }));
-    this.dark = button('◐', 'dark or light', () => this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'));
+    this.dark = button('◐', 'dark or light', () => { this.own = true; this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'); });
     this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.net, this.save, this.dark));
   }
   stage() {
     this.worlds = make('div', { class: 'worlds' });
-    this.empty = make('p', { class: 'soft' }, 'No turtle and no robot has told where it is yet.');
+    this.empty = make('p', { class: 'soft' }, 'Nothing to draw yet: no turtle or robot has published a position.');
     const toggle = (text, name) => {
       const box = make('input', { type: 'checkbox' });
       box.checked = this.options[name];
@@ -48,7 +48,7 @@ class Desk {
   }
   side(first) {
     this.views = {
-      frames: [new FramesView(this), 'Frames'], tree: [new TreeView(this), 'tf tree'], graph: [new GraphView(this), 'Graph'],
+      launch: [new LaunchView(this), 'Launch'], frames: [new FramesView(this), 'Frames'], tree: [new TreeView(this), 'tf tree'], graph: [new GraphView(this), 'Graph'],
       timeline: [new TimelineView(this), 'Timeline'], plot: [new PlotView(this), 'Plot'], log: [new LogView(this), 'Log'],
       parameters: [new ParameterView(this), 'Parameters'], terminal: [new TerminalView(this), this.live ? 'Terminal' : 'Output'],
     };
@@ -118,16 +118,26 @@ class Desk {
     this.panel.replaceChildren(this.shown.box);
     this.redraw();
   }
+  /* The theme of JupyterLab where the view is in one, else that of the system; the button ◐ overrides both. */
+  follows(given) {
+    const system = matchMedia('(prefers-color-scheme: dark)'), { body } = document;
+    const wanted = () => given || (body?.dataset.jpThemeLight ? (body.dataset.jpThemeLight === 'false' ? 'dark' : 'light') : system.matches ? 'dark' : 'light');
+    const change = () => { if (!this.own && this.box.dataset.theme !== wanted()) this.theme(wanted()); };
+    this.theme(wanted());
+    system.addEventListener('change', change);
+    if (body) new MutationObserver(change).observe(body, { attributes: true, attributeFilter: ['data-jp-theme-light'] });
+  }
   theme(name) {
     this.box.dataset.theme = name;
     const of = name => getComputedStyle(this.box).getPropertyValue('--' + name).trim();
-    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar', 'x', 'y', 'z'].map(name => [name, of(name)]));
+    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar', 'x', 'y', 'z', 'mark'].map(name => [name, of(name)]));
     this.redraw();
   }
   tree(time) {
     if (this.known?.time !== time || this.known.store !== this.store || this.known.now !== this.store.now) this.known = Object.assign(new Tree(this.store, time), { now: this.store.now });
     return this.known;
   }
+  log(process) { this.views.log[0].choose(process); this.open('log'); }
   plot(topic, path) { this.views.plot[0].add(topic.name, path); this.open('plot'); }
   /* Show what a sentence is about. */
   point(kind, name, time) {
@@ -138,17 +148,20 @@ class Desk {
   }
   select(mover) { if (mover) this.who.value = mover.path; }
   canMove(mover) { return this.live && !this.machine.running && this.follow && mover.world.kind === 'turtlesim'; }
-  drive(linear, angular) { if (this.live) this.send({ op: 'drive', turtle: this.who.value, linear, angular }); }
+  drive(linear, angular) {
+    if (this.live && !this.machine.running && (linear || angular)) this.say('Time is paused, so nothing moves. Press Play or the space bar, then drive.');
+    if (this.live) this.send({ op: 'drive', turtle: this.who.value, linear, angular }); }
   send(words) { this.link?.send(words); }
 
-  /* What a machine says: a piece of film, its state, output of the terminal, or a sentence. */
+  /* What a machine says: a timeline delta, its state, output of the terminal, or a sentence. */
   hear(message) {
     if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
-    if (message.piece) this.store.apply(message.piece);
+    if (message.delta) this.store.apply(message.delta);
     if (message.machine) Object.assign(this.machine, message.machine);
     if (message.pane !== undefined) this.views.terminal[0].hear(message);
     if (message.export) this.download(message.export, message.name);
-    if (message.ended) this.ended = message.ended;
+    if ('ended' in message) this.ended = message.ended;
+    else if (message.delta) this.ended = null;
     if (message.said) this.say(message.said);
     this.redraw();
   }
@@ -159,7 +172,7 @@ class Desk {
     this.say(`saved as ${name}`);
   }
   say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
-  load(piece, seen) { this.store.apply(piece); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
+  load(delta, seen) { this.store.apply(delta); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
 
   toggle() {
     if (this.live) { if (this.follow) this.send({ op: this.machine.running ? 'pause' : 'play' }); else { this.playing = !this.playing; } }
@@ -180,8 +193,9 @@ class Desk {
       if (Number.isFinite(found)) this.seek(found);
     } else this.seek(Math.round(this.time / TICK_S + way) * TICK_S);
   }
-  seek(time) {
+  seek(time, isStep = false) {
     this.follow = false;
+    if (!isStep) this.views.launch[0].moved();
     this.time = Math.max(this.from, Math.min(this.store.now, time));
     if (!this.live || !this.playing) this.playing = false;
     this.redraw();
@@ -190,6 +204,7 @@ class Desk {
     const inside = event.composedPath()[0];
     if (['SELECT', 'INPUT', 'TEXTAREA'].includes(inside.tagName) && inside.type !== 'range' && inside.type !== 'checkbox') return;
     if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (inside.closest('.scroll') && inside.tabIndex === 0 && event.key.startsWith('Arrow')) return;
     const picture = inside.tagName === 'CANVAS' && this.live && this.follow;
     const ways = { ArrowUp: [2, 0], ArrowDown: [-2, 0], ArrowLeft: [0, 2], ArrowRight: [0, -2] };
     if (picture && event.key in ways) this.drive(...ways[event.key]);
@@ -226,10 +241,17 @@ class Desk {
     if (!this.colours || !this.views) return;
     this.time = Math.max(this.time, this.from);
     this.layout();
-    for (const view of this.worldViews || []) view.draw(this.time);
+    for (const view of this.worldViews || []) if (!this.fold(view)) view.draw(this.time);
     this.shown.draw(this.time);
     this.marks();
     if (this.playing) this.redraw(); else this.before = 0;
+  }
+  /* A window of turtlesim whose program has ended takes one line; a click shows it again. */
+  fold(view) {
+    const { world } = view, { store } = this, last = world.kind === 'turtlesim' ? store.nodes.filter(node => node?.name === world.node && node.from <= this.time + 1e-7).pop() : null;
+    const gone = Boolean(last && last.to <= this.time + 1e-7) && (this.worldViews.length > 1 || this.live);
+    view.folded(gone ? last.to : null);
+    return gone && !view.open;
   }
   layout() {
     const key = this.store.version;
@@ -251,7 +273,8 @@ class Desk {
     if (room) for (const view of this.worldViews) view.resize(Math.floor(Math.max(180, Math.min(count > 1 ? (room - 14) / 2 : room - 4, count > 1 ? 360 : 560))));
   }
   marks() {
-    const { store } = this, running = this.live && this.follow ? this.machine.running : this.playing;
+    const { store } = this, running = this.live && this.follow ? this.machine.running && !this.ended : this.playing;
+    this.play.disabled = Boolean(this.ended) && this.follow;
     this.play.textContent = running ? '❚❚ Pause' : '▶ Play';
     this.clock.textContent = `${this.time.toFixed(3)} s`;
     this.slider.value = store.now > this.from ? Math.round((this.time - this.from) / (store.now - this.from) * 1e6) : 0;
@@ -261,14 +284,16 @@ class Desk {
     this.net.setAttribute('aria-pressed', this.machine.network === true);
     this.net.textContent = this.machine.network ? 'Leave the network' : 'Network';
     this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
-    if (this.saidAt && performance.now() - this.saidAt < 6000) return;
+    this.box.classList.toggle('over', Boolean(this.ended));
+    if (!this.ended && this.saidAt && performance.now() - this.saidAt < 6000) return;
     this.state.textContent = this.ended || (!this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
       : (this.machine.running ? 'running' : 'paused') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
   }
 }
 
 function button(text, title, action) {
-  const element = make('button', { type: 'button', title, 'aria-label': title }, text);
+  const names = /\w/.test(text) && !title.toLowerCase().startsWith(text.toLowerCase());
+  const element = make('button', { type: 'button', title, 'aria-label': names ? `${text}: ${title}` : title }, text);
   element.addEventListener('click', action);
   return element;
 }
@@ -281,7 +306,7 @@ function openDesk(host, link, options) {
   return new Desk(root, link, options);
 }
 
-/* A film as `packed` (page.py) writes it: base64 behind a letter that says whether it is deflated. */
+/* A timeline as `packed` (page.py) writes it: base64 behind a letter that says whether it is deflated. */
 async function unpacked(text) {
   let stream = new Blob([Uint8Array.from(atob(text.slice(1)), letter => letter.charCodeAt(0))]).stream();
   if (text[0] === 'z') stream = stream.pipeThrough(new DecompressionStream('deflate'));

@@ -1,4 +1,4 @@
-/* Nodes and topics from left to right; edges light up as messages pass; a click tells about a box. */
+/* Nodes and topics in layers; edges light up as messages pass; a click tells about a box. */
 
 const QUIET_TOPICS = new Set(['/rosout', '/parameter_events']);
 const NODE_SERVICES = /\/(describe_parameters|get_parameters|get_parameter_types|list_parameters|set_parameters|set_parameters_atomically|get_type_description)$/;
@@ -7,6 +7,16 @@ const LIT_S = 0.25;
 /* Nodes of commands such as `ros2 topic echo` are hidden, as ROS 2 hides them. */
 const hidden = node => node.name.split('/').pop().startsWith('_') && node.name !== '/_desk';
 
+/* Straight stretches and S-curves in turn. */
+function wayOf(points, right) {
+  return points.map(([x, y], i) => {
+    if (!i) return `M${x} ${y}`;
+    const [a, b] = points[i - 1];
+    if (i % 2) return a === x && b === y ? '' : `L${x} ${y}`;
+    return right ? `C${(a + x) / 2} ${b} ${(a + x) / 2} ${y} ${x} ${y}` : `C${a} ${(b + y) / 2} ${x} ${(b + y) / 2} ${x} ${y}`;
+  }).join(' ');
+}
+
 class GraphView {
   constructor(desk) {
     this.desk = desk;
@@ -14,9 +24,12 @@ class GraphView {
     this.unused = make('input', { type: 'checkbox' });
     this.services = make('input', { type: 'checkbox' });
     const bar = make('div', { class: 'tools' }, make('label', {}, this.unused, ' topics with one end'), make('label', {}, this.services, ' services and actions'));
-    this.sheet = drawing('svg', { role: 'img' });
-    this.told = make('div', { class: 'told', 'aria-live': 'polite' }, 'Click a node or a topic to hear about it.');
-    this.box.append(bar, make('div', { class: 'scroll' }, this.sheet), this.told);
+    this.sheet = drawing('svg', { role: 'group' });
+    this.told = make('div', { class: 'told', 'aria-live': 'polite' }, 'Click a node or a topic to see what is known about it.');
+    this.frame = make('div', { class: 'scroll graph', tabindex: 0, role: 'region', 'aria-label': 'node graph; plus and minus change its size, 0 fits it' }, this.sheet);
+    bar.append(button('+', 'larger', () => this.zoomed(1.25)), button('−', 'smaller', () => this.zoomed(0.8)), button('Fit', 'fit the graph into the width', () => this.zoomed(0)));
+    this.box.append(bar, this.frame, this.told);
+    this.hand();
     for (const control of [this.unused, this.services]) control.addEventListener('change', () => { this.key = null; desk.redraw(); });
   }
   /* The boxes and arrows at a time. */
@@ -63,14 +76,15 @@ class GraphView {
     const known = store.endpoints.filter(end => end.t <= time + 1e-7).length;
     const key = [stops, known, store.notes.length, (store.advice || []).filter(row => row.t <= time).length, this.unused.checked, this.services.checked].join(';');
     if (key !== this.key) { this.key = key; this.lay(this.read(time)); }
-    for (const { box, path } of this.paths) {
+    if (this.frame.clientWidth && this.frame.clientWidth - 2 !== this.room) this.fit();
+    for (const { box, path, back } of this.paths) {
       let lit = 0;
       if (box.kind === 'topic') for (const topic of store.byName(box.name)) {
         const number = topic.at(time), age = number < 0 ? Infinity : time - topic.t.a[number];
         lit = Math.max(lit, 1 - age / LIT_S);
       }
       if (box.kind === 'service') lit = store.calls.some(call => call?.service === box.name && call.t <= time && time - call.t < 2 * LIT_S) ? 1 : 0;
-      const strength = lit > 0 ? 'lit' : 'idle';
+      const strength = (lit > 0 ? 'lit' : 'idle') + back;
       if (path.getAttribute('class') !== strength) path.setAttribute('class', strength);
     }
     if (this.chosen) this.tell(time);
@@ -83,74 +97,64 @@ class GraphView {
     this.tell(this.desk.time, true);
     this.told.scrollIntoView({ block: 'nearest' });
   }
-  /* Ranks from left to right by the longest way from a source, rings cut where they are met again; rows by neighbours' middle. */
+  /* Boxes of the size of their texts in layers; see layout.js. */
   lay({ boxes, edges }) {
-    const rank = new Map(), out = new Map(), path = new Set();
-    for (const edge of edges) out.set(edge.from, [...(out.get(edge.from) || []), edge.to]);
-    const visit = (id, depth) => {
-      if (path.has(id) || depth > 60 || (rank.get(id) ?? -1) >= depth) return;
-      rank.set(id, depth);
-      path.add(id);
-      for (const next of out.get(id) || []) visit(next, depth + 1);
-      path.delete(id);
-    };
-    const fed = new Set(edges.map(edge => edge.to));
-    for (const id of boxes.keys()) if (!fed.has(id)) visit(id, 0);
-    for (const id of boxes.keys()) if (!rank.has(id)) visit(id, boxes.get(id).kind === 'node' ? 0 : 1);
-    const columns = [];
-    for (const id of boxes.keys()) (columns[rank.get(id)] ??= []).push(boxes.get(id));
-    const order = new Map(), around = new Map();
-    for (const { from, to } of edges) { around.set(from, [...(around.get(from) || []), to]); around.set(to, [...(around.get(to) || []), from]); }
-    const used = columns.filter(Boolean);
-    if (!used.length) { this.sheet.replaceChildren(); this.paths = []; return; }
-    used.forEach(column => column.forEach((box, i) => order.set(box.id, i)));
-    for (let sweep = 0; sweep < 6; sweep++) {
-      for (const column of sweep % 2 ? [...used].reverse() : used) {
-        const middle = box => { const near = (around.get(box.id) || []).map(id => order.get(id)); return near.length ? near.reduce((a, b) => a + b) / near.length : order.get(box.id); };
-        const middles = new Map(column.map(box => [box, middle(box)]));
-        column.sort((a, b) => middles.get(a) - middles.get(b));
-        column.forEach((box, i) => order.set(box.id, i));
-      }
+    const all = [...boxes.values()], place = new Map(all.map((box, i) => [box.id, i]));
+    if (!all.length) { this.sheet.replaceChildren(); this.paths = []; return; }
+    for (const box of all) {  /* the namespace small above the name: a chain of nodes has to fit into a column */
+      const cut = box.name.lastIndexOf('/');
+      [box.space, box.base] = cut > 0 ? [box.name.slice(0, cut), box.name.slice(cut)] : ['', box.name];
+      box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14) + 20;
+      box.h = 26 + (box.space ? 12 : 0) + (box.mark ? 13 : 0);
     }
-    let left = 10, tall = 0;
-    for (const column of used) {
-      for (const box of column) {  /* the namespace small above the name: a chain of nodes has to fit into a column */
-        const cut = box.name.lastIndexOf('/');
-        [box.space, box.base] = cut > 0 ? [box.name.slice(0, cut), box.name.slice(cut)] : ['', box.name];
-        box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14) + 20;
-        box.h = 26 + (box.space ? 12 : 0) + (box.mark ? 13 : 0);
-      }
-      const wide = Math.max(...column.map(box => box.w));
-      column.forEach((box, i) => Object.assign(box, { x: left + wide / 2, i }));
-      left += wide + 30;
-      tall = Math.max(tall, column.length);
-    }
-    const height = Math.max(tall * 62 + 10, 70);
-    for (const column of used) column.forEach(box => { box.y = height / 2 + (box.i - (column.length - 1) / 2) * 62; });
-    this.paint(boxes, edges, left - 24, height);
+    const found = layOut(all.map(box => [box.w, box.h]), edges.map(edge => [place.get(edge.from), place.get(edge.to)]), null, Math.max(420, (this.frame.clientWidth || 700) / 0.8));
+    all.forEach((box, i) => Object.assign(box, { x: found.corners[i][0] + box.w / 2, y: found.corners[i][1] + box.h / 2 }));
+    this.paint(boxes, edges, found);
   }
-  paint(boxes, edges, width, height) {
-    let deep = 0;
+  paint(boxes, edges, found) {
     const named = ids => [...ids].map(id => boxes.get(id)?.name).join(', ') || 'nobody', all = [...boxes.values()];
     const ways = all.filter(box => box.kind !== 'node').map(box => `${box.name} from ${named(box.from)} to ${named(box.to)}${box.mark ? ` (${box.mark})` : ''}`);
     this.sheet.setAttribute('aria-label', `node graph: ${all.filter(box => box.kind === 'node').map(box => box.name).join(', ')}; ${ways.join('; ')}`);
     const arrow = drawing('marker', { id: 'arrow', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: 'userSpaceOnUse', orient: 'auto-start-reverse' },
       drawing('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }));
     this.sheet.replaceChildren(drawing('defs', {}, arrow));
-    this.paths = edges.map(edge => {
-      const a = boxes.get(edge.from), b = boxes.get(edge.to), x1 = a.x + a.w / 2, x2 = b.x - b.w / 2, bend = Math.max(24, (x2 - x1) / 2);
-      const low = Math.max(a.y + a.h / 2, b.y + b.h / 2) + 16 + Math.abs(a.x - b.x) / 14;  /* what goes back goes below the boxes */
-      const d = b.x > a.x ? `M${x1} ${a.y} C${x1 + bend} ${a.y} ${x2 - bend} ${b.y} ${x2} ${b.y}`
-        : `M${a.x} ${a.y + a.h / 2} C${a.x} ${low + 14} ${b.x} ${low + 14} ${b.x} ${b.y + b.h / 2}`;
-      const path = drawing('path', { d, 'marker-end': 'url(#arrow)' });
-      deep = Math.max(deep, b.x > a.x ? 0 : low);
+    this.paths = edges.map((edge, number) => {
+      const path = drawing('path', { d: wayOf(found.routes[number], found.direction === 'right'), 'marker-end': 'url(#arrow)' });
+      if (found.back.has(number)) path.append(drawing('title', {}, 'this edge closes a loop'));
       this.sheet.append(path);
-      return { box: edge.box, path };
+      return { box: edge.box, path, back: found.back.has(number) ? ' back' : '' };
     });
     for (const box of boxes.values()) this.sheet.append(this.one(box));
-    this.sheet.setAttribute('viewBox', `0 0 ${width} ${Math.max(height, deep + 12)}`);
-    this.sheet.style.width = `min(100%, ${width}px)`;
-    this.sheet.style.minWidth = `${width * 0.72}px`;
+    this.size = [found.width, found.height];
+    this.sheet.setAttribute('viewBox', `0 0 ${found.width} ${found.height}`);
+    this.fit();
+  }
+  /* As large as the width at hand allows, or as somebody wants it. */
+  fit() {
+    if (!this.size) return;
+    const [width, height] = this.size, room = this.frame.clientWidth - 2, wide = room / width;
+    const scale = this.zoom || Math.min(1.15, wide, Math.max(0.65, (this.frame.clientHeight - 8) / height));
+    this.sheet.style.width = `${Math.floor(width * scale)}px`;
+    this.room = room;
+  }
+  zoomed(by) {
+    const now = this.sheet.clientWidth / (this.size?.[0] || 1);
+    this.zoom = by ? Math.max(0.2, Math.min(4, now * by)) : 0;
+    this.fit();
+  }
+  /* Drag to move the picture; + and - make it larger and smaller, 0 fits it. */
+  hand() {
+    const { frame } = this;
+    let from = null;
+    frame.addEventListener('pointerdown', event => { if (event.button === 0) from = [event.clientX + frame.scrollLeft, event.clientY + frame.scrollTop]; });
+    frame.addEventListener('pointermove', event => { if (from && event.buttons) { frame.scrollLeft = from[0] - event.clientX; frame.scrollTop = from[1] - event.clientY; } });
+    frame.addEventListener('pointerup', () => { from = null; });
+    frame.addEventListener('wheel', event => { if (event.ctrlKey) { event.preventDefault(); this.zoomed(event.deltaY < 0 ? 1.15 : 1 / 1.15); } }, { passive: false });
+    frame.addEventListener('keydown', event => {
+      const by = { '+': 1.25, '=': 1.25, '-': 0.8, 0: 0 }[event.key];
+      if (by !== undefined && !event.ctrlKey) this.zoomed(by);
+      if (by !== undefined || (event.target === frame && event.key.startsWith('Arrow'))) event.stopPropagation();
+    });
   }
   one(box) {
     const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}`, transform: `translate(${box.x} ${box.y})` });
@@ -163,7 +167,7 @@ class GraphView {
     });
     const choose = () => { this.chosen = box; this.tell(this.desk.time, true); };
     group.addEventListener('click', choose);
-    group.addEventListener('keydown', event => { if (event.key === 'Enter') choose(); });
+    group.addEventListener('keydown', event => { if (event.key === 'Enter' || event.key === ' ') { event.preventDefault(); event.stopPropagation(); choose(); } });
     return group;
   }
   tell(time, now = false) {

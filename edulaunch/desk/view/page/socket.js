@@ -1,4 +1,4 @@
-/* The link of the page beside a terminal: a web socket to the server that the page came from. The page asks for each piece. */
+/* The link of the page beside a terminal: a web socket to the server that the page came from. The page asks for each delta. */
 
 const SHOWN_EVERY_MS = 33;
 
@@ -10,8 +10,8 @@ function socketLink() {
   socket.addEventListener('message', event => {
     const message = JSON.parse(event.data);
     hear(message);
-    if (message.piece) setTimeout(() => requestAnimationFrame(() => send({ op: 'next' })), SHOWN_EVERY_MS - 8);
+    if (message.delta) setTimeout(() => requestAnimationFrame(() => send({ op: 'next' })), SHOWN_EVERY_MS - 8);
   });
-  socket.addEventListener('close', () => hear({ ended: 'the machine or its page server has ended; what was seen stays here, reload to look again', machine: { running: false } }));
+  socket.addEventListener('close', () => hear({ ended: 'the machine or the server of this page has ended; the page keeps what it has received', machine: { running: false } }));
   return { send, on: handler => handlers.push(handler) };
 }

@@ -17,9 +17,15 @@ class LogView {
     this.level = make('select', { 'aria-label': 'from this level up' }, ...[10, 20, 30, 40, 50].map(value => make('option', { value }, levelName(value))));
     this.word = make('input', { type: 'search', placeholder: 'word', 'aria-label': 'lines with this word' });
     this.table = make('table', { class: 'small log' });
-    this.sheet = make('div', { class: 'scroll tall', tabindex: 0 }, this.table);
+    this.sheet = make('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'log lines' }, this.table);
     this.box.append(make('div', { class: 'tools' }, this.process, make('label', {}, 'from ', this.level), this.word), this.sheet);
     for (const control of [this.process, this.level, this.word]) control.addEventListener('input', () => { this.key = null; desk.redraw(); });
+  }
+  /* Show the lines of one process, even if it has written none yet. */
+  choose(process) {
+    if (![...this.process.options].some(option => option.value === process)) this.process.append(make('option', { value: process }, process));
+    this.process.value = process;
+    this.key = null;
   }
   draw(time) {
     const { store } = this.desk, all = store.logs, names = [...new Set(all.map(row => row.process))];
@@ -37,9 +43,9 @@ class LogView {
     this.key = key;
     const rows = all.slice(0, count).filter(row => row.level >= level && (!this.process.value || row.process === this.process.value) && (!word || row.text.toLowerCase().includes(word)));
     const stays = this.sheet.scrollTop + this.sheet.clientHeight < this.sheet.scrollHeight - 30;
-    this.table.replaceChildren(make('tr', {}, ...['time', 'level', 'from', 'message'].map(text => make('th', {}, text))),
+    this.table.replaceChildren(make('tr', {}, ...['time', 'level', 'from', 'message'].map(text => make('th', { scope: 'col' }, text))),
       ...rows.slice(-500).map(row => make('tr', { class: levelName(row.level).toLowerCase() },
-        ...[row.t.toFixed(3), levelName(row.level), row.logger, row.text].map(text => make('td', {}, text)))));
+        ...[row.t.toFixed(3), levelName(row.level), row.logger, row.text].map((text, i) => make('td', { class: i < 2 ? 'whole' : false }, text)))));
     if (rows.length > 500) this.table.prepend(make('caption', {}, `the last 500 of ${rows.length} lines`));
     if (!stays) this.sheet.scrollTop = this.sheet.scrollHeight;
   }
@@ -51,7 +57,7 @@ class ParameterView {
     this.box = make('div', { class: 'pane scroll' });
     this.table = make('table', { class: 'small params' });
     this.every = make('input', { type: 'checkbox' });
-    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all of them'), make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.table);
+    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all parameters'), make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.table);
     this.every.addEventListener('change', () => { this.key = null; desk.redraw(); });
   }
   draw(time) {
@@ -60,7 +66,7 @@ class ParameterView {
     const key = rows.map(row => row.node + row.name + JSON.stringify(row.value)).join() + desk.live;
     if (key === this.key || this.box.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
     this.key = key;
-    this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'where it came from'].map(text => make('th', {}, text))),
+    this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'where it came from'].map(text => make('th', { scope: 'col' }, text))),
       ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', { class: 'soft' }, row.origin))));
     if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 4 }, 'no node has parameters yet')));
   }

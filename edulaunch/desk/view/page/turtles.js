@@ -120,11 +120,22 @@ class WorldView {
     this.canvas = make('canvas', { role: 'img', tabindex: 0 });
     this.layer = document.createElement('canvas');
     this.caption = make('figcaption', {}, world.title);
-    this.figure.append(this.canvas, this.caption);
+    this.shut = make('button', { type: 'button', class: 'field', hidden: true, 'aria-expanded': 'false' });
+    this.shut.addEventListener('click', () => { this.open = !this.open; desk.redraw(); });
+    this.figure.append(this.canvas, this.caption, this.shut);
     this.drawn = { to: -1, key: '' };
     this.canvas.addEventListener('pointerdown', event => this.grab(event));
     this.canvas.addEventListener('pointermove', event => this.hover(event));
     this.canvas.addEventListener('pointerleave', () => { this.over = null; desk.redraw(); });
+  }
+  folded(ended) {
+    const gone = ended !== null;
+    this.shut.hidden = !gone;
+    this.caption.hidden = gone;
+    this.canvas.hidden = gone && !this.open;
+    this.figure.classList.toggle('gone', gone && !this.open);
+    this.shut.setAttribute('aria-expanded', String(Boolean(this.open)));
+    if (gone) this.shut.textContent = `${this.open ? '▾' : '▸'} ${this.world.title} ended at ${ended.toFixed(2)} s`;
   }
   limits() {
     if (this.world.kind === 'turtlesim') return [0, CANVAS_M, 0, CANVAS_M];

@@ -1,14 +1,21 @@
 /* The link of a notebook's widget: messages to the kernel. Nothing here knows which notebook it is in.
    The kernel shows what is new by itself, for a while after each `next`: a page that nobody sees costs nothing. */
 
-const ASK_EVERY_MS = 500;
+const ASK_EVERY_MS = 500, MOST_UNANSWERED = 8;
 
 function render({ model, el }) {
   const handlers = [], page = Math.random().toString(36).slice(2), send = words => model.send({ ...words, page });
-  const take = message => { if (message.page === page) handlers.forEach(handler => handler(message)); };
+  let asked = 0;
+  const hear = message => handlers.forEach(handler => handler(message));
+  const take = message => { if (message.page === page) { asked = 0; hear(message); } };
   model.on('msg:custom', take);
   openDesk(el, { send, on: handler => handlers.push(handler) }, { tab: model.get('tab') });
-  const ask = () => { if (!document.hidden) send({ op: 'next' }); };
+  /* A kernel that was restarted never answers, and each question to it is an error in the console: the page stops asking. */
+  const ask = () => {
+    if (document.hidden || asked > MOST_UNANSWERED) return;
+    if (asked++ === MOST_UNANSWERED) hear({ ended: 'no answer from the kernel: a cell is running, or the kernel was restarted and the cell has to run again', machine: { running: false } });
+    else send({ op: 'next' });
+  };
   const timer = setInterval(ask, ASK_EVERY_MS);
   ask();
   return () => { clearInterval(timer); model.off('msg:custom', take); send({ op: 'bye' }); };

@@ -73,6 +73,7 @@ PRIVATE_COPIES = {
         'sched',
         'secrets',
         'shutil',
+        'tempfile',
         'tkinter',
         'traceback',
     )

@@ -35,7 +35,8 @@ class Entry:
 
 
 class Listing:
-    """What `os.scandir` gives: an iterator that can be closed.
+    """What `os.scandir` gives: an iterator that can be closed. The entries come in the order of their names: the order of a real
+    folder differs from one computer to the next.
 
     :param shown: the folder as the program wrote it.
     :param folder: where it is.
@@ -43,14 +44,16 @@ class Listing:
 
     def __init__(self, shown: Any, folder: Any) -> None:
         self._shown = os.fspath(shown)
-        self._entries = os.scandir(folder)
+        self._is_moved = shown is not folder
+        with os.scandir(folder) as entries:
+            self._entries: Iterator[Any] = iter(sorted(entries, key=lambda entry: entry.name))
 
     def __iter__(self) -> Iterator[Entry]:
         return self
 
-    def __next__(self) -> Entry:
+    def __next__(self) -> Any:
         entry = next(self._entries)
-        return Entry(entry, os.path.join(self._shown, entry.name))
+        return Entry(entry, os.path.join(self._shown, entry.name)) if self._is_moved else entry
 
     def __enter__(self) -> Listing:
         return self
@@ -60,13 +63,12 @@ class Listing:
 
     def close(self) -> None:
         """Stop before the end."""
-        self._entries.close()
+        self._entries = iter(())
 
 
 ONE_PATH = (
     'access',
     'chmod',
-    'listdir',
     'lstat',
     'makedirs',
     'mkdir',
@@ -134,19 +136,28 @@ class Relative(PlainFunction):
 
 
 def _scandir(path: Any = '.') -> Any:
-    where = inside(path)
-    return os.scandir(path) if where is path else Listing(path, where)
+    return os.scandir(path) if isinstance(path, int) else Listing(path, inside(path))
 
 
-def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
+def _listdir(path: Any = '.') -> Any:
+    return sorted(os.listdir(inside(path)))
+
+
+def _walk(top: Any, topdown: bool = True, onerror: Any = None, followlinks: bool = False) -> Iterator[tuple[Any, Any, Any]]:
+    if not topdown:
+        yield from reversed([*_walk(top, True, onerror, followlinks)])
+        return
     start = inside(top)
-    for folder, folders, files in os.walk(start, *arguments, **options):
+    for folder, folders, files in os.walk(start, True, onerror, followlinks):
+        folders.sort()  # os.walk goes into them in this order
+        files.sort()
         yield folder if start == top else os.path.join(top, os.path.relpath(folder, start)).removesuffix('/.'), folders, files
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{name: Relative(getattr(os, name)) for name in ONE_PATH if hasattr(os, name)},
     **{name: Relative(getattr(os, name), 2) for name in TWO_PATHS if hasattr(os, name)},
+    'listdir': PlainFunction(_listdir),
     'walk': _walk,
     'scandir': PlainFunction(_scandir),
 }

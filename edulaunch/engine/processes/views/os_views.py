@@ -64,7 +64,7 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
         os.listdir(target)  # raises what the real one does
         process.cwd = target
 
-    view.__dict__.update(FUNCTIONS, path=PATH, **_noted(process), **_files(process), **_commands(process))
+    view.__dict__.update(FUNCTIONS, path=PATH, **_recorded_reads(process), **_files(process), **_commands(process))
     view.__dict__.update(
         environ=process.env,
         getenv=lambda name, default=None: process.env.get(name, default),
@@ -87,7 +87,7 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
     return view
 
 
-def _noted(process: Process) -> dict[str, Any]:
+def _recorded_reads(process: Process) -> dict[str, Any]:
     """What tells of the real machine: the recording says that it was asked."""
     return {name: PlainFunction(noting(process, f'os.{name}', getattr(os, name))) for name in REAL_MACHINE if hasattr(os, name)}
 

@@ -97,10 +97,10 @@ def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
 
 def _really(process: Process, args: Any, input: Any, timeout: float | None, options: dict[str, Any]) -> Any:
     """Run a program of this machine to its end; what it writes goes where the simulated program writes."""
-    told = dict(options, cwd=options.get('cwd') or process.cwd, env=options.get('env') or dict(process.env))
-    inherited = [stream for stream in ('stdout', 'stderr') if told.get(stream) is None]
-    told.update(dict.fromkeys(inherited, real.PIPE))
-    done = real.run(args, timeout=timeout, **told, **({'stdin': real.DEVNULL} if input is None else {'input': input}))
+    complete = dict(options, cwd=options.get('cwd') or process.cwd, env=options.get('env') or dict(process.env))
+    inherited = [stream for stream in ('stdout', 'stderr') if complete.get(stream) is None]
+    complete.update(dict.fromkeys(inherited, real.PIPE))
+    done = real.run(args, timeout=timeout, **complete, **({'stdin': real.DEVNULL} if input is None else {'input': input}))
     process.note(
         'real program',
         f'{process.name} ran {args if isinstance(args, str) else " ".join(map(str, args))!r}, which is a real program',

@@ -22,10 +22,10 @@ from cyclonedds.topic import Topic
 
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
-from edulaunch.extras.network.dds.mangling import far_name
+from edulaunch.extras.network.dds.mangling import remote_name
 from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds
 from edulaunch.extras.network.dds.types import idl_class
-from edulaunch.extras.network.link import ENCLAVE, MARK, FarEndpoint, FarGraph, FarNode, Trouble
+from edulaunch.extras.network.link import ENCLAVE, MARK, LinkDiagnostic, RemoteEndpoint, RemoteGraph, RemoteNode
 from edulaunch.ros.serialization.cdr import decode, encode
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
@@ -46,11 +46,11 @@ class Discovery:
 
     def __init__(self, participant: Any, wake: Callable[[], object]) -> None:
         self.own = participant.guid.bytes
-        self.troubles: list[Trouble] = []
-        self._endpoints: dict[bytes, FarEndpoint] = {}
+        self.diagnostics: list[LinkDiagnostic] = []
+        self._endpoints: dict[bytes, RemoteEndpoint] = {}
         self._participant_of: dict[bytes, bytes] = {}
-        self._nodes: dict[bytes, dict[FarNode, Sequence[bytes]]] = {}
-        self._claims: dict[bytes, FarNode] = {}
+        self._nodes: dict[bytes, dict[RemoteNode, Sequence[bytes]]] = {}
+        self._claims: dict[bytes, RemoteNode] = {}
         self._machines: set[bytes] = set()
         self._gone: deque[bytes] = deque(maxlen=MOST_PARTICIPANTS)
         self._listener = Listener(on_data_available=lambda reader: wake())
@@ -87,10 +87,10 @@ class Discovery:
                 counts.append(1)
         return any(counts), max(counts) >= AT_ONCE
 
-    def graph(self) -> FarGraph:
+    def graph(self) -> RemoteGraph:
         """Everybody but us, without what links have for themselves."""
         nodes = [node for nodes in self._nodes.values() for node in nodes if not node.name.startswith(MARK)]
-        return FarGraph(
+        return RemoteGraph(
             nodes, [end for end in self._endpoints.values() if end.node is None or not end.node.name.startswith(MARK)]
         )
 
@@ -128,15 +128,15 @@ class Discovery:
         if not _is_alive(info):
             self._forget(gid)
             return
-        if participant == self.own or topic is None or (found := far_name(topic, type_name, is_writer)) is None:
+        if participant == self.own or topic is None or (found := remote_name(topic, type_name, is_writer)) is None:
             return
         if len(self._endpoints) >= MOST_ENDPOINTS and gid not in self._endpoints:
             text = f'there are more than {MOST_ENDPOINTS} endpoints on the network: what comes later is not shown and not heard'
-            self.troubles.append(Trouble('endpoints', text))
+            self.diagnostics.append(LinkDiagnostic('endpoints', text))
             return
         policies, type_hash = from_dds(qos)
         self._participant_of[gid] = participant
-        self._endpoints[gid] = FarEndpoint(gid, *found, type_hash, policies, self._claims.get(gid))
+        self._endpoints[gid] = RemoteEndpoint(gid, *found, type_hash, policies, self._claims.get(gid))
 
     def _forget(self, gid: bytes) -> None:
         self._endpoints.pop(gid, None)
@@ -147,24 +147,30 @@ class Discovery:
         try:
             participant, nodes = decode(underlay_registry().get(INFO), data)
         except InterfaceError as error:
-            self.troubles.append(Trouble('ros_discovery_info', f'what somebody tells of its nodes makes no sense: {error}'))
+            self.diagnostics.append(
+                LinkDiagnostic('ros_discovery_info', f'what somebody tells of its nodes makes no sense: {error}')
+            )
             return
         if participant == self.own or participant in self._gone:  # the last that it said may be read after its end
             return
         if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
-            self.troubles.append(
-                Trouble('participants', f'more than {MOST_PARTICIPANTS} programs tell of their nodes: the others are not shown')
+            self.diagnostics.append(
+                LinkDiagnostic(
+                    'participants', f'more than {MOST_PARTICIPANTS} programs tell of their nodes: the others are not shown'
+                )
             )
             return
-        claimed: dict[FarNode, Sequence[bytes]] = {}
+        claimed: dict[RemoteNode, Sequence[bytes]] = {}
         for namespace, name, readers, writers in nodes[:MOST_NODES]:
-            node = FarNode(participant, namespace, name, participant in self._machines)
+            node = RemoteNode(participant, namespace, name, participant in self._machines)
             claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
         if len(nodes) > MOST_NODES:
-            self.troubles.append(Trouble('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown'))
+            self.diagnostics.append(
+                LinkDiagnostic('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown')
+            )
         self._claim(participant, claimed)
 
-    def _claim(self, participant: bytes, nodes: dict[FarNode, Sequence[bytes]]) -> None:
+    def _claim(self, participant: bytes, nodes: dict[RemoteNode, Sequence[bytes]]) -> None:
         before = {gid for gids in self._nodes.pop(participant, {}).values() for gid in gids}
         claims = {gid: node for node, gids in nodes.items() for gid in gids}
         if nodes:

@@ -15,6 +15,14 @@ from edulaunch.extras.network.link import LinkError, Settings
 MOST_PARTICIPANTS = 32
 """How many participants on one computer find each other without multicast, as in ROS 2's own configuration of Cyclone DDS."""
 LOCALHOST = '127.0.0.1'
+LARGE_FRAGMENTS = '<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>8000B</FragmentSize>'
+"""On the loopback a packet may be as large as UDP allows. An image in the usual fragments of 1.3 kB overflows the buffers of its
+subscriber."""
+REPEATS = (
+    '<HeartbeatInterval min="2ms" minsched="2ms" max="100ms">5ms</HeartbeatInterval>'
+    '<MaxQueuedRexmitBytes>4MiB</MaxQueuedRexmitBytes>'
+)
+"""How soon a reliable publisher asks what is missing, while something is missing: by default after 100 ms."""
 
 
 class _Joined:
@@ -86,11 +94,12 @@ def configuration(settings: Settings) -> str:
     multicast = settings.discovery_range == 'SUBNET' or (on_loopback and settings.discovery_range != 'OFF')
     if settings.discovery_range == 'LOCALHOST':
         peers.insert(0, LOCALHOST)
+    fragments = LARGE_FRAGMENTS if on_loopback else ''
     interface = f'address="{LOCALHOST}" multicast="true"' if on_loopback else 'autodetermine="true"'
     named = ''.join(f'<Peer Address="{escape(peer)}"/>' for peer in peers)
     return (
         f'<CycloneDDS><Domain><General><Interfaces><NetworkInterface {interface}/></Interfaces>'
-        f'<AllowMulticast>{str(multicast).lower()}</AllowMulticast></General>'
+        f'<AllowMulticast>{str(multicast).lower()}</AllowMulticast>{fragments}</General>'
         f'<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{MOST_PARTICIPANTS}</MaxAutoParticipantIndex>'
-        f'<Peers>{named}</Peers></Discovery></Domain></CycloneDDS>'
+        f'<Peers>{named}</Peers></Discovery><Internal>{REPEATS}</Internal></Domain></CycloneDDS>'
     )

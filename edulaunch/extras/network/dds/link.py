@@ -32,15 +32,15 @@ from edulaunch.extras.network.link import (
     SERVICE,
     SUBSCRIPTION,
     Event,
-    FarGraph,
     GraphChanged,
     Interface,
+    LinkDiagnostic,
     LinkError,
     Message,
+    RemoteGraph,
     Request,
     Response,
     Settings,
-    Trouble,
 )
 
 HEADER, ID = 4, 16
@@ -80,12 +80,12 @@ class CycloneLink:
         self._topics: dict[tuple[str, str], Any] = {}
         self._marked: deque[int] = deque()
         self._events: list[Event] = []
-        self._is_told = True
+        self._is_announced = True
         self._has_news = False
         self._participant: Any = None
         self._services = ServicePeers()
-        self._heard, self._bell = socket.socketpair()
-        for end in (self._heard, self._bell):
+        self._wake_end, self._bell = socket.socketpair()
+        for end in (self._wake_end, self._bell):
             end.setblocking(False)
 
     def open(self, settings: Settings) -> None:
@@ -103,13 +103,13 @@ class CycloneLink:
         """See `Link.add_node`."""
         self._count += 1
         self._nodes[self._count] = namespace, name
-        self._is_told = False
+        self._is_announced = False
         return self._count
 
     def remove_node(self, handle: int) -> None:
         """See `Link.remove_node`."""
         del self._nodes[handle]
-        self._is_told = False
+        self._is_announced = False
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
         """See `Link.add`. A service takes part as soon as there is anybody who can use it."""
@@ -129,7 +129,7 @@ class CycloneLink:
     def remove(self, handle: int) -> None:
         """See `Link.remove`."""
         _stop(self._ends.pop(handle))
-        self._is_told = False
+        self._is_announced = False
 
     def _begin(self, handle: int, end: End) -> None:
         """Let others see an endpoint.
@@ -151,7 +151,7 @@ class CycloneLink:
         except (DDSException, TypeError, ValueError) as error:
             _stop(end)
             raise LinkError(f'{end.name} ({end.interface.name}) cannot cross: {error}') from None
-        self._is_told = False
+        self._is_announced = False
 
     def _topic(self, prefix: str, end: End, part: str) -> Any:
         name, type_name = topic_name(prefix, end.name), end.interface.name + part
@@ -181,14 +181,14 @@ class CycloneLink:
         if code < 0:
             slow = 'somebody who wants all of them (reliable) takes them too slowly'
             why = slow if code == DDSException.DDS_RETCODE_TIMEOUT else str(DDSException(code))
-            self._events.append(Trouble(f'not sent {end.name} {code}', f'{end.name}: a message was not sent: {why}'))
+            self._events.append(LinkDiagnostic(f'not sent {end.name} {code}', f'{end.name}: a message was not sent: {why}'))
             self._ring()
 
     def flush(self) -> None:
         """See `Link.flush`: messages went out at once; this tells of new nodes and endpoints."""
-        if self._is_told:
+        if self._is_announced:
             return
-        self._is_told = True
+        self._is_announced = True
         ends = list(self._ends.values())
         nodes = []
         for handle, (namespace, name) in self._nodes.items():
@@ -219,7 +219,7 @@ class CycloneLink:
     def take(self) -> Sequence[Event]:
         """See `Link.take`."""
         with suppress(BlockingIOError):
-            self._heard.recv(4096)
+            self._wake_end.recv(4096)
         if self._has_news:
             self._has_news = False
             found, has_more = self._discovery.take()
@@ -233,8 +233,8 @@ class CycloneLink:
             end = self._ends.get(handle)
             if end is not None and end.reader is not None:
                 self._take_from(handle, end)
-        events = [*self._events, *self._discovery.troubles]
-        self._events, self._discovery.troubles = [], []
+        events = [*self._events, *self._discovery.diagnostics]
+        self._events, self._discovery.diagnostics = [], []
         return events
 
     def _take_from(self, handle: int, end: End) -> None:
@@ -262,11 +262,11 @@ class CycloneLink:
             gid = end.writers[handle] = found.key.bytes
         return gid
 
-    def graph(self) -> FarGraph:
+    def graph(self) -> RemoteGraph:
         """See `Link.graph`: without the services that this link cannot use."""
-        far = self._discovery.graph()
-        return far._replace(
-            endpoints=[end for end in far.endpoints if not (end.kind in (SERVICE, CLIENT) and is_fast_dds(end.gid))]
+        remote = self._discovery.graph()
+        return remote._replace(
+            endpoints=[end for end in remote.endpoints if not (end.kind in (SERVICE, CLIENT) and is_fast_dds(end.gid))]
         )
 
     def _look_at_services(self) -> None:
@@ -274,16 +274,16 @@ class CycloneLink:
         self._services.look(self._discovery.graph())
         for handle, end in list(self._ends.items()):
             if end.kind in (SERVICE, CLIENT) and not end.is_on:
-                trouble = self._services.trouble(end.kind, end.name)
-                if trouble is not None:
-                    self._events.append(trouble)
+                diagnostic = self._services.diagnostic(end.kind, end.name)
+                if diagnostic is not None:
+                    self._events.append(diagnostic)
                     self._ring()
                 if self._services.is_wanted(end.kind, end.name):
                     self._begin(handle, end)
 
     def fileno(self) -> int:
         """See `Link.fileno`."""
-        return self._heard.fileno()
+        return self._wake_end.fileno()
 
     def close(self) -> None:
         """See `Link.close`."""
@@ -293,7 +293,7 @@ class CycloneLink:
             leave(self._domain)
         self._ends.clear()
         self._topics.clear()
-        self._heard.close()
+        self._wake_end.close()
         self._bell.close()
 
 
@@ -301,7 +301,9 @@ def _event(handle: int, end: End, gid: bytes, source_ns: int, data: bytes) -> Ev
     if end.kind == SUBSCRIPTION:
         return Message(handle, gid, source_ns, data)
     if is_fast_dds(gid) or len(data) < HEADER + ID:
-        return Trouble(f'{end.kind} {end.name}', f'{end.name}: what came for this {end.kind} is not from Cyclone DDS: dropped')
+        return LinkDiagnostic(
+            f'{end.kind} {end.name}', f'{end.name}: what came for this {end.kind} is not from Cyclone DDS: dropped'
+        )
     who, rest = data[HEADER : HEADER + ID], data[:HEADER] + data[HEADER + ID :]
     if end.kind == SERVICE:
         return Request(handle, who, rest)

@@ -20,7 +20,7 @@ def dds_type(type_name: str) -> str:
     return f'{package}::{kind}::dds_::{name}_'
 
 
-def far_name(topic: str, type_name: str, is_writer: bool) -> tuple[str, str, str] | None:
+def remote_name(topic: str, type_name: str, is_writer: bool) -> tuple[str, str, str] | None:
     """What a DDS endpoint is in ROS 2, as (kind, name, type name); None for what is none of its topics and services.
 
     A service is told by what hears its requests, a client by what sends them.

@@ -22,6 +22,8 @@ from edulaunch.engine.graph.qos import (
 LONGEST_BLOCK_NS = 10_000_000
 """How long a reliable publisher waits for readers that are slow, before the message is dropped: nothing else runs meanwhile."""
 NEVER_NS = (1 << 63) - 1
+KEPT = 100
+"""How many messages a reliable publisher keeps at least until all have arrived. At 200 a second, that is half a second."""
 WAITING = 1000
 """How many messages wait for their subscription at most, or as many as its depth says."""
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
@@ -31,7 +33,8 @@ HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
 
 def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
     """The policies of an endpoint of ours; its type's hash goes with them, as ROS 2 does it."""
-    depth = max(qos.depth, WAITING if is_reader else 1)
+    is_kept = qos.reliability == RELIABLE and qos.durability != TRANSIENT_LOCAL
+    depth = max(qos.depth, WAITING if is_reader else KEPT if is_kept else 1)
     life = Policy.Liveliness.ManualByTopic if qos.liveliness == MANUAL_BY_TOPIC else Policy.Liveliness.Automatic
     policies: list[Any] = [
         PLAIN,
@@ -50,7 +53,7 @@ def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
 
 
 def from_dds(qos: Qos) -> tuple[QoS, str]:
-    """The policies of an endpoint that is far away, and the hash of its type ('' when it tells none).
+    """The policies of an endpoint on the network, and the hash of its type ('' when it tells none).
 
     How much it keeps is nowhere said: ROS 2 shows UNKNOWN, here it is the usual depth.
     """

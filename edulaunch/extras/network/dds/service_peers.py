@@ -7,7 +7,7 @@ asks only such a server: a service that nobody sees is better than one that neve
 
 from __future__ import annotations
 
-from edulaunch.extras.network.link import CLIENT, SERVICE, FarGraph, Trouble
+from edulaunch.extras.network.link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
 
 FAST_DDS = b'\x01\x0f'
 """How gids begin there: the number of its vendor."""
@@ -29,30 +29,30 @@ class ServicePeers:
         self._served: set[str] = set()
         self._served_by_fast: set[str] = set()
         self._asked_by_fast: set[str] = set()
-        self._told: set[tuple[str, str]] = set()
+        self._reported: set[tuple[str, str]] = set()
 
-    def look(self, far: FarGraph) -> None:
+    def look(self, remote: RemoteGraph) -> None:
         """Who is there now."""
-        self._anybody = any(not is_fast_dds(end.gid) for end in far.endpoints) or any(
-            not is_fast_dds(node.participant) for node in far.nodes
+        self._anybody = any(not is_fast_dds(end.gid) for end in remote.endpoints) or any(
+            not is_fast_dds(node.participant) for node in remote.nodes
         )
         for kind, is_fast, found in (
             (SERVICE, False, '_served'),
             (SERVICE, True, '_served_by_fast'),
             (CLIENT, True, '_asked_by_fast'),
         ):
-            names = {end.name for end in far.endpoints if end.kind == kind and is_fast_dds(end.gid) == is_fast}
+            names = {end.name for end in remote.endpoints if end.kind == kind and is_fast_dds(end.gid) == is_fast}
             setattr(self, found, names)
 
     def is_wanted(self, kind: str, name: str) -> bool:
         """Whether an endpoint of ours can be of use. A request of ours must never reach who takes its number for a part of it."""
         return self._anybody if kind == SERVICE else name in self._served and name not in self._served_by_fast
 
-    def trouble(self, kind: str, name: str) -> Trouble | None:
+    def diagnostic(self, kind: str, name: str) -> LinkDiagnostic | None:
         """What to say, once, when somebody needs what does not work."""
         there = self._asked_by_fast if kind == SERVICE else self._served_by_fast
-        if name not in there or (kind, name) in self._told:
+        if name not in there or (kind, name) in self._reported:
             return None
-        self._told.add((kind, name))
+        self._reported.add((kind, name))
         who = 'a real node has a client of' if kind == SERVICE else 'a real node has'
-        return Trouble(f'{kind} {name}', f'{who} the service {name}: calls of it do not cross\n  help: {HELP}', name)
+        return LinkDiagnostic(f'{kind} {name}', f'{who} the service {name}: calls of it do not cross\n  help: {HELP}', name)

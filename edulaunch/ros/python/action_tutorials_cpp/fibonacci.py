@@ -86,8 +86,8 @@ class FibonacciActionClient(CppNode):
         self.get_logger().info('Goal accepted by server, waiting for result')
         goal_handle.get_result_async().add_done_callback(self._on_result)
 
-    def _on_feedback(self, told: Fibonacci.Impl.FeedbackMessage) -> None:
-        self.get_logger().info(f'Next number in sequence received: {_spaced(told.feedback.partial_sequence)}')
+    def _on_feedback(self, message: Fibonacci.Impl.FeedbackMessage) -> None:
+        self.get_logger().info(f'Next number in sequence received: {_spaced(message.feedback.partial_sequence)}')
 
     def _on_result(self, future: Future) -> None:
         answer = future.result()

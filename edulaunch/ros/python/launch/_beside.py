@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SLICE_S = 0.01
 
 
-class Company:
+class StartedThreads:
     """Tells whether the script has started threads since this was made, and they still run."""
 
     def __init__(self) -> None:
@@ -41,18 +41,18 @@ class Company:
         return any(not thread.name.startswith(READER_NAME) for thread in new)
 
 
-def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], company: Company) -> int:
+def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run the loop until the task is done.
 
     :raises SimulationError: when the task waits for something that nobody can bring about any more.
     """
     while not task.done():
-        if not _has_run_alone(loop, task, company.has_come):
+        if not _has_run_alone(loop, task, threads.has_come):
             time.sleep(_run_slice(loop))
     return task.result()
 
 
-async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], company: Company) -> int:
+async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run a simulated loop until its task is done, while the loop that awaits this runs what else it has.
 
     In a notebook the simulation is alone: what other tasks a kernel has is not the student's.
@@ -63,13 +63,13 @@ async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[i
 
     outer: Any = asyncio.get_running_loop()
 
-    def has_company() -> bool:
+    def has_others() -> bool:
         others = len(asyncio.all_tasks(outer)) > 1 or bool(getattr(outer, '_scheduled', False))
-        return (others and not _is_notebook()) or company.has_come()
+        return (others and not _is_notebook()) or threads.has_come()
 
     try:
         while not task.done():
-            if not _has_run_alone(loop, task, has_company):
+            if not _has_run_alone(loop, task, has_others):
                 await asyncio.sleep(_run_slice(loop))
     except asyncio.CancelledError:
         task.cancel()
@@ -83,14 +83,14 @@ def _is_notebook() -> bool:
     return shell is not None and hasattr(shell.get_ipython(), 'kernel')
 
 
-def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_company: Callable[[], bool]) -> bool:
+def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_others: Callable[[], bool]) -> bool:
     """Run to the end in one go, when nobody else is there; False when somebody is."""
-    if has_company():
+    if has_others():
         return False
     try:
         loop.run_until_complete(task)
     except SimulationError:
-        if task.done() or not has_company():
+        if task.done() or not has_others():
             raise
         return False
     except BaseException:

@@ -149,11 +149,11 @@ def _class_that_was_made(error: BaseException) -> dict[str, Any]:
 
 def _names_in_call(error: BaseException, text: str) -> list[str]:
     """The names of the arguments in the call of a class that lacks one."""
-    said, place = re.match(r'(\w+)\.', text), launch_origin(error)
-    if said is None or place is None:
+    match, place = re.match(r'(\w+)\.', text), launch_origin(error)
+    if match is None or place is None:
         return []
     lines = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + CALL_LINES))
-    calls = re.split(rf'\b{said[1]}\(', lines, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
+    calls = re.split(rf'\b{match[1]}\(', lines, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
     return re.findall(r'(\w+)\s*=', calls[1]) if len(calls) > 1 else []
 
 
@@ -166,12 +166,14 @@ def _not_a_text(error: BaseException, text: str) -> dict[str, Any]:
     else:
         return {}
     number = isinstance(value, (int, float))
+    is_joined = any(frame.f_code.co_filename.endswith('path_join_substitution.py') for frame, _ in frames_of(error))
     return {
         'about': 'launch.not-a-text',
         'keyword': None if isinstance(value, (list, tuple)) else _keyword_with(error, value),
         'value': repr(value) if number else None,
         'as_text': str(value).lower() if number else None,
         'as_path': 'str(...)' if isinstance(value, os.PathLike) else None,
+        'joiner': 'PathJoinSubstitution' if is_joined and isinstance(value, (list, tuple)) else None,
         'nested': repr(value)[:40] if isinstance(value, (list, tuple)) else None,
         'given': type(value).__name__,
     }

@@ -18,6 +18,11 @@ FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
 Place = tuple[str, int] | tuple[CodeType, int]
 """File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
 
+
+class Inherited(tuple):  # type: ignore[type-arg]
+    """The place of an action that launch itself made during the visit of another one: the place of that other action."""
+
+
 MAKERS: dict[int, CodeType] = {}
 """Code of ours where the search ends: the frontends' parser, which says itself where its actions come from, and a visit.
 
@@ -40,7 +45,7 @@ def caller_outside_launch(made: object) -> Place | None:
         if code.co_filename.startswith(FACES):
             if id(code) in MAKERS:
                 place: Place | None = getattr(frame.f_locals['self'], '_Action__origin', None)
-                return place
+                return None if place is None else Inherited(place)
         elif code.co_name != '__init__' or not _makes(code, frame, made):
             return code, frame.f_lasti
         frame = frame.f_back

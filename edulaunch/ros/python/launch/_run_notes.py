@@ -39,8 +39,8 @@ def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, or
     They are kept in `launch.undeclared`.
     """
     known = list(declared)
-    noted: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
-    noted += [(name, known, file, origin) for name in names if name not in known]
+    rows: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
+    rows += [(name, known, file, origin) for name in names if name not in known]
 
 
 def names_read() -> dict[str, bool]:

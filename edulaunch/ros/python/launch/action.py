@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from ._bases import ParsedByFrontend, ReadOnly
-from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
+from ._origin import MAKERS, Inherited, caller_outside_launch, note_origin, origin_of
 from .condition import Condition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
@@ -44,7 +44,12 @@ class Action(LaunchDescriptionEntity):
         place: Any = self.__dict__.get('_Action__origin')
         if type(place) is tuple:
             place = self.__origin = origin_of(place)
-        return place  # type: ignore[no-any-return]
+        return origin_of(place) if type(place) is Inherited else place
+
+    @property
+    def is_made_by_launch(self) -> bool:
+        """Whether launch itself made this action while it visited another one, whose origin it has. (edulaunch only.)"""
+        return type(self.__dict__.get('_Action__origin')) is Inherited
 
     def set_origin(self, file: str, line: int) -> None:
         """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
@@ -83,7 +88,13 @@ class Action(LaunchDescriptionEntity):
             if self.__condition is not None and not self.__condition.evaluate(context):
                 return None
             try:
-                return self.execute(context)
+                observer = getattr(context, 'observer', None)
+                if observer is None:
+                    return self.execute(context)
+                execute = observer.instead_of(self)
+                answer = self.execute(context) if execute is None else execute(self, context)
+                observer.executed(self, context)
+                return answer
             finally:
                 self.__announce_completion(context)
         except Exception as error:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from ._event_queue import EventQueue
     from ._include_ring import Include
+    from ._observer import Observer
 
 
 class Performed(Protocol):
@@ -71,6 +72,8 @@ class LaunchContext:
         self.__launch_configurations_stack: list[dict[str, Any]] = []
         self.open_includes: list[Include] | None = None
         """The launch files that are visited just now, outermost first; None outside any walk."""
+        self.observer: Observer | None = None
+        """What the launch service tells of its visits and events. (edulaunch only.)"""
         self._names_read = names_read()
         self.process_state = running_process().state
         self.process_counter = process_state('launch.process_counter', lambda: [0])
@@ -184,6 +187,8 @@ class LaunchContext:
     def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:
         """Ask this handler about later events: before all others, or with `append` after them."""
         self.__handlers.add(event_handler, append=append)
+        if self.observer is not None:
+            self.observer.registered(event_handler)
 
     def unregister_event_handler(self, event_handler: Handler) -> None:
         """Forget a handler.
@@ -191,6 +196,8 @@ class LaunchContext:
         :raises ValueError: when it is not registered.
         """
         self.__handlers.remove(event_handler)
+        if self.observer is not None:
+            self.observer.unregistered(event_handler)
 
     def handlers_that_match(self, event: Event) -> list[Handler]:
         """The handlers to ask about the event, as registered now, first asked first."""

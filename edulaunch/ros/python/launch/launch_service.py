@@ -15,10 +15,11 @@ from edulaunch.ros.collector_pause import collector_paused
 from edulaunch.ros.read_only import ReadOnly
 
 from ._argument_search import looking
-from ._beside import Company, run_beside_tasks, run_beside_threads
+from ._beside import StartedThreads, run_beside_tasks, run_beside_threads
 from ._engine import new_event_loop, running_process
 from ._failure import note_failure
 from ._handler_table import Handler
+from ._observer import observer_of_launch
 from ._origin import note_origin
 from .event import Event
 from .event_handlers.on_include_launch_description import OnIncludeLaunchDescription
@@ -76,13 +77,14 @@ class LaunchService:
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
+        self.__context.observer = observer_of_launch()
         self.__pending: dict[asyncio.Future[Any], LaunchDescriptionEntity] = {}
         self.__failed: list[tuple[LaunchDescriptionEntity, Exception]] = []
         self.__loop: asyncio.AbstractEventLoop | None = None
         self.__thread = 0
         self.__task: asyncio.Task[Any] | None = None
         self.__news: asyncio.Future[None] | None = None
-        self.__company = Company()
+        self.__started_threads = StartedThreads()
         self.__shutting_down = False
         self.__interrupted = False
         self.__return_code = 0
@@ -134,7 +136,7 @@ class LaunchService:
             task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
             while True:
                 try:
-                    return run_beside_threads(loop, task, self.__company)
+                    return run_beside_threads(loop, task, self.__started_threads)
                 except KeyboardInterrupt:
                     if task.done():
                         task.exception()  # it is this one: nobody else needs to hear of it
@@ -170,7 +172,7 @@ class LaunchService:
         loop = new_event_loop()
         try:
             task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
-            return await run_beside_tasks(loop, task, self.__company)
+            return await run_beside_tasks(loop, task, self.__started_threads)
         finally:
             _cancel_all_tasks(loop)
             loop.close()
@@ -245,25 +247,38 @@ class LaunchService:
         debug = self.__logger.isEnabledFor(DEBUG)
         if debug:
             self.__logger.debug(f"processing event: '{event}'")
+        observer = self.__context.observer
+        if observer is not None:
+            observer.event(event, self.__context)
         for handler in self.__context.handlers_that_match(event):
-            if handler.matches(event):
+            if handler.matches(event) and (observer is None or not observer.ignores(handler, event)):
                 if debug:
                     self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
                 self.__handle(handler, event)
 
     def __handle(self, handler: Handler, event: Event) -> None:
-        context = self.__context
+        context, observer = self.__context, self.__context.observer
         context._push_locals()
         try:
             answer: Any = handler.handle(event, context)
-            for entity in answer if isinstance(answer, collections.abc.Iterable) else (answer,):
-                if entity is None:
-                    continue
-                if not isinstance(entity, LaunchDescriptionEntity):
-                    raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
-                self.__visit(entity)
+            if observer is None:
+                self.__visit_answer(answer)
+            else:
+                observer.answered(handler, event, answer)
+                try:
+                    self.__visit_answer(answer)
+                finally:
+                    observer.handled(handler, event)
         finally:
             context._pop_locals()
+
+    def __visit_answer(self, answer: Any) -> None:
+        for entity in answer if isinstance(answer, collections.abc.Iterable) else (answer,):
+            if entity is None:
+                continue
+            if not isinstance(entity, LaunchDescriptionEntity):
+                raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
+            self.__visit(entity)
 
     def __visit(self, entity: LaunchDescriptionEntity) -> None:
         with collector_paused(), looking():

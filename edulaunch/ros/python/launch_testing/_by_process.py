@@ -9,32 +9,32 @@ from edulaunch.engine.sim.sync import Condition
 
 from .util.proc_lookup import process_name
 
-Noted = TypeVar('Noted')
+Recorded = TypeVar('Recorded')
 
 
-class _ByProcess(Generic[Noted]):
+class _ByProcess(Generic[Recorded]):
     """What was noted of each process, by its action or by part of its launch name."""
 
     def __init__(self) -> None:
-        self._noted: dict[Any, Noted] = {}
+        self._recorded: dict[Any, Recorded] = {}
         self._changed = Condition()
 
     def __contains__(self, key: object) -> bool:
-        return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._noted)
+        return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._recorded)
 
-    def __getitem__(self, key: Any) -> Noted:
+    def __getitem__(self, key: Any) -> Recorded:
         """What was noted of an action, or of the first process with `key` in its name. Raises KeyError when there is none."""
         if isinstance(key, str):
-            key = next((action for action in self._noted if key in process_name(action)), key)
-        return self._noted[key]
+            key = next((action for action in self._recorded if key in process_name(action)), key)
+        return self._recorded[key]
 
     def processes(self) -> list[Any]:
         """The actions."""
-        return list(self._noted)
+        return list(self._recorded)
 
     def process_names(self) -> list[str]:
         """The launch names, such as 'talker-1'."""
-        return [process_name(action) for action in self._noted]
+        return [process_name(action) for action in self._recorded]
 
     def _wait(self, has_come: Callable[[], bool], timeout: float) -> bool:
         with self._changed:

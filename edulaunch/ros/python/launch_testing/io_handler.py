@@ -22,12 +22,12 @@ class IoHandler(_ByProcess[list[ProcessIO]]):
     def append(self, process_io: ProcessIO) -> None:
         """Note a piece of output, and wake who waits for some."""
         self._sequence.append(process_io)
-        self._noted.setdefault(process_io.action, []).append(process_io)
+        self._recorded.setdefault(process_io.action, []).append(process_io)
         self._tell()
 
     def track(self, action: Any) -> None:
         """Note that a process has started; it may never write anything."""
-        self._noted.setdefault(action, [])
+        self._recorded.setdefault(action, [])
 
     def __iter__(self) -> Iterator[ProcessIO]:
         return iter(list(self._sequence))

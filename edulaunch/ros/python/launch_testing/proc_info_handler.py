@@ -17,11 +17,11 @@ class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
 
     def append(self, process_info: RunningProcessEvent) -> None:
         """Note an event, and wake who waits for one."""
-        self._noted[process_info.action] = process_info
+        self._recorded[process_info.action] = process_info
         self._tell()
 
     def __iter__(self) -> Iterator[RunningProcessEvent]:
-        return iter(list(self._noted.values()))
+        return iter(list(self._recorded.values()))
 
 
 class ActiveProcInfoHandler(ProcInfoHandler):
@@ -57,7 +57,7 @@ class ActiveProcInfoHandler(ProcInfoHandler):
                 (action,) = resolveProcesses(self, process=process, cmd_args=cmd_args)
             except NoMatchingProcessException:
                 return False
-            return isinstance(self._noted[action], event_type)
+            return isinstance(self._recorded[action], event_type)
 
         if not self._wait(has_come, timeout):
             name = process if isinstance(process, str) else process_name(process)

@@ -109,7 +109,7 @@ class Client(ServiceEnd, Asker):
         self.srv_name = srv_name
         self.qos_profile = qos_profile
         self._pending_requests: dict[int, Future] = {}
-        self._lost_noted = False
+        self._lost_recorded = False
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
@@ -140,7 +140,7 @@ class Client(ServiceEnd, Asker):
             raise invalid_handle()
         impl = self.endpoint
         sequence = impl.send(self.srv_type.Request.to_wire(request))
-        if impl.lost and not self._lost_noted:
+        if impl.lost and not self._lost_recorded:
             self._note_lost_request()
         future = future_answer(self)
         future.add_done_callback(self.remove_pending_request)
@@ -150,7 +150,7 @@ class Client(ServiceEnd, Asker):
         return future
 
     def _note_lost_request(self) -> None:
-        self._lost_noted = True
+        self._lost_recorded = True
         from rclpy.impl.facts import note_lost_request
 
         note_lost_request(self.endpoint, self.endpoint.service_name, 'service')

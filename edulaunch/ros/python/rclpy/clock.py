@@ -155,7 +155,11 @@ class Clock:
     def now_ns(self) -> int:
         """The present time in nanoseconds, without counting as a look at the clock."""
         override: int | None = self.override_ns
-        now: int = self.sim.now_ns if override is None else override
+        if override is not None:
+            return override
+        if self.sim.keep_up is not None:
+            self.sim.keep_up()
+        now: int = self.sim.now_ns
         return now
 
     def create_jump_callback(
@@ -184,10 +188,10 @@ class Clock:
             raise ValueError("until's clock type does not match this clock's type")
         active = self.override_ns is not None
         task = current_task()
-        told: list[TimeJump] = []
+        jumps: list[TimeJump] = []
 
         def jumped(jump: TimeJump) -> None:
-            told.append(jump)
+            jumps.append(jump)
             task.wake()
 
         handle = self.create_jump_callback(
@@ -197,7 +201,7 @@ class Clock:
             while (
                 context.alive
                 and (self.override_ns is not None) is active
-                and (self.now_ns() < until.nanoseconds or (active and not told))
+                and (self.now_ns() < until.nanoseconds or (active and not jumps))
             ):
                 context.park(None if active else until.nanoseconds)
         return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active

@@ -38,12 +38,16 @@ DEFAULT_THREADS = 8
 class SingleThreadedExecutor(Executor):
     """Executes one callback after the other, in the thread that spins."""
 
+    _spins = True
+
 
 class MultiThreadedExecutor(Executor):
     """Executes callbacks in up to `num_threads` threads: one that blocks lets those of other groups go on.
 
     Threads are simulated: nothing is preempted, and the order is the same in every run.
     """
+
+    _spins = True
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)

@@ -31,8 +31,10 @@ from rclpy.utilities import get_default_context
 if TYPE_CHECKING:
     from rclpy.executors import Executor
 
-__all__ = ['Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
+__all__ = ['HIDDEN_NODE_PREFIX', 'Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
 
+HIDDEN_NODE_PREFIX = '_'
+"""Nodes whose name begins with it are not listed by `ros2 node list`."""
 
 _PRIVATE = {
     '_logger': lambda core: core.logger,

@@ -35,7 +35,15 @@ class Publisher(TopicEnd):
         self.endpoint = publisher_impl
         self.context = context
         self._to_wire = msg_type.to_wire
+        keep_up = current_task().sim.keep_up
         self.send_wire: Callable[[Any], object] = publisher_impl.publish
+        if keep_up is not None:
+
+            def send_at_present_time(wire: Any) -> None:
+                keep_up()
+                publisher_impl.publish(wire)
+
+            self.send_wire = send_at_present_time
 
     def publish(self, msg: Any) -> None:
         """Send a message, or the bytes of a serialized one, to everybody who listens now.

@@ -177,8 +177,8 @@ class Future:
         :param context: given by an asyncio task that awaits this: its loop is told then.
         """
         if context is not None:
-            loop, told = self.get_loop(), callback
-            callback = lambda future: loop.call_soon_threadsafe(told, future, context=context)  # noqa: E731
+            loop, function = self.get_loop(), callback
+            callback = lambda future: loop.call_soon_threadsafe(function, future, context=context)  # noqa: E731
         if not self.ended:
             self._callbacks.append(callback)
         elif self._executor is not None:

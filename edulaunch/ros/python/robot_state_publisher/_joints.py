@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from math import cos, sin
 from typing import Any, NamedTuple
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.engine.tf.quaternions import multiply
+from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
 """Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
@@ -64,7 +66,10 @@ def read_joints(description: str) -> list[Joint]:
     """The joints of a URDF text, in its order.
 
     :raises ValueError: it is no robot description; with the parser's text.
+    :raises SystemExit: when the parser is not installed, which ends the program with a message.
     """
+    if find_spec('urdf_parser_py') is None:
+        raise SystemExit(str(MissingExtra('a robot description', 'urdf-parser-py', 'urdf')))
     from urdf_parser_py import xml_reflection
     from urdf_parser_py.urdf import URDF
 

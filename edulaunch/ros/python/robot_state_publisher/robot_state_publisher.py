@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from typing import Any
 
 import rclpy
@@ -17,6 +18,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
+from edulaunch.errors import MissingExtra
 from robot_state_publisher._joints import Joint, read_joints
 
 
@@ -136,6 +138,8 @@ def run_xacro() -> int:
 
     `xacro FILE name:=value ... [-o OUT]`; 2 for a file that it cannot fill in.
     """
+    if find_spec('xacro') is None:
+        raise SystemExit(str(MissingExtra('the program xacro', 'the Python package xacro', 'urdf')))
     import xacro
 
     options, file = xacro.process_args(sys.argv[1:])

@@ -32,6 +32,9 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument('--dask', metavar='ADDRESS', help='grade on a Dask cluster, such as tcp://127.0.0.1:8786')
     parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
     parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
+    parser.add_argument(
+        '--replays', action='store_true', help='put replays into the pages of --html, too: ten times as many bytes'
+    )
     parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
     add_common(parser)
     parser.set_defaults(sandbox='require')  # the work of others

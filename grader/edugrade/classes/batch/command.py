@@ -46,10 +46,22 @@ def main(words: Sequence[str]) -> int:
             grade_here(todo, store, how)
         results = [(entry, store.result(entry)) for entry in entries]
         refused = sum(1 for _, found in results if found and 'refused' in found)
-        _write_tables(results, options.csv, options.html, options.junit, store)
+        _write_tables(_with_decisions(results, store), options.csv, options.html, options.junit, store)
     print(_closing(results, len(entries) - len(todo) - refused, store.folder))
     is_broken = any((found or {}).get('exit_code', BROKEN_GRADER) == BROKEN_GRADER for _, found in results)
     return BROKEN_GRADER if is_broken else 0
+
+
+def _with_decisions(results: Results, store: Store) -> Results:
+    """The results with what the teacher has decided, and how long the runs took."""
+    from ..decisions import decided
+
+    times = store.times()
+    found = [(entry, {**result, 'run_s': times.get(entry.path)}) for entry, result in results if result]
+    counted = {
+        entry.path: result for (entry, _), result in zip(found, decided([each for _, each in found], store.folder), strict=True)
+    }
+    return [(entry, counted.get(entry.path)) for entry, _ in results]
 
 
 def _beside(given: str) -> str:

@@ -15,8 +15,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from edulaunch.errors import UnusableInput
-from edulaunch.version import __version__
+from edulaunch.errors import MissingExtra, UnusableInput
+from edulaunch.runtime.version import __version__
 
 from ...faults import REPORT_IT
 from ...files import read_regular
@@ -41,7 +41,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
     try:
         from distributed import Client, as_completed
     except ImportError:
-        raise UnusableInput('--dask needs Dask', help="pip install 'edulaunch[dask]'") from None
+        raise MissingExtra('--dask', 'Dask', 'dask') from None
     try:
         client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
@@ -138,8 +138,8 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
             command, cwd=home / 'here', stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE_S + 10 * given['limit']
         )
         if not (home / 'report.json').exists():
-            said = done.stderr.decode('utf-8', 'replace').strip()[-2000:]
-            raise RuntimeError(f'edugrade ended with exit code {done.returncode} on the worker: {said}')
+            output = done.stderr.decode('utf-8', 'replace').strip()[-2000:]
+            raise RuntimeError(f'edugrade ended with exit code {done.returncode} on the worker: {output}')
         page = (home / 'page.html').read_text('utf-8') if (home / 'page.html').exists() else None
         found = json.loads((home / 'report.json').read_text('utf-8'))
     found['receipt']['secret'] = given['secret']

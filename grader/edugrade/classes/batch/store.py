@@ -20,7 +20,7 @@ from .entries import Entry
 
 LARGEST_RESULT = 10_000_000
 LONGEST_PART = 240  # bytes of a file name, with our ending
-UNPACKED, LOCK = '.unpacked', '.lock'
+UNPACKED, LOCK, TIMES = '.unpacked', '.lock', '.times'
 
 Result = dict[str, Any]
 
@@ -34,6 +34,7 @@ class Store:
     def __init__(self, folder: str) -> None:
         self.folder = folder
         self.unkept: set[str] = set()  # whose new results could not be written
+        self._times: dict[str, float] = {}
 
     @property
     def unpacked(self) -> str:
@@ -92,6 +93,21 @@ class Store:
             os.makedirs(os.path.dirname(path), exist_ok=True)
         about = {'student': entry.student, 'student_id': entry.id or None, 'path': entry.path, 'origin': entry.origin or None}
         write_whole(path, json_text({**about, **content}))
+
+    def took(self, entry: Entry, seconds: float) -> None:
+        """Note how long the runs of a submission took. It is kept beside the results, which are equal when runs are equal."""
+        self._times[entry.path] = round(seconds, 2)
+
+    def times(self) -> dict[str, float]:
+        """How long the runs of submissions took, by path: now, or in an earlier batch. Keeps it."""
+        path = os.path.join(self.folder, TIMES)
+        known: dict[str, float] = {}
+        with suppress(OSError, ValueError, RecursionError):
+            found = json.loads(read_regular(path, LARGEST_RESULT))
+            known = {str(key): float(value) for key, value in found.items() if isinstance(value, (int, float))}
+        with suppress(UnusableInput):
+            write_whole(path, json.dumps({**known, **self._times}, indent=1))
+        return {**known, **self._times}
 
     def all(self) -> list[Result]:
         """Every result that is there, in the order of their paths: of an ended batch, for its exports.

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 COLUMNS = (
     *('student', 'student_id', 'submission', 'exercise', 'verdict', 'earned', 'possible', 'first_problem'),
-    *('sha256', 'seed', 'origin', 'sandbox'),
+    *('sha256', 'seed', 'origin', 'sandbox', 'run_s', 'graded', 'comment'),
 )
 FORMULA = ('=', '+', '-', '@', '\t', '\r')
 BEHIND_A_SEPARATOR = re.compile(r'([;|\t\n][ "]*)(?=[=+@-])')
@@ -53,6 +53,9 @@ def _row(entry: Entry, found: Result) -> dict[str, str]:
         'seed': made.get('seed'),
         'origin': entry.origin,
         'sandbox': confined_by(found),
+        'run_s': found.get('run_s'),
+        'graded': found.get('graded'),
+        'comment': found.get('comment'),
     }
     return {name: '' if value is None else str(value) for name, value in values.items()}
 
@@ -85,10 +88,10 @@ def class_csv(results: Results) -> str:
     return csv_text(COLUMNS, rows(results))
 
 
-def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]]) -> str:
+def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
     """A table. What a spreadsheet would take for a formula begins with an apostrophe, also behind another separator of cells."""
     file = io.StringIO()
-    writer = csv.DictWriter(file, columns, lineterminator='\n')
+    writer = csv.DictWriter(file, columns, lineterminator='\n', delimiter=separator)
     writer.writeheader()
     for line in lines:
         writer.writerow({name: plain(value) for name, value in line.items()})

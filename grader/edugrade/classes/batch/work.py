@@ -37,6 +37,7 @@ class Options(NamedTuple):
     jobs: int | None = None
     html: str | None = None
     is_personal: bool = False
+    replays: bool = False
 
     @classmethod
     def of(cls, words: argparse.Namespace) -> Options:
@@ -44,7 +45,7 @@ class Options(NamedTuple):
         secret = CourseSecret(words.course_secret_file) if words.course_secret_file else None
         limits = Limits(words.limit, sandbox=words.sandbox)
         common = (words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
-        return cls(*common, is_personal(words))
+        return cls(*common, is_personal(words), words.replays)
 
 
 def plan(entry: Entry, options: Options) -> Work:
@@ -115,10 +116,11 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
         if options.html and not options.only:
             from ...reports.page import page
 
-            keep_page(store.path(entry, '.html', options.html), page([report], []))
+            keep_page(store.path(entry, '.html', options.html), page([report], [], is_small=not options.replays))
         found = document(report)
     except Exception as error:  # a fault of ours with one of them, which costs no other its mark
         found = refusal(BROKEN_GRADER, *words_of(error))
+    store.took(entry, sum(outcome.real_s for outcome in report.outcomes))
     keep_document(store, entry, found, options)
 
 

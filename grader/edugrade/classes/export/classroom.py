@@ -16,7 +16,7 @@ from typing import NamedTuple
 import yaml
 
 from edulaunch.errors import UnusableInput
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 from ...course import find_course, read_course
 from ...files import write_whole
@@ -45,7 +45,12 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument(
         '--out', metavar='DIR', default='.', help="the assignment's template repository (default: the current folder)"
     )
-    parser.add_argument('--install', metavar='COMMAND', default=f'pip install edulaunch=={__version__}')
+    parser.add_argument(
+        '--install',
+        metavar='COMMAND',
+        default=f'pip install edulaunch=={__version__}',
+        help='installs edulaunch (default: %(default)s). edulaunch is not on PyPI yet: name a wheel or a repository',
+    )
     options = parser.parse_args(words)
     found = [test for exercise in options.exercises for test in tests(exercise)]
     files = {

@@ -16,7 +16,7 @@ from dataclasses import replace
 from typing import Any
 
 from edulaunch.errors import UnusableInput
-from edulaunch.version import __version__
+from edulaunch.runtime.version import __version__
 
 from ...files import read_given, read_regular, write_whole
 from ...grading import grade, plan_work
@@ -117,8 +117,8 @@ def run(folder: str) -> int:
             found = refused(f'{error.message}\n{error.help or ""}', possible)
         else:
             (report,) = grade([work], Limits(config['limit_s']))
-            told = tuple(at_level(result, level_of(tries, [], False)) for result in report.results)
-            report = replace(report, student=name, results=told)
+            shown = tuple(at_level(result, level_of(tries, [], False)) for result in report.results)
+            report = replace(report, student=name, results=shown)
             if report.exit_code == BROKEN_GRADER:
                 broken = next(result for result in report.results if result.status == GRADER_BROKE)
                 raise RuntimeError(f'{broken.sentence}: {broken.reason}')

@@ -19,7 +19,8 @@ from edulaunch.errors import UnusableInput
 
 from ...files import read_regular, write_whole
 from ..batch.store import Store
-from ..batch.tables import csv_text, first_problem, plain
+from ..batch.tables import confined_by, csv_text, first_problem, plain
+from ..decisions import decided, read_late
 
 
 class Mark(NamedTuple):
@@ -58,7 +59,25 @@ def _mark(result: dict[str, Any], possible: int) -> Mark:
     earned = result.get('points', {}).get('earned')
     words = first_problem(result)
     feedback = 'All checks passed.' if words is None else words if earned is not None else f'Not graded: {words}'
+    feedback = ' '.join([feedback, *remarks(result)])
     return Mark(result['student'], result.get('student_id') or '', earned, possible, ' '.join(feedback.split()))
+
+
+def remarks(result: dict[str, Any]) -> list[str]:
+    """What stands beside a mark: a teacher's comment, what was taken off, and what did not confine the runs."""
+    days, graded, earned = result.get('late_days', 0), result.get('graded'), result.get('points', {}).get('earned')
+    said = [result['comment']] if result.get('comment') else []
+    if days:
+        said.append(f'{days} {"day" if days == 1 else "days"} late.')
+    if graded is not None:
+        said.append(f'{earned:g} points count; the checks gave {graded:g}.')
+    return [*said, f'Runs: {confined_by(result)}.'] if is_unconfined(result) else said
+
+
+def is_unconfined(result: dict[str, Any]) -> bool:
+    """Whether a mark comes from runs that were not confined wholly."""
+    layers = result.get('sandbox') or {}
+    return 'checks' in result and (not layers or any(state != 'held' for layer, state in layers.items() if layer != 'view'))
 
 
 LARGEST_BYTES = 20_000_000
@@ -189,6 +208,27 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
     return list_text(head, rows), people.unmet
 
 
+def table_csv(results: Sequence[dict[str, Any]], separator: str = ',') -> str:
+    """One line for each student, with the points of every exercise; no mark is an empty cell."""
+    exercises = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
+    marks = {name: {(mark.student, mark.id): mark for mark in marks_of(results, name)[1]} for name in exercises}
+    possible = sum(next(iter(found.values())).possible for found in marks.values())
+    people = dict.fromkeys((result['student'], result.get('student_id') or '') for result in results)
+    lines = []
+    for person in people:
+        own = [result for result in results if (result['student'], result.get('student_id') or '') == person]
+        found = {name: marks[name][person] for name in exercises if person in marks[name]}
+        line = {'student': person[0], 'student_id': person[1], **{name: points(mark) for name, mark in found.items()}}
+        line['points'] = f'{sum(mark.earned or 0 for mark in found.values()):g}'
+        line['possible'] = str(possible)
+        line['without_mark'] = ' '.join(name for name, mark in found.items() if mark.earned is None)
+        line['remarks'] = ' '.join(dict.fromkeys(remark for result in own for remark in remarks(result)))
+        line['sandbox'] = ' | '.join(dict.fromkeys(filter(None, map(confined_by, own))))
+        lines.append(line)
+    head = ('student', 'student_id', *exercises, 'points', 'possible', 'without_mark', 'remarks', 'sandbox')
+    return csv_text(head, [{name: line.get(name, '') for name in head} for line in lines], separator)
+
+
 def _is(text: str, number: int) -> bool:
     try:
         return float(text.replace(',', '.')) == number
@@ -202,7 +242,7 @@ def main(words: Sequence[str]) -> int:
         prog='edugrade export',
         description='Write the marks of a batch for a learning platform. No mark stays empty: it is no zero.',
     )
-    parser.add_argument('format', choices=('moodle', 'canvas'))
+    parser.add_argument('format', choices=('moodle', 'canvas', 'table'), help='table: all exercises, one line for each student')
     parser.add_argument('results', metavar='RESULTS', help='the folder that edugrade batch has written')
     parser.add_argument('--out', metavar='FILE', required=True)
     parser.add_argument('--exercise', metavar='NAME', help='of which exercise (needed when the results have several)')
@@ -212,8 +252,23 @@ def main(words: Sequence[str]) -> int:
         help="the platform's own file, to be filled in: Moodle's offline grading worksheet, or the gradebook of Canvas",
     )
     parser.add_argument('--title', metavar='TEXT', help='what the column is called (default: the exercise)')
+    parser.add_argument('--separator', choices=(',', ';'), default=',', help='of the cells of a table (default: a comma)')
+    parser.add_argument('--due', metavar='TIME', help='such as 2026-11-20T23:59; points are taken off for each day after it')
+    parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='how many (default: 10)')
+    parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')
     options = parser.parse_args(words)
-    exercise, marks = marks_of(Store(options.results).all(), options.exercise)
+    if (options.due is None) != (options.submitted is None):
+        raise UnusableInput('--due and --submitted belong together', help='--submitted FILE is a table: student,submitted')
+    late = read_late(options.due, options.late_per_day, options.submitted) if options.due else None
+    results = decided(Store(options.results).all(), options.results, late)
+    unconfined = sum(map(is_unconfined, results))
+    if unconfined:
+        print(f'{unconfined} of these marks come from runs that were not confined wholly')
+    if options.format == 'table':
+        write_whole(options.out, table_csv(results, options.separator))
+        print(f'all exercises: {options.out}')
+        return 0
+    exercise, marks = marks_of(results, options.exercise)
     title = options.title or exercise
     if options.format == 'canvas':
         if options.list is None:

@@ -1,10 +1,10 @@
-"""What every program of this package does: start ROS, let a node work, stop ROS."""
+"""Start ROS, let a node work, stop ROS: every program of this package does this."""
 import rclpy
 from rclpy.executors import ExternalShutdownException
 
 
 def run(make_node):
-    """Let the node that `make_node()` makes work until somebody presses Ctrl-C."""
+    """Spin the node that `make_node()` returns until the user presses Ctrl-C."""
     rclpy.init()
     try:
         rclpy.spin(make_node())

@@ -13,7 +13,7 @@ def generate_launch_description():
     drive = ['ros2', 'topic', 'pub', '--rate', '10', '--node-name', 'driver', '/turtle1/cmd_vel',
              'geometry_msgs/msg/Twist', '{linear: {x: 1.0}, angular: {z: 0.5}}']
     return LaunchDescription([
-        DeclareLaunchArgument('target_frame', default_value='turtle1', description='Whom to follow.'),
+        DeclareLaunchArgument('target_frame', default_value='turtle1', description='The frame to follow.'),
         DeclareLaunchArgument('drive', default_value='true', description='false: you drive turtle1.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         ExecuteProcess(cmd=drive, condition=IfCondition(LaunchConfiguration('drive'))),

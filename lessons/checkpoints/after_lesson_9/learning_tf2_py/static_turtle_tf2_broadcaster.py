@@ -9,7 +9,7 @@ from learning_tf2_py.program import run
 
 
 class StaticFramePublisher(Node):
-    """Says once where the frame `child` is in the frame world."""
+    """Publishes once where the frame `child` is relative to world."""
 
     def __init__(self, child, x, y, z, roll, pitch, yaw):
         super().__init__('static_turtle_tf2_broadcaster')

@@ -3,7 +3,7 @@ from tf2_ros import Buffer, TransformException, TransformListener
 
 
 class FrameWatcher:
-    """Hears all transforms on behalf of a node, and answers where things are."""
+    """Receives all transforms for a node, and looks up where frames are."""
 
     def __init__(self, node):
         self.node = node
@@ -11,7 +11,7 @@ class FrameWatcher:
         self.listener = TransformListener(self.buffer, node)
 
     def find(self, target, seen_from):
-        """Where the frame `target` is, as seen from another one; None if tf cannot tell."""
+        """Return the position of `target` as seen from another frame, or None."""
         try:
             t = self.buffer.lookup_transform(seen_from, target, Time())
         except TransformException as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import pytest
@@ -57,3 +58,58 @@ def test_files_are_made_and_removed_in_the_programs_own_folder(world: Any) -> No
     )
     world.sim.run()
     assert world.codes == {'program-1': 0} and [path.name for path in (world.folder / 'a').iterdir()] == ['moved']
+
+
+@pytest.mark.parametrize(
+    'ask',
+    [
+        'os.listdir()',
+        'os.listdir(".")',
+        '[e.name for e in os.scandir(os.getcwd())]',
+        '[p.name for p in Path().iterdir()]',
+        'glob.glob("*")',
+        '[f for _, folders, files in os.walk(os.getcwd()) for f in folders + files]',
+    ],
+)
+@pytest.mark.parametrize('moved', ['', 'os.chdir("data")'])
+def test_a_folder_is_listed_in_the_order_of_names(world: Any, monkeypatch: pytest.MonkeyPatch, ask: str, moved: str) -> None:
+    """Two computers give two orders; here one is made that is surely not that of the names."""
+    scan, names = os.scandir, os.listdir
+    for name in ('b', 'c', 'a'):
+        world.write(f'data/{name}', '')
+    monkeypatch.setattr(os, 'scandir', lambda *path: Shuffled(sorted(scan(*path), key=lambda entry: entry.name, reverse=True)))
+    monkeypatch.setattr(os, 'listdir', lambda *path: sorted(names(*path), reverse=True))
+    program = world.write('p.py', f'import glob, os\nfrom pathlib import Path\n{moved}\nprint({ask})')
+    world.start(program, cwd=str(world.folder / ('' if moved else 'data')))
+    world.sim.run()
+    assert world.log[-1][2] == "['a', 'b', 'c']\n"
+
+
+def test_a_walk_from_the_bottom_comes_to_a_folder_after_what_it_holds(world: Any) -> None:
+    for name in ('data/y/z/1', 'data/x/2'):
+        world.write(name, '')
+    world.start(world.write('p.py', 'import os\nprint([f for f, *_ in os.walk("data", topdown=False)])'), cwd=str(world.folder))
+    world.sim.run()
+    assert world.log[-1][2] == "['data/y/z', 'data/y', 'data/x', 'data']\n"
+
+
+class Shuffled:
+    """A listing in another order, as `os.scandir` gives one."""
+
+    def __init__(self, entries: list[Any]) -> None:
+        self._entries = iter(entries)
+
+    def __iter__(self) -> Shuffled:
+        return self
+
+    def __next__(self) -> Any:
+        return next(self._entries)
+
+    def __enter__(self) -> Shuffled:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Nothing is open."""

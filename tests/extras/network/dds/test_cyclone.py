@@ -9,7 +9,7 @@ import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
 from edulaunch.engine.interfaces.registry import Registry, underlay_registry
-from edulaunch.extras.network.link import Interface, Message, Response, Settings, Trouble
+from edulaunch.extras.network.link import Interface, LinkDiagnostic, Message, Response, Settings
 from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, STRING, text, words_in
 
@@ -157,7 +157,7 @@ def test_bytes_that_are_no_message_do_not_even_leave(wire: Any) -> None:
     wire.until(lambda: here.heard, lambda: real.publish(mouth, text('begin')))
     for bad in (b'\0\1\0\0', b'\0\1\0\0\xff\xff\xff\x7f', b'\0\0\0\0abcd', b'\0\1\0\0\4\0\0\0\xff\xff\xff\xff'):
         real.publish(mouth, bad)
-    assert {event.key for event in real.take() if isinstance(event, Trouble)} == {'not sent /chatter -3'}
+    assert {event.key for event in real.take() if isinstance(event, LinkDiagnostic)} == {'not sent /chatter -3'}
     wire.until(lambda: ('end',) in here.heard, lambda: real.publish(mouth, text('end')))
     assert set(here.heard) == {('begin',), ('end',)}
 
@@ -225,4 +225,4 @@ def test_a_reply_for_somebody_else_is_not_taken(domain: int) -> None:
     assert _event(3, end, b'\x01\x10', 0, reply % b'somebody') is None
     assert _event(3, end, b'\x01\x10', 0, reply % end.id) == Response(3, 7, b'\0\1\0\0answer')
     for gid, data in ((b'\x01\x0f', reply % end.id), (b'\x01\x10', b'\0\1\0\0short')):
-        assert isinstance(_event(3, end, gid, 0, data), Trouble)
+        assert isinstance(_event(3, end, gid, 0, data), LinkDiagnostic)

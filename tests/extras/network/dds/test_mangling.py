@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.extras.network.dds.mangling import dds_type, far_name, topic_name
+from edulaunch.extras.network.dds.mangling import dds_type, remote_name, topic_name
 
 
 def test_names_there_and_back() -> None:
@@ -35,4 +35,4 @@ def test_names_there_and_back() -> None:
     ],
 )
 def test_what_an_endpoint_of_dds_is_in_ros_2(topic: str, type_name: str, is_writer: bool, found: object) -> None:
-    assert far_name(topic, type_name, is_writer) == found
+    assert remote_name(topic, type_name, is_writer) == found

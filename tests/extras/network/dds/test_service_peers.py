@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.extras.network.dds.service_peers import ServicePeers
-from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, FarEndpoint, FarGraph, FarNode
+from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, RemoteEndpoint, RemoteGraph, RemoteNode
 
 CYCLONE, FAST = b'\x01\x10' + bytes(14), b'\x01\x0f' + bytes(14)
 
@@ -12,8 +12,8 @@ CYCLONE, FAST = b'\x01\x10' + bytes(14), b'\x01\x0f' + bytes(14)
 def peers(*ends: tuple[bytes, str, str], nodes: tuple[bytes, ...] = ()) -> ServicePeers:
     """Who knows these endpoints: vendor, kind and name."""
     made = ServicePeers()
-    far = [FarEndpoint(gid, kind, name, 'std_srvs/srv/Trigger', '', QoS(), None) for gid, kind, name in ends]
-    made.look(FarGraph([FarNode(gid, '/', 'node') for gid in nodes], far))
+    remote = [RemoteEndpoint(gid, kind, name, 'std_srvs/srv/Trigger', '', QoS(), None) for gid, kind, name in ends]
+    made.look(RemoteGraph([RemoteNode(gid, '/', 'node') for gid in nodes], remote))
     return made
 
 
@@ -33,11 +33,11 @@ def test_a_client_asks_only_who_understands_it() -> None:
 
 def test_what_does_not_work_is_told_once_when_somebody_needs_it() -> None:
     there = peers((FAST, SERVICE, '/spawn'), (FAST, CLIENT, '/reset'))
-    assert there.trouble(CLIENT, '/reset') is None and there.trouble(SERVICE, '/spawn') is None
+    assert there.diagnostic(CLIENT, '/reset') is None and there.diagnostic(SERVICE, '/spawn') is None
     for kind, name, said in (
         (CLIENT, '/spawn', 'a real node has the service'),
         (SERVICE, '/reset', 'a real node has a client of the service'),
     ):
-        trouble = there.trouble(kind, name)
-        assert trouble is not None and trouble.text.startswith(f'{said} {name}: calls of it do not cross\n  help: ')
-        assert there.trouble(kind, name) is None
+        diagnostic = there.diagnostic(kind, name)
+        assert diagnostic is not None and diagnostic.text.startswith(f'{said} {name}: calls of it do not cross\n  help: ')
+        assert there.diagnostic(kind, name) is None

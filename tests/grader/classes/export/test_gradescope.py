@@ -106,7 +106,7 @@ def test_run_autograder_grades_what_was_handed_in(autograder: Path, tmp_path: Pa
     )
     assert done.returncode == 0, done.stderr
     found = found_in(autograder)
-    assert (found['score'], found['tests'][1]['name']) == (12, 'The launch argument height is declared, with a default')
+    assert (found['score'], found['tests'][1]['name']) == (12, 'No node dies before the end')
     assert found['extra_data']['edugrade']['receipt']['secret']
 
 
@@ -140,7 +140,7 @@ def test_nothing_to_grade_is_said(autograder: Path) -> None:
 def test_a_fault_of_ours_gives_no_score(autograder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     shutil.copy(SOLUTION, autograder / 'submission')
     (rubric,) = (autograder / 'source' / 'rubrics').iterdir()
-    rubric.write_text(rubric.read_text().replace('    require_argument(run', '    oops(run'))
+    rubric.write_text(rubric.read_text().replace('    require_default(run', '    oops(run'))
     assert main(['gradescope', 'run', str(autograder)]) == 3
     assert not (autograder / 'results' / 'results.json').exists()
     assert "name 'oops' is not defined" in capsys.readouterr().err

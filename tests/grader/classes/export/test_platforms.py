@@ -34,7 +34,13 @@ GRADEBOOK = (
 def result(student: str, number: str, earned: float | None, path: str, exercise: str = 'circle') -> dict[str, Any]:
     found: dict[str, Any] = {'student': student, 'student_id': number, 'path': path, 'rubric': {'name': exercise}}
     check = {'status': 'passed' if earned == 12 else 'failed', 'reason': '=wrong'}
-    return {**found, 'points': {'earned': earned, 'possible': 12}, 'exit_code': 1, 'checks': [check]}
+    return {
+        **found,
+        'points': {'earned': earned, 'possible': 12},
+        'exit_code': 1,
+        'checks': [check],
+        'sandbox': {'files': 'held'},
+    }
 
 
 RESULTS = [

@@ -59,7 +59,7 @@ class ProcessWatch(BaseEventHandler):
         self._run: ProcessRun | None = None
         self._retries = 0
         self._loop = loop
-        self._is_asked_to_end = False
+        self._is_asked_to_end = self._is_wanted_again = False
         self._respawn: asyncio.TimerHandle | None = None
         self._ends_on_start: bool | None = None
         self._timers: list[Any] = []
@@ -151,8 +151,26 @@ class ProcessWatch(BaseEventHandler):
         except TypeError as error:  # a delay or a number of retries that is no number
             self._finish(error)
 
+    def start_again(self, context: LaunchContext) -> None:
+        """See `ExecuteLocal.start_again`."""
+        if context.is_shutdown or self._is_asked_to_end or self._run is None:
+            return
+        if not self._run.complete.done():
+            self._is_wanted_again = True
+            self._logger.info(f"sending signal 'SIGINT' to process[{self._details['name']}]")
+            self._run.send_signal(signal.SIGINT)
+        elif self._respawn is None:
+            if self.completed.done():
+                self.completed = self._loop.create_future()
+                context.add_completion_future(self.completed)
+            self.begin(context)
+
     def _start_again_or_finish(self, context: LaunchContext) -> None:
         options = self._options
+        if self._is_wanted_again and not context.is_shutdown:
+            self._is_wanted_again = False
+            self.begin(context)
+            return
         if context.is_shutdown or self._is_asked_to_end or not options.wants_respawn(self._retries):
             self._finish()
             return
@@ -274,11 +292,11 @@ def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any
 
     ROS 2 shows a traceback of launch instead, in which nothing is the student's.
     """
-    said = ''.join(format_exception_only(error)).rstrip()
+    text = ''.join(format_exception_only(error)).rstrip()
     origin = action.origin
     place = '' if origin is None else f'{running_process().index.source_path(origin.file)}:{origin.line}: '
     advice = _advice(error, details)
-    return f'{said}\n  help: {place}{advice}' if place or advice else said
+    return f'{text}\n  help: {place}{advice}' if place or advice else text
 
 
 def _advice(error: Exception, details: dict[str, Any]) -> str:

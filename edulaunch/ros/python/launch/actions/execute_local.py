@@ -209,6 +209,14 @@ class ExecuteLocal(Action):
         self.__watch = watch
         loop.call_soon(watch.begin, context)
 
+    def start_again(self, context: LaunchContext) -> None:
+        """Start the program again, also without `respawn`. A program that runs gets SIGINT first.
+
+        Called on launch's loop. (edulaunch only.)
+        """
+        if self.__watch is not None:
+            self.__watch.start_again(context)
+
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the process has ended for good."""
         return None if self.__watch is None else self.__watch.completed

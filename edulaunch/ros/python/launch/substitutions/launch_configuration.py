@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest_spelling
 
 from .._bases import ReadOnly
 from .._engine import running_process
@@ -54,7 +54,7 @@ class LaunchConfiguration(Substitution):
 
 
 def _facts(name: str, configurations: dict[str, str]) -> dict[str, Any]:
-    near = nearest(name, configurations)
+    near = nearest_spelling(name, configurations)
     declared = any(argument.name == name for argument in running_process().state.get('launch.declared', ()))
     scoped = name if near is None and declared else None
     return {'about': 'launch.no-configuration', 'configuration': name, 'near': near, 'scoped': scoped}

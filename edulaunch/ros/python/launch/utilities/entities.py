@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     import asyncio
 
     from .._include_ring import Include
+    from .._observer import Observer
     from ..launch_context import LaunchContext
 
 
@@ -46,8 +47,12 @@ def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, cont
     pairs: EntityFuturePairs = []
     around = getattr(context, 'open_includes', None)
     includes = context.open_includes = [] if around is None else around
+    observer = getattr(context, 'observer', None)
     try:
-        _visit(entity, context, includes, pairs)
+        if observer is None:
+            _visit(entity, context, includes, pairs)
+        else:
+            _visit_observed(entity, context, includes, pairs, observer)
     finally:
         context.open_includes = around
     return pairs
@@ -63,3 +68,27 @@ def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, includes: li
         for sub_entity in sub_entities:
             _visit(sub_entity, context, includes, pairs)
         del includes[depth:]
+
+
+def _visit_observed(
+    entity: LaunchDescriptionEntity, context: LaunchContext, includes: list[Include], pairs: EntityFuturePairs, observer: Observer
+) -> None:
+    """Visit as :func:`_visit` does, and call the observer."""
+    depth = len(includes)
+    observer.enter(entity, context)
+    error = None
+    try:
+        sub_entities = entity.visit(context)
+        future = entity.get_asyncio_future()
+        if future is not None:
+            pairs.append((entity, future))
+        if sub_entities is not None:
+            observer.leads_to(entity, sub_entities)
+            for sub_entity in sub_entities:
+                _visit_observed(sub_entity, context, includes, pairs, observer)
+            del includes[depth:]
+    except Exception as caught:
+        error = caught
+        raise
+    finally:
+        observer.leave(entity, context, error)

@@ -21,12 +21,12 @@ class StdoutReadyListener(OnProcessIO):
     def __init__(self, *, target_action: Any = None, ready_txt: str, actions: Iterable[LaunchDescriptionEntity]) -> None:
         self.__ready_txt = ready_txt
         self.__actions = list(actions)
-        self.__heard: dict[str, str] = {}
+        self.__received: dict[str, str] = {}
         super().__init__(target_action=target_action, on_stdout=self.__on_stdout)
 
     def __on_stdout(self, event: ProcessIO) -> list[LaunchDescriptionEntity] | None:
-        text = self.__heard.get(event.process_name, '') + event.text.decode(errors='replace')
-        self.__heard[event.process_name] = text
+        text = self.__received.get(event.process_name, '') + event.text.decode(errors='replace')
+        self.__received[event.process_name] = text
         if self.__ready_txt not in text:
             return None
         actions, self.__actions = self.__actions, []

@@ -92,7 +92,7 @@ class LaunchTestItem(pytest.Item):
         code = self.config.stash[RUNNER](test, workspaces=option('--launch-workspace'), seed=option('--launch-seed'))
         _skip_if_skipped(test)
         if code or test.error is not None:
-            raise LaunchTestFailure(_told(test))
+            raise LaunchTestFailure(_failure_text(test))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         """A failed launch test is told by its own text; there is nothing to see in our frames."""
@@ -111,7 +111,7 @@ def _skip_if_skipped(test: LaunchTest) -> None:
         pytest.skip(reasons[0])
 
 
-def _told(test: LaunchTest) -> str:
+def _failure_text(test: LaunchTest) -> str:
     """Each failed test with its text, or why the file could not be run."""
     if test.error is not None:
         return test.error_text()

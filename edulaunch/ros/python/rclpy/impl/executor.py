@@ -47,10 +47,13 @@ class Executor(Waiting):
     An executor can be used as a context manager, which shuts it down.
     """
 
+    _spins = False
+    """Whether this class executes callbacks. The base class does not, and a class of one's own writes its own `spin_once`."""
+
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context=context)
         self._nodes: list[Node] = []
-        self._nested_noted = False
+        self._nested_recorded = False
         current_process().on_sleep = note_sleep
         self._context.executors.append(self)
 
@@ -213,9 +216,9 @@ class Executor(Waiting):
 
     def note_nested_spin(self) -> bool:
         """Whether this thread executes a callback here and nobody has heard of that yet."""
-        if self._nested_noted or self.spinner is not current_task():
+        if self._nested_recorded or self.spinner is not current_task():
             return False
-        self._nested_noted = True
+        self._nested_recorded = True
         return True
 
     def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
@@ -243,6 +246,8 @@ class Executor(Waiting):
         :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
         """
         context = self._context
+        if type(self).spin_once is Executor.spin_once:
+            self._check_spins()
         if type(self).spin_once is Executor.spin_once and type(self)._spin_once_impl is Executor._spin_once_impl:
             self._spin(-1, lambda: not context.alive, (-1, never), once=False)
             return
@@ -251,7 +256,13 @@ class Executor(Waiting):
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
+        self._check_spins()
         self._spin_once_impl(timeout_sec)
+
+    def _check_spins(self) -> None:
+        """Raise NotImplementedError for an executor that is only the base class, as rclpy does."""
+        if not self._spins:
+            raise NotImplementedError
 
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = never
@@ -267,11 +278,13 @@ class Executor(Waiting):
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        self._check_spins()
         over = self._is_over(future)
         self._spin(timeout_sec_to_nsec(timeout_sec), over, over, once=False)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Execute one callback, unless the future is done before."""
+        self._check_spins()
         self._spin_once_impl(timeout_sec, self._is_over(future))
 
     def _is_over(self, future: Future) -> Callable[[], bool]:

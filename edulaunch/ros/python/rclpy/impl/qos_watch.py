@@ -102,7 +102,7 @@ class LivelinessWatch:
         self._info_class = info_class
         self._tell = tell
         self._alive: dict[Publisher, bool] = {}
-        self._told = (0, 0)
+        self._reported = (0, 0)
 
     def look(self) -> None:
         """Publishers may have come or gone."""
@@ -136,5 +136,5 @@ class LivelinessWatch:
         """How many are alive and how many are not, and what changed, or None when the callback knows it already."""
         alive = sum(self._alive.values())
         lost = len(self._alive) - alive
-        before, self._told = self._told, (alive, lost)
-        return None if before == self._told else self._info_class(alive, lost, alive - before[0], lost - before[1])
+        before, self._reported = self._reported, (alive, lost)
+        return None if before == self._reported else self._info_class(alive, lost, alive - before[0], lost - before[1])

@@ -163,9 +163,9 @@ class ParameterStore:
             callback(list(parameters))
 
 
-def undeclared(name: str, declared: Iterable[str], told: list[str] | None = None) -> ParameterNotDeclaredException:
+def undeclared(name: str, declared: Iterable[str], shown: list[str] | None = None) -> ParameterNotDeclaredException:
     """The error for a parameter that was not declared; `told` are the names in its text (default: its own)."""
-    error = ParameterNotDeclaredException(name if told is None else told)
+    error = ParameterNotDeclaredException(name if shown is None else shown)
     return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
 
@@ -221,10 +221,14 @@ class ParameterEvents:
     def _describe(self, name: str) -> None:
         """Tell what a parameter is declared to be, where that says more than its type."""
         core = self._core
-        said = core.parameters.descriptors[name]
-        limits = [(each.from_value, each.to_value, each.step) for each in (*said.integer_range, *said.floating_point_range)]
-        if said.description or said.read_only or limits:
-            core.graph.tracer.descriptor(core.entry, name, said.description, said.read_only, limits[0] if limits else None)
+        descriptor = core.parameters.descriptors[name]
+        limits = [
+            (each.from_value, each.to_value, each.step) for each in (*descriptor.integer_range, *descriptor.floating_point_range)
+        ]
+        if descriptor.description or descriptor.read_only or limits:
+            core.graph.tracer.descriptor(
+                core.entry, name, descriptor.description, descriptor.read_only, limits[0] if limits else None
+            )
 
     def _wires(self, parameters: list[Parameter]) -> tuple[Any, ...]:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])

@@ -1,0 +1,114 @@
+"""Calls of a node's methods with the wrong thing, or the right things in the wrong order: types, topics, periods, requests."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import report
+from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.advice.run_sources import name_of_call, script_of
+
+LESSON = '14_services'
+
+
+def _calls_on_line(failure: Failure) -> list[ast.Call]:
+    """The calls of the student's line, the outer ones first."""
+    tree = script_of(failure.file)
+    nodes = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    return [call for call in nodes if call.lineno <= (failure.line or 0) <= (call.end_lineno or 0)]
+
+
+@rule(
+    'messages.type-as-text',
+    what=(
+        '{method}() takes the type first and then the name, and here the name {text} comes before {second}',
+        '{method}() needs the class of the type, and {text} is a string',
+    ),
+    do=('write {method}({second}, {text}, ...)', 'write {word}, without quotes, and import it'),
+    lesson='09_broadcaster_and_listener',
+    level='error',
+)
+def type_as_text(failure: Failure) -> Iterator[Finding]:
+    """`create_subscription('Pose', ...)`, or the topic in the first place."""
+    if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
+        return
+    for call in _calls_on_line(failure):
+        given = [*call.args, *[ast.Constant(None)] * 2][:2]
+        if name_of_call(call).startswith('create_') and isinstance(given[0], ast.Constant) and isinstance(given[0].value, str):
+            second = ast.unparse(given[1]) if isinstance(given[1], (ast.Name, ast.Attribute)) else None
+            word = re.split(r'[/.]', given[0].value)[-1]
+            yield report(failure, method=name_of_call(call), text=repr(given[0].value), second=second, word=word)
+            return
+
+
+@rule(
+    'programs.timer-order',
+    what='create_timer() takes the period in seconds first and then the function, and here the function comes first',
+    do='write create_timer({second}, {first})',
+    lesson='14_services',
+    level='error',
+)
+def timer_order(failure: Failure) -> Iterator[Finding]:
+    """`create_timer(self.tick, 1.0)`."""
+    if not re.match(r"float\(\) argument must be a string or a real number, not '(method|function)'", failure.message):
+        return
+    for call in _calls_on_line(failure):
+        if name_of_call(call) == 'create_timer' and len(call.args) > 1:
+            yield report(failure, first=ast.unparse(call.args[0]), second=ast.unparse(call.args[1]))
+            return
+
+
+@rule(
+    'messages.service-class',
+    what='{service}() makes nothing: a service has no objects of its own, only a Request and a Response',
+    do='write {service}.Request()',
+    lesson=LESSON,
+    level='error',
+)
+def service_class(failure: Failure) -> Iterator[Finding]:
+    """`client.call_async(Spawn())`."""
+    if failure.message == 'Service classes can not be instantiated':
+        made = [call.func for call in _calls_on_line(failure) if isinstance(call.func, ast.Name)]
+        yield report(failure, service=next((one.id for one in made if one.id[:1].isupper()), 'the service class'))
+
+
+@rule(
+    'programs.parameter-object',
+    what='a Parameter stands where its value is needed',
+    why='get_parameter() returns an object with the name, the type and the value',
+    do='write .value behind get_parameter(...)',
+    lesson='03_parameters',
+    level='error',
+)
+def parameter_object(failure: Failure) -> Iterator[Finding]:
+    """`self.get_parameter('speed') * 2`."""
+    if failure.type == 'TypeError' and re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message):
+        yield report(failure)
+
+
+@rule(
+    'programs.local-not-attribute',
+    what='line {made} keeps {attribute} in a variable of its method, and self.{attribute} does not exist',
+    why='a variable of a method ends with the method; other methods see only what is kept in self',
+    do='write self.{attribute} = ... in line {made}',
+    level='error',
+)
+def local_not_attribute(failure: Failure) -> Iterator[Finding]:
+    """`pub = self.create_publisher(...)` in the constructor, and `self.pub` in a callback."""
+    match = re.fullmatch(r"'(\w+)' object has no attribute '(\w+)'", failure.message)
+    tree = script_of(failure.file) if match is not None else None
+    if match is None or tree is None:
+        return
+    for owner in ast.walk(tree):
+        if isinstance(owner, ast.ClassDef) and owner.name == match[1]:
+            stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute))]
+            local = [node for node in stores if isinstance(node, ast.Name) and node.id == match[2] and _is_stored(node)]
+            kept = [node for node in stores if isinstance(node, ast.Attribute) and node.attr == match[2] and _is_stored(node)]
+            if local and not kept:
+                yield report(failure, attribute=match[2], made=local[0].lineno)
+
+
+def _is_stored(node: ast.Name | ast.Attribute) -> bool:
+    return isinstance(node.ctx, ast.Store)

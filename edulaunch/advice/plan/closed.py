@@ -1,0 +1,211 @@
+"""The computer as a launch file sees it in a dry run: what the file would change is not changed, and is noted.
+
+A Python launch file is a program, and a dry run executes it. Programs that it starts itself seem to end at once (`rehearsal.py`).
+Files that it writes are kept apart: it can read them again, and no other program sees them. Other changes seem to succeed.
+Libraries do not use the views of a simulated program. What they would change is refused, by Python's audit events.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.facts import with_facts
+from edulaunch.engine.processes.frame_owner import is_library, is_own
+from edulaunch.engine.processes.real_machine import REPEATS, VIEWS
+from edulaunch.engine.processes.views.file_views import PlainFunction
+from edulaunch.engine.sim.task import running_task
+
+if TYPE_CHECKING:
+    from edulaunch.engine.processes.process import Process
+
+FOLDERS = ('makedirs', 'mkdir')
+CHANGES = {
+    **dict.fromkeys(('remove', 'unlink'), 'remove {}'),
+    **dict.fromkeys(('removedirs', 'rmdir'), 'remove the folder {}'),
+    **dict.fromkeys(FOLDERS, 'make the folder {}'),
+    **dict.fromkeys(('rename', 'renames', 'replace'), 'rename {}'),
+    **dict.fromkeys(('chmod', 'chown', 'lchown', 'truncate', 'utime'), 'change {}'),
+    **dict.fromkeys(('link', 'mkfifo', 'mknod', 'symlink'), 'make {}'),
+}
+"""Functions of `os` that change files, and what a note says of each."""
+TWO_PATHS = ('link', 'rename', 'renames', 'replace', 'symlink')
+STARTS = frozenset(('os.exec', 'os.fork', 'os.posix_spawn', 'os.startfile', 'os.system', 'subprocess.Popen'))
+TEMPORARY = frozenset(('tempfile.mkdtemp', 'tempfile.mkstemp'))
+EVENTS = {
+    **{f'os.{name}': text for name, text in CHANGES.items()},
+    **dict.fromkeys(STARTS, 'start {}'),
+    'open': 'write {}',
+    'sqlite3.connect': 'write {}',
+}
+"""Audit events of what changes something."""
+WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+NOWHERE = getattr(os, 'O_TMPFILE', 0)
+"""A file without a name, which nobody sees."""
+_hearing = False
+
+
+class Closed:
+    """What the programs of one dry run would have changed.
+
+    :ivar notes: what was not done, in order and once each: 'run the command touch x', 'write /tmp/x'.
+    """
+
+    def __init__(self) -> None:
+        self.notes: list[str] = []
+        self._copies: dict[str, str] = {}
+        self._folders: set[str] = set()
+        self._temporary: list[str] = []
+        self._room = ''
+
+    def note(self, text: str) -> None:
+        """Something was not done."""
+        if text not in self.notes:
+            self.notes.append(text)
+
+    def enter(self, process: Process) -> None:
+        """Give a program the functions that change nothing."""
+        global _hearing
+        if not _hearing:
+            _hearing = True
+            sys.addaudithook(_hear)
+        builtins = process.loader.builtins
+        builtins['open'] = self._opener(process, builtins['open'])
+        view = process.loader.import_module('os')
+        for name in CHANGES:
+            if hasattr(view, name):
+                setattr(view, name, PlainFunction(self._unchanged(process, name, getattr(view, name))))
+
+    def _opener(self, process: Process, real_open: Callable[..., Any]) -> Callable[..., Any]:
+        def open_apart(file: Any, mode: str = 'r', *arguments: Any, **options: Any) -> Any:
+            if isinstance(file, int):
+                return real_open(file, mode, *arguments, **options)
+            path = os.path.abspath(process.path(os.fsdecode(file)))
+            # `tempfile` names a folder where it opens a file in it by itself
+            if not set(mode) & set('wax+') or self._may_change(path) or os.path.isdir(path):
+                return real_open(self._copies.get(path, file), mode, *arguments, **options)
+            return open(self._copy(path, mode), mode.replace('x', 'w'), *arguments, **options)
+
+        return open_apart
+
+    def _copy(self, path: str, mode: str) -> str:
+        """The file that is written in place of the one at `path`."""
+        folder = os.path.dirname(path)
+        if not (os.path.isdir(folder) or folder in self._folders):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
+        if 'x' in mode and os.path.exists(path):
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), path)
+        self.note(f'write {path}')
+        if path not in self._copies:
+            import tempfile
+
+            self._room = self._room or tempfile.mkdtemp(prefix='edulaunch-dry-run-')
+            self._copies[path] = os.path.join(self._room, str(len(self._copies)))
+            if os.path.isfile(path):
+                shutil.copyfile(path, self._copies[path])
+        return self._copies[path]
+
+    def _unchanged(self, process: Process, name: str, real: Callable[..., Any]) -> Callable[..., Any]:
+        def seem(path: Any, *arguments: Any, **options: Any) -> None:
+            place = os.path.abspath(process.path(os.fsdecode(path))) if not isinstance(path, int) else str(path)
+            second = [os.path.abspath(process.path(os.fsdecode(one))) for one in arguments[:1] if name in TWO_PATHS]
+            if all(map(self._may_change, (place, *second))) or _finds_temporary_folder():
+                real(path, *arguments, **options)
+                return
+            if name in FOLDERS:
+                if os.path.lexists(place) and not (os.path.isdir(place) and options.get('exist_ok')):
+                    raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), place)
+                self._folders.add(place)
+                if os.path.isdir(place):
+                    return
+            self.note(CHANGES[name].format(place))
+
+        seem.__name__ = name
+        return seem
+
+    def _may_change(self, path: str) -> bool:
+        """Whether it is a device, or a temporary file that the program made itself."""
+        own = (*self._temporary, *([self._room] if self._room else ()))
+        return path in REPEATS or any(path == place or path.startswith(place + os.sep) for place in own)
+
+    def hear(self, event: str, arguments: tuple[Any, ...]) -> None:
+        """The student's program is about to do something through a library.
+
+        :raises PermissionError: when that changes something.
+        """
+        what = arguments[0] if arguments else ''
+        path = os.path.abspath(os.fsdecode(what)) if isinstance(what, (str, bytes, os.PathLike)) else str(what)
+        if event in TEMPORARY:
+            if not os.path.lexists(path):  # else `tempfile` tries the next name
+                self._temporary.append(path)
+        elif event in ('open', 'os.remove') and _finds_temporary_folder():
+            return
+        elif event in STARTS or not self._may_change(path) or not all(map(self._may_change, _second_path(event, arguments))):
+            text = EVENTS[event].format(path if event not in STARTS else _command(arguments))
+            self.note(text)
+            raise with_facts(PermissionError(errno.EPERM, 'not done in a dry run', path), 'launch.not-in-dry-run', undone=text)
+
+    def close(self) -> None:
+        """Remove what was kept apart, and the temporary files of the programs."""
+        for path in filter(None, (self._room, *self._temporary)):
+            with suppress(OSError):
+                os.remove(path) if os.path.isfile(path) else shutil.rmtree(path)
+
+
+def _finds_temporary_folder() -> bool:
+    """Whether `tempfile` tries out where it may write, once in a process; it removes what it wrote."""
+    frame: FrameType | None = sys._getframe(2)
+    while frame is not None and frame.f_code.co_name != '_get_default_tempdir':
+        frame = frame.f_back if not is_own(frame.f_code.co_filename) else None
+    return frame is not None
+
+
+def _second_path(event: str, arguments: tuple[Any, ...]) -> list[str]:
+    """The target of a rename or link."""
+    is_pair = event.removeprefix('os.') in TWO_PATHS
+    return [os.path.abspath(os.fsdecode(one)) for one in arguments[1:2] if is_pair and isinstance(one, (str, bytes, os.PathLike))]
+
+
+def _command(arguments: tuple[Any, ...]) -> str:
+    """The command in the arguments of an audit event."""
+    words = arguments[1] if len(arguments) > 1 and arguments[1] else arguments[:1]
+    return ' '.join(map(os.fsdecode, words)) if isinstance(words, (list, tuple)) else str(words)
+
+
+def _hear(event: str, arguments: tuple[Any, ...]) -> None:
+    if event not in EVENTS and event not in TEMPORARY:
+        return
+    if event == 'open' and not _writes(arguments):
+        return
+    task = running_task()
+    closed = getattr(getattr(getattr(task, 'owner', None), 'host', None), 'closed', None)
+    if isinstance(closed, Closed) and _is_students():
+        closed.hear(event, arguments)
+
+
+def _writes(arguments: tuple[Any, ...]) -> bool:
+    path, _, flags = (*arguments, None, None, None)[:3]
+    if not isinstance(path, (str, bytes)) or not isinstance(flags, int) or os.path.isdir(path):
+        return False  # `tempfile` names a folder where it opens a file in it by itself
+    if flags & os.O_EXCL and os.path.lexists(path):
+        return False  # it fails by itself
+    return bool(flags & WRITING) and not (NOWHERE and flags & NOWHERE == NOWHERE)
+
+
+def _is_students() -> bool:
+    """Whether the student's code leads here, by itself or through libraries."""
+    frame: FrameType | None = sys._getframe(2)
+    while frame is not None:
+        file = frame.f_code.co_filename
+        if is_own(file):
+            return True
+        if not is_library(file) and not file.startswith((VIEWS, __file__)):
+            return False
+        frame = frame.f_back
+    return False

@@ -1,0 +1,48 @@
+"""Where a launch that is stepped through stops."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edulaunch.advice.plan.steps import Step
+
+GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
+WAYS = (GO, INTO, NEXT, EVENT, LINE)
+"""Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
+Stop before an action that a line of a file makes."""
+
+
+class Stepper:
+    """Decides before which steps a launch stops.
+
+    :ivar at: the step before which the launch waits now, or None.
+    """
+
+    def __init__(self) -> None:
+        self.way = GO
+        self.at: Step | None = None
+        self._depth: int | None = None
+        self._place: tuple[str, int] | None = None
+
+    def go(self, way: str, place: tuple[str, int] | None = None) -> None:
+        """Continue until the stop that `way` names. For 'line', `place` is the file (a name or a path) and the line."""
+        self.way, self._place = way, place
+        self._depth = self.at.depth if way == NEXT and self.at is not None else None
+
+    def stops_before(self, step: Step) -> bool:
+        """Whether to stop before this action."""
+        if step.origin is None or self.way in (GO, EVENT):
+            return False
+        if self.way == LINE:
+            assert self._place is not None
+            file, line = self._place
+            path = step.origin.file
+            return step.origin.line == line and file in (path, os.path.basename(path))
+        return self._depth is None or step.depth <= self._depth
+
+    def stops_at(self, event: Step) -> bool:
+        """Whether to stop before this event. The actions that follow an event are not part of an earlier include."""
+        self._depth = None
+        return self.way == EVENT

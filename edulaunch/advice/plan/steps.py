@@ -1,0 +1,250 @@
+"""The steps of a launch, which are actions and events, and the row of plain data for each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from launch.action import Action
+from launch.actions.execute_local import ExecuteLocal
+from launch.substitution import Substitution
+from launch.substitutions.launch_configuration import LaunchConfiguration
+
+from edulaunch.advice.plan.explanation import add_facts, entry, is_declaration, kind_and_text
+from edulaunch.advice.plan.why import declared_steps, parameter_chain, setter_steps
+from edulaunch.advice.plan.wording import Branch
+
+if TYPE_CHECKING:
+    pass
+
+Row = dict[str, Any]
+LAUNCH_OWN = frozenset(('timer', 'emit_event'))
+"""With these launch itself ends a process; they are the user's only when a launch file made them."""
+SHOWN_EVENTS = frozenset(('ProcessStarted', 'ProcessExited', 'TimerEvent', 'Shutdown'))
+"""Events of launch that are steps even when no handler of a launch file waits for them."""
+LONGEST_VALUE = 2000
+"""Characters of a value in a row; a robot description is longer."""
+
+
+class Step(Branch):
+    """An action that launch knows of, or an event, with what is known of it at run time.
+
+    :ivar number, parent, depth: its place in the trace, that of the step around it (-1: none), and how many are around it.
+    :ivar state: 'waiting', 'visiting', 'taken', 'left out' or 'failed'.
+    :ivar order: its place in the order of all visits and events of the launch, from 1.
+    :ivar at_ns: when its visit began; None while it waits.
+    :ivar changes: launch configurations and environment variables that have changed since the step before in this order.
+    :ivar values: the launch configurations, of an action that was left out.
+    :ivar runs: of a process: [pid, start, end, exit code] of each run.
+    :ivar fired_ns: when a handler handled an event, or a timer ran out.
+    :ivar fired: of an event: the numbers of the handlers that handled it.
+    :ivar handlers: the event handlers that it registered and that a launch file wrote.
+    :ivar due_ns: when a timer runs out.
+    :ivar about: the process or timer of an event.
+    :ivar make_item: makes the item when it is first asked for.
+    :ivar waiting: by identity of an action: the step of an action below this one that was not visited yet.
+    """
+
+    number = parent = -1
+    depth = order = 0
+    state = 'waiting'
+    at_ns: int | None = None
+    due_ns: int | None = None
+    error: str | None = None
+    about: Step | None = None
+    changes: Mapping[str, dict[str, Any]] = {}
+    values: Mapping[str, Any] = {}
+    runs: Sequence[list[Any]] = ()
+    fired_ns: Sequence[int] = ()
+    fired: Sequence[int] = ()
+    handlers: Sequence[Any] = ()
+    waiting: dict[int, Step] | None = None
+    make_item: Callable[[], Any] | None = None
+    _item: Any = None
+
+    @property
+    def item(self) -> Any:
+        """See :class:`Branch`."""
+        if self._item is None and self.make_item is not None:
+            make, self.make_item = self.make_item, None
+            try:
+                self._item = make()
+            except Exception as error:  # an odd file that changed meanwhile: the launch itself went well
+                self._item = {'kind': 'action', 'name': f'{type(self.action).__name__} ({error})'}
+        return self._item
+
+    @item.setter
+    def item(self, item: Any) -> None:
+        self._item = item
+
+    @property
+    def process_name(self) -> str:
+        """The unique name of the process that it starts; empty for other actions."""
+        return name_of_process(self.action)
+
+    @property
+    def is_event(self) -> bool:
+        """Whether it is an event, and no action."""
+        return not isinstance(self.action, Action)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether its process runs."""
+        return bool(self.runs) and self.runs[-1][2] is None
+
+
+def name_of_process(action: Any) -> str:
+    """The unique name of the process that an action starts; empty before that, and for other actions."""
+    return (isinstance(action, ExecuteLocal) and action.process_description.final_name) or ''
+
+
+def row_of(step: Step) -> Row:
+    """Return the row of a step: plain data, with times in ns since the start."""
+    row = _event_row(step) if step.is_event else _action_row(step)
+    row |= {'number': step.number, 'parent': step.parent, 'state': step.state, 'time': step.at_ns, 'order': step.order}
+    if step.changes:
+        row['changes'] = {
+            kind: {name: _plain(value) for name, value in changed.items()} for kind, changed in step.changes.items()
+        }
+    optional = {
+        'error': step.error,
+        'condition': step.condition,
+        'runs': [list(run) for run in step.runs],
+        'fired': list(step.fired),
+        'fired_at': list(step.fired_ns),
+        'due': step.due_ns,
+        'process': step.process_name,
+        'handlers': [waits_for(handler) for handler in step.handlers],
+    }
+    return row | {name: value for name, value in optional.items() if value not in (None, '', [])}
+
+
+def _event_row(step: Step) -> Row:
+    event, about = step.action, step.about
+    name = type(event).__name__
+    row: Row = {'kind': 'event', 'text': _event_text(event, about), 'event': name, 'details': []}
+    if about is not None:
+        row['about'] = about.number
+    return row
+
+
+def _event_text(event: Any, about: Step | None) -> str:
+    process = getattr(event, 'process_name', '')
+    name = type(event).__name__
+    if name == 'ProcessExited':
+        return f'{process} ended with exit code {event.returncode}'
+    if name == 'TimerEvent':
+        place = '' if about is None or about.origin is None else f' of line {about.origin.line}'
+        return f'the timer{place} ran out'
+    texts = {'ProcessStarted': f'{process} started', 'Shutdown': f'shutdown: {getattr(event, "reason", "")}'}
+    return texts.get(name, f'{name}{f" of {process}" if process else ""}')
+
+
+def _action_row(step: Step) -> Row:
+    kind, text = kind_and_text(step)
+    file, line = step.origin or (None, None)
+    shown = entry(kind, text, file, line)
+    if step.item is not None and step.is_taken:
+        add_facts(shown, step)
+    row: Row = {'kind': kind, 'text': shown['text'], 'file': file, 'line': line}
+    row['details'] = [
+        [one['kind'], one['text'], one['file'], one['line']]
+        for one in shown['children']
+        if one['kind'] not in ('never', 'parameter')
+    ]
+    values = [*_chains(step, shown), *_reasons(step)]
+    if values:
+        row['values'] = values
+    return row
+
+
+def _chains(step: Step, shown: Row) -> Iterator[Row]:
+    """Arguments and parameters, each with the chain of where its value comes from."""
+    if is_declaration(step):
+        yield {
+            'kind': 'argument',
+            'name': step.item['name'],
+            'value': _plain(step.item['value']),
+            'chain': _steps(declared_steps(step)),
+        }
+    for one in shown['children']:
+        if one['kind'] == 'parameter':
+            chain = _steps(parameter_chain(step, one['name'])) if 'name' in one else []
+            yield {'kind': 'parameter', 'name': one.get('name', ''), 'value': _plain(one.get('value')), 'chain': chain}
+
+
+def _reasons(step: Step) -> Iterator[Row]:
+    """Why an action was left out: the launch configurations that its condition reads."""
+    if step.state != 'left out':
+        return
+    for name in dict.fromkeys(configurations_in(step.action.condition)):
+        setter = step.setters.get(name)
+        chain = [] if setter is None else _steps(setter_steps(setter))
+        yield {'kind': 'reason', 'name': name, 'value': _plain(step.values.get(name)), 'chain': chain}
+
+
+def _steps(chain: list[Row]) -> list[Row]:
+    return [{**step, 'value': _plain(step['value']), 'argument': _steps(step['argument'])} for step in chain]
+
+
+def configurations_in(value: Any, depth: int = 0) -> Iterator[str]:
+    """The names of the launch configurations that a condition or a substitution reads, as far as they are written as text."""
+    if isinstance(value, LaunchConfiguration):
+        yield ''.join(getattr(part, 'text', '') for part in value.variable_name)
+    elif isinstance(value, (list, tuple)):
+        for part in value:
+            yield from configurations_in(part, depth)
+    elif depth < 8 and (isinstance(value, Substitution) or hasattr(value, 'evaluate')):
+        for part in vars(value).values():
+            yield from configurations_in(part, depth + 1)
+
+
+_ONCE = ('Command', 'PythonExpression')
+"""Substitutions that run a program or code of the student."""
+
+
+def is_repeatable(value: Any, depth: int = 0) -> bool:
+    """Whether substitutions can be evaluated a second time without any effect."""
+    if isinstance(value, (list, tuple, set)):
+        return all(is_repeatable(part, depth) for part in value)
+    if isinstance(value, dict):
+        return all(is_repeatable(part, depth) for pair in value.items() for part in pair)
+    module = type(value).__module__
+    if isinstance(value, Substitution) and (type(value).__name__ in _ONCE or not module.startswith(('launch.', 'launch_ros.'))):
+        return False
+    is_ours = module.startswith(('launch.', 'launch_ros.')) and hasattr(value, '__dict__') and not isinstance(value, Action)
+    return not is_ours or (depth < 12 and all(is_repeatable(part, depth + 1) for part in vars(value).values()))
+
+
+_WAITS = {
+    'OnProcessStart': 'the start of {}',
+    'OnProcessExit': 'the end of {}',
+    'OnActionEventBase': 'the end of {}',
+    'OnProcessIO': 'output of {}',
+    'OnExecutionComplete': 'the execution of {}',
+    'OnShutdown': 'the shutdown of the launch',
+    'OnIncludeLaunchDescription': 'a launch description that is included',
+}
+
+
+def waits_for(handler: Any) -> str:
+    """What an event handler waits for, in words."""
+    words = _WAITS.get(type(handler).__name__)
+    if words is None:
+        return f'{type(handler).__name__}: {handler.matcher_description}'.partition(' at 0x')[0]
+    only = handler.only_action
+    if only is None:
+        return words.format('any process' if 'process' in type(handler).__name__.lower() else 'any action')
+    return words.format(name_of_process(only) or kind_and_text(Branch(only))[1])
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as plain data. Long strings are cut."""
+    if value is None or isinstance(value, (bool, int)):
+        return value
+    if isinstance(value, float):
+        return value if value - value == 0 else str(value)
+    if isinstance(value, (list, tuple)):
+        return [_plain(one) for one in value[:200]]
+    text = str(value)
+    return text if len(text) <= LONGEST_VALUE else f'{text[:LONGEST_VALUE]}…'

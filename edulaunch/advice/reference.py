@@ -1,0 +1,76 @@
+"""Where the documentation describes a rule of advice: a page of `docs/advice/` and an anchor on it.
+
+The pages are fixed here, by the group of a rule, what it looks at, and the first letter of its name. The address of a rule
+therefore changes only when the rule is renamed.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from edulaunch.advice.rule import KINDS, Rule, rules_over
+
+
+class ReferencePage(NamedTuple):
+    """One page of rules.
+
+    :ivar name: its file in `docs/advice/`, without the suffix.
+    :ivar kinds: what its rules look at.
+    :ivar letters: the first and the last letter with which the names of its rules begin, after the group.
+    """
+
+    name: str
+    group: str
+    kinds: tuple[str, ...]
+    letters: str = 'az'
+
+    def has(self, rule: Rule, kind: str) -> bool:
+        """Return whether a rule that looks at `kind` is on this page."""
+        first = rule.name.partition('.')[2][0]
+        return rule.group == self.group and kind in self.kinds and self.letters[0] <= first <= self.letters[1]
+
+
+PAGES = (
+    *(
+        ReferencePage(f'launch-errors-{first}-{last}', 'launch', ('errors',), first + last)
+        for first, last in ('ai', 'jn', 'ot', 'uz')
+    ),
+    *(ReferencePage(f'launch-files-{first}-{last}', 'launch', ('plans',), first + last) for first, last in ('am', 'nz')),
+    ReferencePage('launch-runs', 'launch', ('recordings', 'scripts')),
+    *(
+        ReferencePage(f'programs-errors-{first}-{last}', 'programs', ('errors',), first + last)
+        for first, last in ('ai', 'jn', 'or', 'sz')
+    ),
+    *(
+        ReferencePage(f'programs-runs-{first}-{last}', 'programs', ('recordings', 'plans', 'sources'), first + last)
+        for first, last in ('am', 'np', 'qz')
+    ),
+    ReferencePage('messages-errors', 'messages', ('errors',)),
+    *(ReferencePage(f'messages-runs-{first}-{last}', 'messages', ('recordings',), first + last) for first, last in ('an', 'oz')),
+    ReferencePage('packages-errors', 'packages', ('errors',)),
+    ReferencePage('packages-files', 'packages', ('sources',)),
+    ReferencePage('packages-workspaces', 'packages', ('workspaces',)),
+    *(ReferencePage(f'tf-{first}-{last}', 'tf', KINDS, first + last) for first, last in ('al', 'mr', 'sz')),
+    ReferencePage('time', 'time', KINDS),
+    ReferencePage('turtlesim', 'turtlesim', KINDS),
+    ReferencePage('grader', 'grader', KINDS),
+)
+
+
+def page_of(rule: Rule) -> ReferencePage | None:
+    """Return the page that describes a rule, or None for a rule of a plug-in."""
+    kind = next((kind for kind in KINDS if rule in rules_over(kind)), '')
+    if not rule.look.__module__.startswith('edulaunch.'):
+        return None
+    return next((page for page in PAGES if page.has(rule, kind)), None)
+
+
+def anchor_of(rule: Rule) -> str:
+    """Return the anchor of a rule on its page: its name without the dot, as Markdown readers make it from the heading."""
+    return rule.name.replace('.', '')
+
+
+def address_of(rule: Rule) -> str | None:
+    """Return where the repository describes a rule, such as `docs/advice/tf-a-l.md#tflate-lookup`, or None."""
+    page = page_of(rule)
+    return f'docs/advice/{page.name}.md#{anchor_of(rule)}' if page else None

@@ -1,0 +1,15 @@
+"""Checking a file while the student writes it: findings with line and column, and the edit that cures them where one is certain.
+
+`check(text, path)` reads and executes nothing of the text. It looks at launch files, parameter files, package files and nodes.
+What Python or launch would refuse, it foresees as a `Failure`, and the rules over errors judge that as they do after a run.
+Start reading in `check.py`.
+"""
+
+from __future__ import annotations
+
+from edulaunch.advice.texts.around import Around
+from edulaunch.advice.texts.check import Marked, check, kind_of, marked
+from edulaunch.advice.texts.edits import Edit
+from edulaunch.advice.texts.text import Span, Text
+
+__all__ = ['Around', 'Edit', 'Marked', 'Span', 'Text', 'check', 'kind_of', 'marked']

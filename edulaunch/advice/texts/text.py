@@ -1,0 +1,112 @@
+"""The content of a file with offsets, lines and columns, and where the parts of a Python file are."""
+
+from __future__ import annotations
+
+import ast
+import re
+from bisect import bisect_right
+from functools import cached_property
+from typing import Any, NamedTuple
+
+LONGEST = 400_000
+"""Characters of a file that is looked at; nobody writes more by hand."""
+
+
+class Span(NamedTuple):
+    """A part of a file, by the offsets of its first character and of the one behind it."""
+
+    start: int
+    end: int
+
+
+class Place(NamedTuple):
+    """A place in a file: lines count from 1, columns from 0, in characters."""
+
+    line: int
+    column: int
+
+
+class Text:
+    """The content of a file or of an editor.
+
+    :ivar path: where it is, or will be, stored.
+    """
+
+    def __init__(self, text: str, path: str) -> None:
+        self.text = text
+        self.path = path
+        self._starts = [0, *(found.end() for found in re.finditer('\n', text))]
+
+    @cached_property
+    def tree(self) -> ast.Module | None:
+        """The syntax tree of a Python text; None when Python cannot read it."""
+        try:
+            return ast.parse(self.text, self.path)
+        except (SyntaxError, ValueError, RecursionError):
+            return None
+
+    @property
+    def line_count(self) -> int:
+        """How many lines it has."""
+        return len(self._starts)
+
+    def place(self, offset: int) -> Place:
+        """Line and column of an offset."""
+        number = bisect_right(self._starts, offset)
+        return Place(number, offset - self._starts[number - 1])
+
+    def offset(self, line: int, column: int) -> int:
+        """The offset of a place; one outside the text is moved to its nearest end."""
+        number = min(max(line, 1), len(self._starts))
+        return min(self._starts[number - 1] + max(column, 0), self.whole_line(number).end)
+
+    def whole_line(self, line: int) -> Span:
+        """A line without its line break."""
+        number = min(max(line, 1), len(self._starts))
+        start = self._starts[number - 1]
+        end = self.text.find('\n', start)
+        return Span(start, len(self.text) if end < 0 else end)
+
+    def line_span(self, line: int) -> Span:
+        """A line without its indentation and the spaces at its end."""
+        start, end = self.whole_line(line)
+        words = self.text[start:end]
+        return Span(start + len(words) - len(words.lstrip()), start + len(words.rstrip())) if words.strip() else Span(start, end)
+
+    def _byte_offset(self, line: int, column: int) -> int:
+        """The offset of a place of a syntax tree, whose columns count bytes."""
+        start, end = self.whole_line(line)
+        words = self.text[start:end]
+        return start + (column if words.isascii() else len(words.encode()[:column].decode(errors='ignore')))
+
+    def of_node(self, node: Any) -> Span:
+        """Where a node of the syntax tree is."""
+        return Span(self._byte_offset(node.lineno, node.col_offset), self._byte_offset(node.end_lineno, node.end_col_offset))
+
+    def found(self, words: str, within: Span) -> Span | None:
+        """Where the words are in a part of the text; None when they are not there, or more than once."""
+        before = r'(?<!\w)' if words[:1].isidentifier() else ''
+        behind = r'(?!\w)' if words[-1:].isidentifier() or words[-1:].isdigit() else ''
+        spans = [
+            Span(*one.span())
+            for one in re.compile(before + re.escape(words) + behind).finditer(self.text, within.start, within.end)
+        ]
+        return spans[0] if len(spans) == 1 else None
+
+    def extent(self, line: int) -> Span:
+        """What begins in a line: the call or statement in Python, the tag in XML, or else the line."""
+        own = self.line_span(line)
+        if self.path.endswith('.py') and self.tree is not None:
+            nodes: list[Any] = [
+                node
+                for node in ast.walk(self.tree)
+                if isinstance(node, (ast.Call, ast.stmt))
+                and node.lineno == line
+                and not isinstance(node, (ast.FunctionDef, ast.ClassDef, ast.If, ast.For, ast.While, ast.With, ast.Try))
+            ]
+            ends = [self.of_node(node).end for node in nodes]
+            return Span(own.start, max([own.end, *ends]))
+        if self.text[own.start : own.start + 1] == '<':
+            end = self.text.find('>', own.start)
+            return Span(own.start, max(own.end, end + 1))
+        return own

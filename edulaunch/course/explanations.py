@@ -1,0 +1,36 @@
+"""``explain('name', ...)``: students write an explanation in their own words first; then they see the answer beside it."""
+
+from __future__ import annotations
+
+from types import EllipsisType
+
+from edugrade.reports.markup import visible
+
+from edulaunch.engine.nearest import nearest
+
+from .predictions import Verdict, keep
+from .questions import FILE, find_questions
+
+LONGEST = 2000
+"""Characters of an explanation that are kept."""
+FEWEST = 4
+"""Verdict of an explanation; fewer do not open the answer."""
+
+
+def explain(name: str, text: str | EllipsisType = ...) -> Verdict:
+    """Keep an explanation in the progress file, and show the answer.
+
+    :param text: one or two sentences; ``...``, as a lesson has it, says how to write them.
+    """
+    known = find_questions().explanations
+    if name not in known:
+        near = nearest(name, known)
+        there = f'did you mean explain({near!r}, ...)?' if near else f'{FILE} has no [[explanation]] of this name.'
+        return Verdict(f'there is no explanation "{name}": {there}')
+    if isinstance(text, EllipsisType):
+        return Verdict('Replace the three dots by one or two sentences in quotes, and run this cell. Then you see the answer.')
+    words = ' '.join(visible(str(text)).split())[:LONGEST]
+    if len(words.split()) < FEWEST:
+        return Verdict(f'Write at least {FEWEST} words, then you see the answer.')
+    word = keep(lambda file: file.explanations.update({name: words}))
+    return Verdict(f'You wrote: {words}', f'Answer: {known[name].answer}', word)

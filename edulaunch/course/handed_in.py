@@ -1,0 +1,176 @@
+"""Reads the progress files of a class: files of strangers, from a shared drive, homes or clones.
+
+Nothing of a student's is run. Links are not followed. A file that is too large, or is not what `check()` writes, is refused with
+a reason of ours, and costs nobody else anything.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from collections.abc import Iterator, Mapping
+from math import isfinite
+from typing import Any, NamedTuple
+
+from edugrade.course import LEVELS
+from edugrade.progress_file import ANSWERS, NAME, PREDICTIONS
+
+from edulaunch.errors import UnusableInput
+
+MOST_BYTES = 64 << 10
+MOST_TABLES, MOST_TRIES, MOST_POINTS, MOST_ANSWERS = 500, 100_000, 10_000, 100
+MOST_STUDENTS = 2000
+MOST_ENTRIES, DEEPEST = 20_000, 8  # of one student's folder
+LEFT_OUT = ('node_modules', '__pycache__', 'build', 'install', 'log', 'site-packages')
+KINDS: Mapping[str, tuple[type, ...]] = {
+    'done': (bool,),
+    'attempts': (int,),
+    'hints': (list,),
+    'best_points': (int, float),
+    'points': (int,),
+    'first': (str,),
+    'last': (str,),
+}
+_MOODLE = re.compile(r'_\d+_assignsubmission_file_?$')
+
+
+class Done(NamedTuple):
+    """What a student says of one exercise."""
+
+    done: bool = False
+    attempts: int = 0
+    hints: int = 0
+    best_points: float = 0.0
+
+    def __or__(self, other: object) -> Done:
+        """The better one of each, of two files of one student."""
+        if not isinstance(other, Done):
+            return NotImplemented
+        tries, hints = max(self.attempts, other.attempts), max(self.hints, other.hints)
+        return Done(self.done or other.done, tries, hints, max(self.best_points, other.best_points))
+
+
+class Standing(NamedTuple):
+    """What the files of one student say.
+
+    :ivar answers: the letters that were chosen for each question, in their order.
+    """
+
+    student: str
+    exercises: dict[str, Done]
+    answers: dict[str, list[str]]
+
+
+class Refused(NamedTuple):
+    """A file that could not be read: its path in the folder, and why."""
+
+    path: str
+    why: str
+
+
+def read_class(folder: str) -> tuple[list[Standing], list[Refused]]:
+    """Read every progress file below a folder: a student is what lies directly in it.
+
+    :raises UnusableInput: when it is no folder that can be listed, or there is no progress file.
+    """
+    try:
+        names = sorted(os.listdir(folder))
+    except OSError as error:
+        raise UnusableInput(
+            f'{folder} cannot be read: {error.strerror}', help='give a folder with a folder for each student'
+        ) from None
+    found: dict[str, Standing] = {}
+    refused = [Refused(os.curdir, f'only the first {MOST_STUDENTS} entries are read')] if len(names) > MOST_STUDENTS else []
+    for name in names[:MOST_STUDENTS]:
+        for path in _files(folder, name):
+            try:
+                exercises, answers = _read(os.path.join(folder, path))
+            except (OSError, ValueError) as error:
+                refused.append(Refused(path, getattr(error, 'strerror', None) or str(error)))
+                continue
+            student = _student(name)
+            known = found.setdefault(student, Standing(student, {}, {}))
+            for exercise, done in exercises.items():
+                known.exercises[exercise] = known.exercises.get(exercise, Done()) | done
+            known.answers.update(answers)
+    if not found and not refused:
+        raise UnusableInput(
+            f'there is no {NAME} below {folder}', help='students hand in this file, which lies beside their notebooks'
+        )
+    return list(found.values()), refused
+
+
+def _student(name: str) -> str:
+    bare = name.removesuffix(NAME).rstrip('_- ') if name.endswith(NAME) else name
+    return _MOODLE.sub('', bare) or os.curdir
+
+
+def _files(folder: str, name: str) -> Iterator[str]:
+    """The progress files of one entry of a folder, by their paths in it."""
+    place = os.path.join(folder, name)
+    if os.path.islink(place):
+        return
+    if not os.path.isdir(place):
+        if name.endswith(NAME):
+            yield name
+        return
+    count = 0
+    for here, folders, files in os.walk(place):
+        inside = os.path.relpath(here, folder)
+        count += len(folders) + len(files)
+        is_deep = inside.count(os.sep) >= DEEPEST
+        folders[:] = [] if is_deep else sorted(each for each in folders if not each.startswith('.') and each not in LEFT_OUT)
+        if NAME in files:
+            yield os.path.join(inside, NAME)
+        if count > MOST_ENTRIES:
+            return
+
+
+def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
+    """Raise OSError or ValueError, with words of ours, for what is no progress file."""
+    import sys
+
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    flags = os.O_RDONLY | getattr(os, 'O_NOFOLLOW', 0) | getattr(os, 'O_NONBLOCK', 0) | getattr(os, 'O_CLOEXEC', 0)
+    with open(os.open(path, flags), 'rb') as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            raise ValueError('it is not a regular file')
+        data = file.read(MOST_BYTES + 1)
+    if len(data) > MOST_BYTES:
+        raise ValueError(f'it has more than {MOST_BYTES >> 10} KiB')
+    try:
+        tables = tomllib.loads(data.decode())
+    except (ValueError, RecursionError):  # what they say may quote the file
+        raise ValueError('it is not TOML') from None
+    tables.pop(PREDICTIONS, None)
+    answers = tables.pop(ANSWERS, {})
+    if len(tables) > MOST_TABLES:
+        raise ValueError(f'it has more than {MOST_TABLES} exercises')
+    return {name: _done(table) for name, table in tables.items()}, _answers(answers)
+
+
+def _done(table: Any) -> Done:
+    if not isinstance(table, dict) or not table.keys() <= KINDS.keys():
+        raise ValueError('a table in it is not one of check()')
+    for name, value in table.items():
+        if type(value) not in KINDS[name]:
+            raise ValueError(f'{name} in it is of the wrong kind')
+    tries, points, hints = table.get('attempts', 0), table.get('best_points', 0), table.get('hints', [])
+    if not 0 <= tries <= MOST_TRIES or not (isfinite(points) and 0 <= points <= MOST_POINTS):
+        raise ValueError('a number in it is too large, or none')
+    if len(hints) > LEVELS or any(type(level) is not int or not 1 <= level <= LEVELS for level in hints):
+        raise ValueError('hints in it are not levels of hints')
+    return Done(table.get('done', False), tries, len(set(hints)), float(points))
+
+
+def _answers(given: Any) -> dict[str, list[str]]:
+    if not isinstance(given, dict) or len(given) > MOST_TABLES:
+        raise ValueError('its answers are not those of quiz()')
+    for letters in given.values():
+        if not isinstance(letters, list) or len(letters) > MOST_ANSWERS or any(type(each) is not str for each in letters):
+            raise ValueError('its answers are not those of quiz()')
+    return {name: [letter[:1] for letter in letters] for name, letters in given.items()}

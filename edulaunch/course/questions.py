@@ -1,0 +1,123 @@
+"""Questions and explanations of a course: ``lessons/questions.toml`` for authors, a file that hides answers for students."""
+
+from __future__ import annotations
+
+import os
+from base64 import b64decode, encodebytes
+from typing import Any, NamedTuple
+
+from edugrade.course import here_and_above, parse_toml
+
+from edulaunch.errors import UnusableInput
+
+FILE, SEALED = 'questions.toml', '.questions'
+"""What authors write, and what students get: the same text in Base64, in a hidden file.
+
+This keeps answers from being read by accident. It does not protect them: the notebook of a student has to show them later.
+"""
+LETTERS = 'abcdef'
+
+
+class Choice(NamedTuple):
+    """One of the choices of a question, and the comment that a student who chose it reads."""
+
+    text: str
+    feedback: str
+
+
+class Question(NamedTuple):
+    """A question with choices.
+
+    :param name: the name for `quiz`, unique in the course.
+    :param lesson: the notebook, without its ending, that teaches it.
+    :param right: the letter of the right choice.
+    """
+
+    name: str
+    lesson: str
+    text: str
+    choices: tuple[Choice, ...]
+    right: str
+
+
+class Explanation(NamedTuple):
+    """What a lesson asks students to explain in their own words, and the answer that they compare theirs with.
+
+    :param name: the name for `explain`, unique in the course.
+    """
+
+    name: str
+    lesson: str
+    answer: str
+
+
+class Questions(NamedTuple):
+    """All of a file, by name, in its order."""
+
+    questions: dict[str, Question]
+    explanations: dict[str, Explanation]
+
+
+def seal(data: bytes) -> bytes:
+    """Return the content of a questions file as students get it."""
+    return encodebytes(data)
+
+
+def questions_file(folder: str) -> str | None:
+    """Return the questions file of a folder of lessons, or None. What an update brought wins over an older open file."""
+    places = (os.path.join(folder, name) for name in (SEALED, FILE))
+    return next(filter(os.path.isfile, places), None)
+
+
+def read_questions(path: str | None) -> Questions:
+    """Return the questions and explanations of a file; none when there is no path.
+
+    :raises UnusableInput: when the file cannot be read or a field is missing; names file and question.
+    """
+    if path is None:
+        return Questions({}, {})
+    try:
+        with open(path, 'rb') as file:
+            data = file.read()
+        tables = parse_toml((b64decode(data, validate=False) if os.path.basename(path) == SEALED else data).decode())
+    except (OSError, ValueError) as error:
+        raise UnusableInput(f'the questions in {path} cannot be read: {error}') from None
+    questions = (_question(path, entry) for entry in tables.get('question', []))
+    explanations = (_explanation(path, entry) for entry in tables.get('explanation', []))
+    return Questions({item.name: item for item in questions}, {item.name: item for item in explanations})
+
+
+def find_questions() -> Questions:
+    """Return the questions beside the notebook, or in the folder ``lessons`` here or above; none when there is no such file."""
+    for above in here_and_above(os.curdir):
+        for folder in (above, os.path.join(above, 'lessons')):
+            if (path := questions_file(folder)) is not None:
+                return read_questions(path)
+    return read_questions(None)
+
+
+def _question(path: str, entry: dict[str, Any]) -> Question:
+    name = entry.get('name', '?')
+    try:
+        choices = tuple(Choice(*choice) for choice in entry['choices'])
+        question = Question(name, entry['lesson'], entry['text'].strip(), choices, entry['right'])
+    except (KeyError, TypeError, AttributeError) as error:
+        raise UnusableInput(f'{path}: the question "{name}" lacks {error}', help=_FORM) from None
+    if not 2 <= len(choices) <= len(LETTERS) or question.right not in LETTERS[: len(choices)] or len(question.right) != 1:
+        raise UnusableInput(f'{path}: the question "{name}" has no right choice', help=_FORM)
+    return question
+
+
+def _explanation(path: str, entry: dict[str, Any]) -> Explanation:
+    name = entry.get('name', '?')
+    try:
+        return Explanation(name, entry['lesson'], entry['answer'].strip())
+    except (KeyError, TypeError, AttributeError) as error:
+        help = '[[explanation]] with name, lesson and answer'
+        raise UnusableInput(f'{path}: the explanation "{name}" lacks {error}', help=help) from None
+
+
+_FORM = (
+    '[[question]] with name, lesson, text, right = "a", and choices = [["a choice", "the comment on it"], ...],'
+    f' two to {len(LETTERS)} of them'
+)

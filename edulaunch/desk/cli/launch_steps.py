@@ -1,0 +1,176 @@
+"""`edulaunch launch --step`: step through a launch in a terminal. Launch stops before an action or event, and a prompt asks."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.engine.recording.views import view
+
+if TYPE_CHECKING:
+    from edulaunch.runtime.session import Session
+
+HELP = """\
+  Enter, i   go to the next action, also into an include or a group
+  n          go to the next action after this include or group
+  e          go to the next event that launch processes
+  l FILE:N   go to the next action that line N of FILE makes
+  b, f       look at the action before, or forward again; nothing is undone
+  c          show the launch configurations, namespace, remaps and environment here
+  w          show where each action of the launch is
+  g          go on without stopping
+  q          shut the launch down, as Ctrl-C does
+"""
+PROMPT = '(launch) '
+
+
+class TerminalSteps:
+    """Asks at each stop what to do.
+
+    :ivar waited_s: the real seconds in which the prompt waited: simulated time does not pass meanwhile.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._trace: Any = None
+        self.waited_s = 0.0
+        self._in, self._out = sys.stdin, sys.stdout  # at a prompt, launch's process runs, which has streams of its own
+
+    def clock(self) -> float:
+        """Real time without the time at the prompt."""
+        return time.monotonic() - self.waited_s
+
+    def begin(self) -> None:
+        """Stop each launch that begins before its first action."""
+        make = self._session.host.make_launch_observer
+        assert make is not None
+
+        def stepped(process: Any) -> Any:
+            self._trace = make(process)
+            self._trace.stepper.go('into')
+            self._trace.on_stop = self._stop
+            return self._trace
+
+        self._session.host.make_launch_observer = stepped
+
+    def _stop(self, step: Any) -> None:
+        """Ask the student until an answer continues the launch.
+
+        It is called in the middle of launch's turn, so the machine stands still.
+        """
+        began = time.monotonic()
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        try:
+            self._ask(step)
+        finally:
+            signal.signal(signal.SIGINT, before)
+            self.waited_s += time.monotonic() - began
+
+    def _ask(self, here: Any) -> None:
+        shown = here
+        self._show(shown, here)
+        while True:
+            word, _, rest = self._line().partition(' ')
+            way = {'': 'into', 'i': 'into', 'n': 'next', 'e': 'event', 'g': 'go', 'q': 'go'}.get(word)
+            if way is not None:
+                if word == 'q':
+                    self._session.interrupt()
+                return self._trace.stepper.go(way)  # type: ignore[no-any-return]
+            if word == 'l' and (place := _place(rest)) is not None:
+                return self._trace.stepper.go('line', place)  # type: ignore[no-any-return]
+            if word in ('b', 'f'):
+                shown = self._beside(shown, here, -1 if word == 'b' else 1)
+                self._show(shown, here)
+            elif word == 'l':
+                self._say('write the file and the line: l demo.launch.py:12')
+            else:
+                _LOOKS.get(word, TerminalSteps._help)(self, shown)
+
+    def _line(self) -> str:
+        """Return the line that the student types: 'q' for Ctrl-C, 'g' at the end of the input."""
+        self._out.write(PROMPT)
+        self._out.flush()
+        try:
+            line = self._in.readline()
+        except KeyboardInterrupt:
+            self._say('')
+            return 'q'
+        if not line:
+            self._say('')
+            return 'g'
+        return line.strip()
+
+    def _say(self, text: str) -> None:
+        self._out.write(f'{text}\n')
+        self._out.flush()
+
+    def _stops(self) -> list[Any]:
+        """What launch came to until now, in order: actions that a file makes, and events."""
+        steps = [step for step in self._trace.steps if step.order and (step.origin is not None or step.is_event)]
+        return sorted(steps, key=lambda step: step.order)
+
+    def _beside(self, shown: Any, here: Any, way: int) -> Any:
+        stops = self._stops()
+        number = stops.index(shown) + way
+        if 0 <= number < len(stops):
+            return stops[number]
+        self._say('this is the first action' if way < 0 else 'launch is here; press Enter to go on')
+        return shown
+
+    def _show(self, step: Any, here: Any) -> None:
+        row = view('row_of_step')(step)
+        seconds = 0.0 if row['time'] is None else row['time'] / 1e9
+        sign = '->' if step is here else '  '
+        self._say(f'{sign} {seconds:.3f} s  {_where(row)}{row["text"]}' + ('' if step is here else f'  [{row["state"]}]'))
+
+    def _context(self, step: Any) -> None:
+        """The launch configurations and the environment before a step."""
+        configurations, environment = self._trace.context_before(step)
+        for name, value in configurations.items():
+            self._say(f'  {_NAMES.get(name, name)}: {_shown(value)}')
+        for name, value in environment.items():
+            self._say(f'  ${name}: {"(unset)" if value is None else value}')
+        if not configurations and not environment:
+            self._say('  no launch configuration is set')
+
+    def _list(self, step: Any) -> None:
+        """All actions that are known, with what became of each."""
+        for child in self._trace.outline.children:
+            self._tell(child, step, 0)
+
+    def _tell(self, one: Any, here: Any, depth: int) -> None:
+        row = view('row_of_step')(one)
+        is_shown = row.get('file') is not None or row['kind'] == 'include'
+        if row['kind'] == 'event':
+            return
+        if is_shown:
+            state = 'here' if one is here else row['state']
+            self._say(f'  {state:9} {"  " * depth}{_where(row)}{row["text"]}')
+        for child in one.children:
+            self._tell(child, here, depth + is_shown)
+
+    def _help(self, step: Any) -> None:
+        self._say(HELP.rstrip('\n'))
+
+
+_NAMES = {'ros_namespace': 'namespace', 'ros_remaps': 'remaps', 'global_params': 'parameters for all nodes'}
+_LOOKS: dict[str, Callable[[TerminalSteps, Any], object]] = {'c': TerminalSteps._context, 'w': TerminalSteps._list}
+
+
+def _where(row: dict[str, Any]) -> str:
+    return f'{os.path.basename(row["file"])}:{row["line"]}  ' if row.get('file') else ''
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, (list, tuple)):
+        return ', '.join(' -> '.join(map(str, one)) if isinstance(one, (list, tuple)) else str(one) for one in value)
+    return repr(value) if isinstance(value, str) else str(value)
+
+
+def _place(text: str) -> tuple[str, int] | None:
+    file, _, line = text.strip().rpartition(':')
+    return (file, int(line)) if file and line.isdigit() else None

@@ -1,0 +1,69 @@
+"""Checks what a recording says about launches: a recording of a stranger may hold anything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from edulaunch.engine.recording.schema import anything, each, maybe, number, record, row, table, text
+
+STATES = ('waiting', 'visiting', 'taken', 'left out', 'failed')
+MOST_DEPTH = 30
+
+
+def _chain(value: Any, depth: int = 0) -> bool:
+    """The steps of a value's origin, each perhaps with those of the launch argument that decides it."""
+    below = {'argument': lambda inner: depth < MOST_DEPTH and _chain(inner, depth + 1)}
+    step = record({'value': anything, 'origin': text, 'file': maybe(text), 'line': maybe(number), 'counts': anything, **below})
+    return each(step)(value)
+
+
+_value = record({'kind': text, 'name': text, 'value': anything, 'chain': _chain})
+_step = record(
+    {
+        'number': number,
+        'parent': number,
+        'order': number,
+        'time': maybe(number),
+        'state': lambda value: value in STATES,
+        'kind': text,
+        'text': text,
+        'details': each(row(text, text, maybe(text), maybe(number))),
+    },
+    {
+        'file': maybe(text),
+        'line': maybe(number),
+        'event': text,
+        'about': number,
+        'changes': table(table(anything)),
+        'error': text,
+        'condition': text,
+        'runs': each(row(number, number, maybe(number), maybe(number))),
+        'fired': each(number),
+        'fired_at': each(number),
+        'due': number,
+        'process': text,
+        'handlers': each(text),
+        'values': each(_value),
+    },
+)
+_launch = record({'pid': number, 'at': maybe(number), 'count': number, 'rows': each(_step)})
+
+
+def launches_of(told: Any) -> Iterator[dict[str, Any]]:
+    """Return the valid launches, without steps whose parent does not come before them."""
+    for launch in told if isinstance(told, Sequence) else ():
+        if _launch(launch):
+            yield {**launch, 'rows': [row for row in launch['rows'] if -1 <= row['parent'] < row['number']]}
+
+
+def in_microseconds(row: dict[str, Any]) -> dict[str, Any]:
+    """A step of a launch with its times as a page has them."""
+    times = {name: row[name] // 1000 for name in ('time', 'due') if row.get(name) is not None}
+    if row.get('fired_at'):
+        times['fired_at'] = [time // 1000 for time in row['fired_at']]
+    if row.get('runs'):
+        times['runs'] = [
+            [pid, start // 1000, None if end is None else end // 1000, code] for pid, start, end, code in row['runs']
+        ]
+    return {**row, **times}

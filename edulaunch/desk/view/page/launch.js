@@ -1,0 +1,253 @@
+/* The launch itself: its files, includes, groups, actions and processes as a tree, with what happened to each, and why; its
+   events; and stepping through it, forwards and back. */
+
+const HIDDEN_STEPS = new Set(['PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'ResetEnvironment']);
+const PROCESS_KINDS = new Set(['node', 'process']);
+const baseName = path => (path || '').split('/').pop();
+const place = row => row.file ? `${baseName(row.file)}:${row.line}` : '';
+const titled = row => row.kind === 'include' ? `include ${baseName(row.text)}` : row.text;
+const shownValue = value => value === null || value === undefined ? 'not set' : typeof value === 'string' ? `'${value}'` : JSON.stringify(value);
+
+class LaunchView {
+  constructor(desk) {
+    Object.assign(this, { desk, cursor: null, chosen: null, closed: new Set(), line: null });
+    this.box = make('div', { class: 'pane launch' });
+    this.which = make('select', { 'aria-label': 'launch' });
+    this.which.addEventListener('change', () => { this.chosen = this.cursor = null; this.again(); });
+    this.backward = button('◀ Back', 'back to the action or event before this one', () => this.back());
+    this.into = button('Next action ▶', 'to the next action, also into an include or a group', () => this.go('into'));
+    this.next = button('Over ↷', 'to the next action after this include or group', () => this.go('next'));
+    this.event = button('Next event ⚡', 'to the next event that launch processes', () => this.go('event'));
+    this.place = make('input', { type: 'text', class: 'mono short', placeholder: 'file:line', 'aria-label': 'file and line to run to' });
+    this.to = button('Run to line', 'run to the next action that this line makes', () => this.run());
+    this.place.addEventListener('keydown', event => { event.stopPropagation(); if (event.key === 'Enter') this.run(); });
+    this.first = button('Step from the start', 'step through the launch again from its first action', () => this.start());
+    this.stops = make('input', { type: 'checkbox' });
+    this.stops.addEventListener('change', () => { desk.machine.steps_launches = this.stops.checked; desk.send({ op: 'stops', on: this.stops.checked }); });
+    this.stopping = make('label', {}, this.stops, ' stop each new launch before its first action');
+    this.where = make('p', { class: 'where', role: 'status' });
+    this.tree = make('div', { class: 'scroll steps', role: 'region', 'aria-label': 'actions of the launch', tabindex: 0 });
+    this.told = make('div', { class: 'told step-told', role: 'region', 'aria-label': 'the chosen action' });
+    this.events = make('div', { class: 'scroll events', role: 'region', 'aria-label': 'events of the launch', tabindex: 0 });
+    this.box.append(make('div', { class: 'tools' }, this.which, this.backward, this.into, this.next, this.event, this.place, this.to, this.first), make('div', { class: 'tools' }, this.stopping),
+      this.where, make('div', { class: 'launch-body' }, this.tree, make('div', {}, this.told, this.events)));
+  }
+  get launch() { return this.desk.store.launches.get(Number(this.which.value)); }
+  again() { this.key = null; this.desk.redraw(); }
+  start() {
+    this.cursor = null;
+    if (this.desk.live && this.desk.machine.can_continue) this.desk.send({ op: 'stops', on: true, again: true });
+    else { this.cursor = 0; this.go('into'); }
+  }
+
+  /* Steps in the order in which launch came to them; those a launch file wrote, and events. */
+  stops_of(launch) { return launch.order.filter(row => row.kind === 'event' || (row.file && !HIDDEN_STEPS.has(row.kind))); }
+  /* Whether launch had come to a step at the instant that is shown. */
+  came(row, time) { return row.order > 0 && (this.cursor === null ? row.t <= time + 1e-7 && row.number !== this.launch.at : row.order < this.cursor); }
+  here() {
+    const { launch } = this;
+    if (!launch) return null;
+    if (this.cursor !== null) return launch.order.find(row => row.order === this.cursor) || null;
+    return this.desk.follow && launch.at !== null ? launch.steps[launch.at] || null : null;
+  }
+  /* The number in the order up to which everything has been, at the instant that is shown. */
+  reached() {
+    const here = this.here();
+    if (this.cursor !== null) return this.cursor;
+    if (here) return here.order;
+    const past = this.launch.order.filter(row => row.t <= this.desk.time + 1e-7);
+    return past.length ? past[past.length - 1].order + 1 : 0;
+  }
+  go(way) {
+    const { launch, desk } = this;
+    if (!launch) return;
+    const from = this.reached(), here = this.here(), [file, line] = this.wanted() || [];
+    let deep = way === 'next' && here && here.kind !== 'event' ? here.depth : Infinity;
+    const found = this.stops_of(launch).find(row => {
+      if (row.order <= from && !(from === row.order && !here)) return false;
+      if (row.kind === 'event') { deep = Infinity; return way === 'event'; }
+      return way === 'line' ? row.line === line && baseName(row.file) === baseName(file) : way !== 'event' && row.depth <= deep;
+    });
+    if (found && !(launch.at !== null && found.number === launch.at)) { this.show(found); return; }
+    if (desk.live && (launch.at !== null || !launch.over)) {
+      this.cursor = null;
+      desk.follow = true;
+      desk.send({ op: 'launch', pid: launch.pid, way, file, line });
+      this.again();
+    } else if (found) this.show(found);
+    else desk.say(way === 'line' ? 'the launch does not come to this line after this instant' : way === 'event' ? 'no event follows' : 'no action follows');
+  }
+  back() {
+    const { launch } = this;
+    if (!launch) return;
+    const from = this.reached(), before = this.stops_of(launch).filter(row => row.order < from);
+    if (before.length) this.show(before[before.length - 1]);
+    else this.desk.say('this is the first action of the launch');
+  }
+  show(row) {
+    this.cursor = row.order;
+    this.chosen = row.number;
+    this.desk.seek(row.t, true);
+    this.again();
+    this.scrollTo = true;
+  }
+  /* The slider or the clock moved: the order of steps of one instant no longer counts. */
+  moved() { if (this.cursor !== null) { this.cursor = null; this.key = null; } }
+  wanted() {
+    const text = this.place.value.trim().match(/^(.*):(\d+)$/);
+    return text ? [text[1], Number(text[2])] : null;
+  }
+  run() { if (this.wanted()) this.go('line'); else this.desk.say('write the file and the line, such as demo.launch.py:12'); }
+
+  draw(time) {
+    if (this.desk.live && this.desk.follow) this.moved();
+    const { store, live, machine } = this.desk, launches = [...store.launches.values()];
+    const names = launches.map(one => `${one.pid} ${one.name}`).join();
+    if (names !== this.names) {
+      this.names = names;
+      const before = this.which.value;
+      this.which.replaceChildren(...launches.map(one => make('option', { value: one.pid }, `${one.name} (pid ${one.pid})`)));
+      this.which.value = launches.length ? launches[launches.length - 1].pid : '';  /* the newest: it is what somebody just started */
+      if (this.which.value !== before) this.chosen = this.cursor = null;
+    }
+    this.which.hidden = launches.length < 2;
+    this.stopping.hidden = !live;
+    if (this.stops.checked !== Boolean(machine.steps_launches)) this.stops.checked = Boolean(machine.steps_launches);
+    const { launch } = this;
+    if (!launch) {
+      if (this.key !== 'nothing') { this.key = 'nothing'; this.tree.replaceChildren(make('p', { class: 'soft' }, live ? 'No launch file runs here yet. Launch one, and its actions appear.' : 'This recording does not contain the steps of a launch.')); this.told.replaceChildren(); this.events.replaceChildren(); this.where.textContent = ''; }
+      return;
+    }
+    if (!this.key || this.desk.isTimeToTell(this)) this.tell(launch, time);
+  }
+  tell(launch, time) {
+    const states = launch.steps.map(row => row ? this.state(row, time) : null), here = this.here();
+    const key = [launch.pid, launch.version, this.cursor, this.chosen, here?.number, [...this.closed].join(' '), states.map(state => state?.[1]).join('|')].join(';');
+    this.where.textContent = here ? `${here.kind === 'event' ? 'Before the event' : 'Before'}: ${titled(here)}${place(here) ? `  (${place(here)})` : ''}` : this.desk.live && this.desk.follow ? 'The launch runs.' : `The launch at ${time.toFixed(3)} s.`;
+    if (key === this.key) return;
+    this.key = key;
+    const scrolled = this.tree.scrollTop, focused = this.box.getRootNode().activeElement?.dataset?.step;
+    this.tree.replaceChildren(this.branch(launch, -1, states, here));
+    this.tree.scrollTop = scrolled;
+    if (focused !== undefined) this.tree.querySelector(`[data-step="${focused}"]`)?.focus({ preventScroll: true });
+    if (this.scrollTo || (here && here.number !== this.before)) this.tree.querySelector('.here')?.scrollIntoView({ block: 'nearest' });
+    this.before = here?.number;
+    this.scrollTo = false;
+    const chosen = launch.steps[this.chosen] || here || launch.steps.find(row => row?.file);
+    this.told.replaceChildren(...(chosen ? this.about(launch, chosen, states[chosen.number], time) : []));
+    this.list(launch, time);
+  }
+  /* What became of a step: a class for its looks, and words. */
+  state(row, time) {
+    if (!this.came(row, time)) return ['waiting', row.parent >= 0 && !this.cursorBefore(row) && row.order === 0 ? this.waits(row, time) : 'waiting'];
+    if (row.state === 'failed') return ['failed', `failed: ${row.error}`];
+    if (row.state === 'left out') return ['left', `left out: ${row.condition} is not true`];
+    if (row.process && row.runs) {
+      const run = [...row.runs].reverse().find(([, from]) => this.started(row, from, time));
+      if (!run) return ['taken', 'starts'];
+      const [pid, , end, code] = run, again = row.runs.indexOf(run) ? `, run ${row.runs.indexOf(run) + 1}` : '';
+      if (end === null || !this.ended(row, end, time)) return ['running', `running, pid ${pid}${again}`];
+      return code === 0 ? ['ended', `ended, exit code 0${again}`] : ['failed', `${code < 0 ? `ended by signal ${-code}` : `died, exit code ${code}`}${again}`];
+    }
+    if (row.due !== undefined) return this.timer(row, time);
+    if (row.handlers) {
+      const times = (row.fired_at || []).filter(at => this.past(at, time, row)).length;
+      return times ? ['taken', `fired ${times === 1 ? 'once' : `${times} times`}`] : ['idle', 'never fired'];
+    }
+    return ['taken', row.state === 'visiting' ? 'is visited' : 'done'];
+  }
+  cursorBefore(row) { return this.cursor !== null && row.order >= this.cursor; }
+  waits(row) {
+    const parent = this.launch.steps[row.parent];
+    return parent?.due !== undefined ? 'waits for the timer' : parent?.handlers ? 'waits for the event' : 'waiting';
+  }
+  past(at, time, row) {
+    if (this.cursor === null) return at <= time + 1e-7;
+    return this.launch.order.some(event => event.kind === 'event' && event.order < this.cursor && event.t === at && (event.fired?.includes(row.number) || event.about === row.number));
+  }
+  started(row, from, time) {
+    return this.cursor === null ? from <= time + 1e-7 : this.launch.order.some(event => event.event === 'ProcessStarted' && event.about === row.number && event.t === from && event.order < this.cursor);
+  }
+  ended(row, end, time) {
+    return this.cursor === null ? end <= time + 1e-7 : this.launch.order.some(event => event.event === 'ProcessExited' && event.about === row.number && event.t === end && event.order < this.cursor);
+  }
+  timer(row, time) {
+    const fired = (row.fired_at || []).find(at => this.past(at, time, row));
+    if (fired !== undefined) return ['taken', `ran out at ${fired.toFixed(2)} s`];
+    const shutdown = this.launch.order.find(event => event.event === 'Shutdown' && this.came(event, time));
+    return shutdown ? ['left', 'cancelled by the shutdown'] : ['waiting', `runs out at ${row.due.toFixed(2)} s`];
+  }
+  branch(launch, parent, states, here) {
+    const list = make('ul', {});
+    for (const row of launch.below.get(parent) || []) {
+      if (row.kind === 'event') continue;
+      const quiet = HIDDEN_STEPS.has(row.kind) || (!row.file && row.kind !== 'include') || (row.kind === 'OpaqueFunction' && !(launch.below.get(row.number) || []).length && !row.file);
+      const [look, words] = states[row.number], inner = launch.below.get(row.number)?.length && !this.closed.has(row.number) ? this.branch(launch, row.number, states, here) : null;
+      if (quiet) { if (inner) list.append(...inner.children); continue; }
+      if (look === 'waiting' && !row.order && parent >= 0 && states[parent][0] === 'waiting' && row !== here) continue;
+      const choose = make('button', { type: 'button', class: `step ${look}${row === here ? ' here' : ''}`, 'data-step': row.number, 'aria-current': row === here ? 'step' : false, 'aria-pressed': this.chosen === row.number ? 'true' : 'false' },
+        make('span', { class: 'what' }, titled(row)), make('span', { class: 'state-of' }, row === here ? `▶ next · ${words}` : words), make('span', { class: 'at mono' }, place(row)));
+      choose.addEventListener('click', () => { this.chosen = row.number; if (row.file) this.place.value = place(row); this.again(); });
+      const item = make('li', {});
+      if (launch.below.get(row.number)?.length) {
+        const open = !this.closed.has(row.number);
+        const fold = make('button', { type: 'button', class: 'fold', 'aria-expanded': String(open), 'aria-label': `${open ? 'fold' : 'unfold'} ${row.text}` }, open ? '▾' : '▸');
+        fold.addEventListener('click', () => { if (open) this.closed.add(row.number); else this.closed.delete(row.number); this.again(); });
+        item.append(fold);
+      }
+      item.append(choose);
+      if (inner?.children.length) item.append(inner);
+      list.append(item);
+    }
+    return list;
+  }
+  /* What is known of one step. */
+  about(launch, row, [, words], time) {
+    const rows = [make('p', {}, make('b', {}, row.text), ' ', make('span', { class: 'mono' }, place(row))), make('p', {}, `State: ${words}.`)];
+    if (row.condition) rows.push(make('p', {}, `Condition: ${row.condition}`));
+    for (const text of row.handlers || []) rows.push(make('p', {}, `Waits for ${text}.`));
+    if (row.error) rows.push(make('p', { class: 'bad' }, row.error));
+    for (const [, text, file, line] of row.details) rows.push(make('p', { class: 'mono' }, text, file ? make('span', { class: 'soft' }, ` ${baseName(file)}:${line}`) : ''));
+    if (row.values?.length) rows.push(make('table', { class: 'small' }, make('tr', {}, ...['name', 'value', 'where it comes from'].map(text => make('th', { scope: 'col' }, text))),
+      ...row.values.map(one => make('tr', {}, make('td', {}, `${one.kind === 'reason' ? '' : one.kind + ' '}${one.name}`), make('td', { class: 'mono' }, shownValue(one.value)), make('td', {}, this.chain(one.chain))))));
+    if (row.process && this.desk.live && this.desk.follow) rows.push(this.buttons(launch, row, time));
+    rows.push(this.context(launch, row));
+    return rows;
+  }
+  /* From the first value that was given to the one that counts. */
+  chain(steps) {
+    if (!steps.length) return make('span', { class: 'soft' }, 'nothing sets it');
+    return make('ol', { class: 'chain' }, ...steps.map(step => make('li', { class: step.counts ? 'counts' : 'lost' }, `${shownValue(step.value)} — ${step.origin}`,
+      step.file ? make('span', { class: 'soft' }, ` ${baseName(step.file)}:${step.line}`) : '', step.counts && steps.length > 1 ? ' (counts)' : '', step.argument?.length ? this.chain(step.argument) : '')));
+  }
+  buttons(launch, row) {
+    const ask = what => this.desk.send({ op: 'process', pid: launch.pid, number: row.number, what });
+    return make('div', { class: 'tools' }, button('Stop', `send SIGINT to ${row.process}, as Ctrl-C does`, () => ask('stop')), button('Kill', `send SIGKILL to ${row.process}`, () => ask('kill')),
+      button('Restart', `start ${row.process} again`, () => ask('restart')), button('Log', `show the log of ${row.process}`, () => this.desk.log(row.process)));
+  }
+  /* Launch configurations and environment as launch had them before a step. */
+  context(launch, row) {
+    const found = { configurations: new Map(), environment: new Map() }, until = row.order || this.reached();
+    for (const step of launch.order) {
+      if (step.order > until) break;
+      for (const [kind, changes] of Object.entries(step.changes || {})) for (const [name, value] of Object.entries(changes)) {
+        if (value === null && kind === 'configurations') found.configurations.delete(name); else found[kind]?.set(name, value);
+      }
+    }
+    const own = { ros_namespace: 'namespace', ros_remaps: 'remaps', global_params: 'parameters for all nodes' }, lines = [];
+    for (const [name, text] of Object.entries(own)) {
+      const value = found.configurations.get(name);
+      if (value !== undefined && String(value).length) lines.push([text, Array.isArray(value) ? value.map(one => Array.isArray(one) ? one.join(' → ') : one).join(', ') : value]);
+    }
+    for (const [name, value] of found.configurations) if (!(name in own)) lines.push([name, shownValue(value)]);
+    for (const [name, value] of found.environment) lines.push([`$${name}`, value === null ? 'unset' : shownValue(value)]);
+    return make('details', { class: 'context', open: true }, make('summary', {}, row.order ? 'Context before this action' : 'Context now'),
+      lines.length ? make('table', { class: 'small' }, ...lines.map(([name, value]) => make('tr', {}, make('th', { scope: 'row' }, name), make('td', { class: 'mono' }, value)))) : make('p', { class: 'soft' }, 'No launch configuration is set.'));
+  }
+  list(launch, time) {
+    const rows = launch.order.filter(row => row.kind === 'event' && this.came(row, time)).slice(-200).reverse();
+    const fired = row => (row.fired || []).map(number => launch.steps[number]).filter(Boolean).map(step => `${step.text} (${place(step)})`).join(', ');
+    this.events.replaceChildren(rows.length ? make('table', { class: 'small' }, make('caption', {}, 'Events, the newest first'), make('tr', {}, ...['time', 'event', 'handlers that fired'].map(text => make('th', { scope: 'col' }, text))),
+      ...rows.map(row => make('tr', {}, make('td', { class: 'whole' }, row.t.toFixed(3)), make('td', {}, row.text), make('td', {}, fired(row) || '–')))) : make('p', { class: 'soft' }, 'No event yet.'));
+  }
+}

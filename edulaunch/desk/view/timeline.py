@@ -1,0 +1,309 @@
+"""A run as the page wants it: plain data that only ever grows, handed out delta by delta, and marks on nodes, topics and frames.
+
+The first delta of a finished recording is all of it; a living machine gives what came since the delta before. Times are whole
+microseconds since the start of the simulation. The rules that make marks are another room's; here is what a mark looks like.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from edulaunch.canvas.outlines import FOOTPRINTS, outline_of, outline_of_footprint
+from edulaunch.desk.view.columns import FINE, number_steps, text_steps
+from edulaunch.desk.view.launches import in_microseconds
+from edulaunch.engine.recording.frames import TF_TYPE
+
+if TYPE_CHECKING:
+    from edulaunch.advice.wording import Mark
+    from edulaunch.engine.recording import Recording
+
+SUBJECTS = ('node', 'topic', 'frame')
+NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
+FLOATS = {'float32', 'float64'}
+TEXT_TYPE = 'std_msgs/msg/String'
+SCAN_TYPE = 'sensor_msgs/msg/LaserScan'
+SCAN_EVERY_US = 200_000
+"""A scan is shown five times a second: there are hundreds of numbers in each."""
+LONGEST_TEXT = 160
+"""Characters of an array or text field that the page shows of a message."""
+
+
+def marks_of(recording: Recording) -> list[Mark]:
+    """Return what the rules of advice find in a run, in texts without paths of this machine: notebooks store them."""
+    from edulaunch.advice.wording import marks  # late: a page that nobody asks for advice loads no rules
+
+    return marks(recording)
+
+
+def mark_rows(marks: Iterable[Mark]) -> list[dict[str, Any]]:
+    """Marks as plain data: `[{time (us), subject: {node | topic | frame: name}, text, rule}]`."""
+    return [
+        {
+            'time': round(mark.time_s * 1e6),
+            'subject': {mark.subject[0]: mark.subject[1]} if mark.subject[0] in SUBJECTS else {},
+            'text': mark.text,
+            'rule': mark.rule,
+        }
+        for mark in marks
+    ]
+
+
+class TimelineSource(Protocol):
+    """What a timeline is made from: a recorder of a living machine, or a finished recording."""
+
+    def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
+        """Times (ns since the start), publishers and wires of a topic, from message number `first` on."""
+
+    def topics(self) -> list[tuple[str, str]]:
+        """(topic, type) of all there are."""
+
+    def part(self, name: str) -> Sequence[Any]:
+        """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or 'notes'."""
+
+    def numbers(self, name: str) -> Sequence[int]:
+        """The place of each row of a part among all there ever were: a machine that runs for long no longer has all of them."""
+
+    def forgotten(self, topic: tuple[str, str]) -> int:
+        """How many messages of a (topic, type) it no longer has."""
+
+    def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
+        """(dotted path, type) of each entry of a wire."""
+
+    def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
+        """Return what another wing recorded (see `Recorder.beside`).
+
+        :param since: by process id, the counts that it returned before.
+        """
+
+    def start_ns(self) -> int:
+        """When the simulation started, since the epoch."""
+
+    def now_ns(self) -> int:
+        """Simulated time since the start."""
+
+
+class _Column(NamedTuple):
+    """One leaf of a message type: its path, its place in a wire, and how it is told ('float', 'number', 'text')."""
+
+    path: str
+    place: int
+    how: str
+
+
+class Timeline:
+    """Gives what a source has, in deltas that fit behind each other. See :meth:`delta`."""
+
+    def __init__(self, source: TimelineSource) -> None:
+        self._source = source
+        self._marks: list[dict[str, Any]] | None = None
+        self._sent: dict[tuple[str, str], int] = {}
+        self._layout: dict[str, list[_Column]] = {}
+        self._last: dict[Any, Any] = {}
+        self._rows: dict[str, int] = {}
+        self._open: dict[str, list[int]] = {}
+        self._launches: dict[int, tuple[int, Any]] = {}
+
+    def mark(self, marks: Iterable[Mark] | None) -> None:
+        """What the rules say is told with the next delta, in place of what they said before; None: they were not asked."""
+        self._marks = None if marks is None else mark_rows(marks)
+
+    def delta(self) -> dict[str, Any]:
+        """What came since the last call, ready for JSON.
+
+        `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else; `advice` after
+        :meth:`mark`.
+        """
+        source = self._source
+        delta: dict[str, Any] = {
+            'start': source.start_ns() // 1000,
+            'now': source.now_ns() // 1000,
+            'topics': [],
+            'tf': [],
+            'scans': [],
+            'robots': [],
+        }
+        for topic, kind in source.topics():
+            first = max(self._sent.get((topic, kind), 0), source.forgotten((topic, kind)))
+            times, publishers, wires = source.rows(topic, kind, first)
+            if len(times) or not first:
+                self._sent[topic, kind] = first + len(times)
+                delta['topics'].append(self._columns(topic, kind, times, wires))
+                if kind == TF_TYPE:
+                    delta['tf'] += self._transforms(topic, times, publishers, wires)
+                elif kind == TEXT_TYPE and topic.endswith('/robot_description'):
+                    delta['robots'] += self._robots(topic, times, wires)
+                elif kind == SCAN_TYPE:
+                    delta['scans'] += self._scans(topic, times, wires)
+        delta['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
+        parameters = self._new('parameters')
+        delta['parameters'] = [_parameter(row) for row in parameters]
+        for time, node, name, value, _ in parameters:
+            if name in FOOTPRINTS and (outline := outline_of_footprint(str(value))):
+                delta['robots'].append([time // 1000, node, False, outline])
+        for name in ('descriptors', 'logs', 'output', 'notes'):
+            delta[name] = [_event(row) for row in self._new(name)]
+        for name, row_of, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
+            delta[name] = self._living(name, row_of, end)
+        delta['launches'] = self._launched()
+        delta = {name: value for name, value in delta.items() if value != []}
+        if self._marks is not None:
+            delta['advice'], self._marks = self._marks, None
+        return delta
+
+    def _launched(self) -> list[dict[str, Any]]:
+        """Return the launches that have changed since the last delta, each with its new and changed steps."""
+        found = []
+        for told in self._source.beside('launches', {pid: count for pid, (count, _) in self._launches.items()}):
+            state = told['count'], told['at']
+            if self._launches.get(told['pid']) != state:
+                self._launches[told['pid']] = state
+                found.append({**told, 'rows': [in_microseconds(row) for row in told['rows']]})
+        return found
+
+    def _new(self, name: str) -> Sequence[Any]:
+        numbers = self._source.numbers(name)
+        first = bisect_left(numbers, self._rows.get(name, 0))
+        if numbers:
+            self._rows[name] = numbers[-1] + 1
+        return self._source.part(name)[first:]
+
+    def _living(self, name: str, row_of: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
+        """New rows, and old ones that have ended since; each begins with its number."""
+        numbers, new = self._source.numbers(name), self._new(name)
+        rows = self._source.part(name)
+        found = [(number, bisect_left(numbers, number)) for number in self._open.get(name, ())]
+        open_before = [(number, rows[at]) for number, at in found if at < len(rows) and numbers[at] == number]
+        new_rows = list(zip(numbers[len(numbers) - len(new) :], new, strict=True))
+        self._open[name] = [number for number, row in [*open_before, *new_rows] if row[end] is None]
+        return [row_of(number, row) for number, row in [*(pair for pair in open_before if pair[1][end] is not None), *new_rows]]
+
+    def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
+        """The messages of a topic: steps of the times, and of each leaf that is a number or a text."""
+        if kind not in self._layout:
+            self._layout[kind] = _layout(self._source.wire_type(kind)) if kind != TF_TYPE else []
+        found: dict[str, Any] = {'name': topic, 'type': kind}
+        found['t'] = self._steps((topic, kind, 't'), (time // 1000 for time in times), 1)
+        layout = self._layout[kind]
+        found['fields'] = [[column.path, column.how] for column in layout]
+        found['c'] = [self._leaf((topic, kind, column.place), column, wires) for column in layout]
+        return found
+
+    def _leaf(self, key: Any, column: _Column, wires: Sequence[Any]) -> list[Any]:
+        place = column.place
+        if column.how == 'text':
+            steps, self._last[key] = text_steps((_text(wire[place]) for wire in wires), self._last.get(key))
+            return steps
+        return self._steps(key, (wire[place] for wire in wires), FINE if column.how == 'float' else 1)
+
+    def _steps(self, key: Any, values: Iterable[float], scale: int) -> list[Any]:
+        steps, self._last[key] = number_steps(values, scale, self._last.get(key, 0))
+        return steps
+
+    def _transforms(
+        self, topic: str, times: Sequence[int], publishers: Sequence[int], wires: Sequence[Any]
+    ) -> list[dict[str, Any]]:
+        """The transforms of TFMessages, a track for each child in each parent from each publisher."""
+        tracks: dict[tuple[str, str, int], list[tuple[float, ...]]] = {}
+        for time, publisher, wire in zip(times, publishers, wires, strict=True):
+            for sec, nanosec, parent, child, *numbers in wire[0]:
+                stamp = sec * 1_000_000 + nanosec // 1000
+                tracks.setdefault((child, parent, publisher), []).append((time // 1000, stamp, *numbers))
+        found = []
+        for (child, parent, publisher), rows in tracks.items():
+            key = (topic, child, parent, publisher)
+            scales = (1, 1, *[FINE] * 3, *[FINE * 100] * 4)
+            columns = [self._steps((*key, i), [row[i] for row in rows], scale) for i, scale in enumerate(scales)]
+            found.append({'child': child, 'parent': parent, 'by': publisher, 'static': topic == '/tf_static', 'c': columns})
+        return found
+
+    def _robots(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
+        """[time, namespace, True: a description and no footprint, outline from above] of robots that describe themselves."""
+        found = []
+        for time, wire in zip(times, wires, strict=True):
+            if outline := outline_of(wire[0]):
+                found.append([time // 1000, topic.removesuffix('/robot_description'), True, outline])
+        return found
+
+    def _scans(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
+        """[topic, time, frame, first angle, step (radians), ranges in cm or None] of some of the scans."""
+        places = {path: place for place, (path, _) in enumerate(self._source.wire_type(SCAN_TYPE))}
+        found = []
+        for time, wire in zip(times, wires, strict=True):
+            key = ('scan', topic)
+            if time // 1000 - self._last.get(key, -SCAN_EVERY_US) >= SCAN_EVERY_US:
+                self._last[key] = time // 1000
+                near = wire[places['range_min']]
+                far = wire[places['range_max']]
+                ranges = [round(value * 100) if near <= value <= far else None for value in wire[places['ranges']]]
+                angles = (round(wire[places[name]], 5) for name in ('angle_min', 'angle_increment'))
+                found.append([topic, time // 1000, wire[places['header.frame_id']], *angles, ranges])
+        return found
+
+
+def _layout(wire_type: Sequence[tuple[str, str]]) -> list[_Column]:
+    return [
+        _Column(path, place, 'float' if kind in FLOATS else 'number' if kind in NUMBERS or kind == 'boolean' else 'text')
+        for place, (path, kind) in enumerate(wire_type)
+    ]
+
+
+def _text(value: Any) -> str:
+    """A text, or an array as a short text."""
+    text = value if isinstance(value, str) else repr(list(value[:24]) if isinstance(value, (tuple, bytes)) else value)
+    return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 1] + '…'
+
+
+def _event(row: Sequence[Any]) -> list[Any]:
+    """A row that begins with its time."""
+    return [row[0] // 1000, *map(_json, row[1:])]
+
+
+def _parameter(row: Sequence[Any]) -> list[Any]:
+    """[time, node, name, value, origin, whether its numbers are doubles: a browser does not tell 1.0 from 1]"""
+    value = row[3]
+    entries = value if isinstance(value, (list, tuple)) else [value]
+    return [*_event(row), bool(entries) and all(isinstance(entry, float) for entry in entries)]
+
+
+def _endpoint(row: Sequence[Any]) -> list[Any]:
+    """[time, kind, name, type, number of the node, number of the endpoint, QoS]"""
+    *what, time, qos = row
+    return [time // 1000, *what, _json(qos)]
+
+
+def _json(value: Any) -> Any:
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, float):
+        return value if value - value == 0 else str(value)
+    if isinstance(value, bytes):
+        return list(value)
+    return [_json(entry) for entry in value] if isinstance(value, (list, tuple)) else str(value)
+
+
+def _node(number: int, row: Sequence[Any]) -> list[Any]:
+    """[number, name, process, index, from, to]"""
+    name, process, start, end, index = row
+    return [number, name, process, index, start // 1000, None if end is None else end // 1000]
+
+
+def _process(number: int, row: Any) -> list[Any]:
+    """[number, name, pid, argv, from, to, return code]"""
+    end = row['ended']
+    return [
+        number,
+        row['name'],
+        row['pid'],
+        list(row['argv']),
+        row['started'] // 1000,
+        None if end is None else end // 1000,
+        row['returncode'],
+    ]
+
+
+def _call(number: int, row: Sequence[Any]) -> list[Any]:
+    """[number, time, service, type, client, request, served, replied]; the request as a list of its leaves."""
+    time, service, kind, client, request, served, replied, _ = row
+    return [number, time // 1000, service, kind, client, _json(request), served, None if replied is None else replied // 1000]

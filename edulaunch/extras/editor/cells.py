@@ -1,0 +1,19 @@
+"""Cells of notebooks that write a file: `%%writefile follow.launch.py` and the lines below it."""
+
+from __future__ import annotations
+
+import re
+
+_FIRST = re.compile(r'%%(?:writefile|file)\s+(?:-a\s+)?(?P<name>[^\n]+?)\s*(?:\n|$)')
+
+
+def written_file(cell: str) -> tuple[str, str] | None:
+    """The name of the file that a cell writes, and the content with as many lines as the cell; None for any other cell.
+
+    The magic line becomes a comment or an empty line, so that all places stay the same.
+    """
+    match = _FIRST.match(cell)
+    if match is None:
+        return None
+    name = match['name'].strip('\'"')
+    return name, '\n' + cell[match.end() :] if match.end() > len(match[0].rstrip('\n')) else ''

@@ -1,0 +1,102 @@
+"""The check of a saved launch file that executes it: a dry run in a child process, confined, and stopped at a deadline."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from tempfile import TemporaryDirectory
+from typing import Any
+
+DEADLINE_S = 10.0
+MEMORY_BYTES = 2 << 30
+Outcome = dict[str, Any]
+
+
+def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLINE_S) -> Outcome | None:
+    """Return what a dry run of a launch file finds: `findings`, and the steps of each launch argument as `values`.
+
+    A dry run that did not end gives None. The file runs in another process. Where the system allows that, the process can
+    write only in a temporary folder, and opens no socket.
+    """
+    with TemporaryDirectory(prefix='edulaunch-editor-') as home:
+        job = json.dumps({'path': path, 'workspaces': list(workspaces), 'home': home})
+        command = [sys.executable, '-m', 'edulaunch.extras.editor.saving']
+        child = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            encoding='utf-8',
+            start_new_session=True,
+            cwd=home,  # not the folder of the file: Python would import modules from there
+        )
+        try:
+            said, _ = child.communicate(job, timeout=deadline_s)
+        except subprocess.TimeoutExpired:
+            os.killpg(child.pid, signal.SIGKILL)
+            child.communicate()
+            return None
+    try:
+        outcome: Outcome = json.loads(said)
+    except ValueError:
+        return None
+    return outcome
+
+
+def confined(home: str, readable: Sequence[str]) -> dict[str, str]:
+    """Confine this process for good, as far as this system can: layer -> 'held', or why it does not hold."""
+    import resource
+
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    os.environ['TMPDIR'] = home
+    try:
+        from edugrade.sandbox.confine import Confinement
+    except ImportError:
+        return {'all': 'the grader is not installed'}
+    return Confinement([*readable, *sys.path, sys.base_prefix, '/usr', '/lib', '/lib64', '/etc'], ['/']).put_on([], home)
+
+
+def outcome_of(path: str, workspaces: Sequence[str]) -> Outcome:
+    """The findings of a dry run of a launch file, and the steps of its launch arguments."""
+    from edulaunch.advice.judging import judge_plan
+    from edulaunch.advice.plan import rehearse
+    from edulaunch.advice.plan.why import argument_chain
+    from edulaunch.runtime.session import Session
+
+    with Session(workspaces=workspaces) as session:
+        host = session.host
+        rehearsal = rehearse(path, {}, session.index, host.env, command_set=host.command_set)
+        findings = [list(finding) for finding in judge_plan(rehearsal)]
+        values = {}
+        if rehearsal.plan['error'] is None:
+            values = {one['name']: argument_chain(rehearsal.outline, one['name']) for one in rehearsal.plan['arguments']}
+    return {'findings': findings, 'values': values, 'not_done': rehearsal.plan.get('not_done', [])}
+
+
+def main() -> None:
+    """The child: read the job, be confined, run it, and write the outcome."""
+    job = json.load(sys.stdin)
+    out = os.fdopen(os.dup(1), 'w', encoding='utf-8')
+    os.dup2(2, 1)  # what the launch file prints goes nowhere
+    folders = [os.path.dirname(job['path']), *job['workspaces']]
+    import tempfile
+
+    from edulaunch.ros.sourcing import source
+
+    source()
+    os.chdir(os.path.dirname(job['path']))
+    tempfile.tempdir = job['home']
+    layers = confined(job['home'], folders)
+    json.dump({**outcome_of(job['path'], job['workspaces']), 'confined': layers}, out, default=str)
+    out.flush()
+    os._exit(0)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,129 @@
+"""Which topics and services cross to a real network, in which direction, and the options that say so."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import NamedTuple, NoReturn
+
+from edulaunch.engine.nearest import did_you_mean
+from edulaunch.errors import UnusableInput
+from edulaunch.extras.network.link import CLIENT, PUBLISHER
+from edulaunch.extras.network.links import DEFAULT
+
+LISTS = {
+    'topics': 'only these topics, services and namespaces cross',
+    'deny': 'these do not cross',
+    'in': 'only these come in from the network',
+    'out': 'only these go out to the network',
+}
+"""Option and what it says."""
+
+
+class Crossing(NamedTuple):
+    """Which names cross. A name stands for that topic or service and for all in the namespace of that name; '/' is everything.
+
+    What comes in are messages for subscriptions of this machine and calls of its services. What goes out are messages of its
+    publishers and calls of its clients.
+
+    :ivar names: what crosses at all; nothing named is everything.
+    :ivar deny: what does not cross, whatever else is named.
+    :ivar incoming, outgoing: what crosses in one direction; None is everything.
+    """
+
+    names: Sequence[str] = ()
+    deny: Sequence[str] = ()
+    incoming: Sequence[str] | None = None
+    outgoing: Sequence[str] | None = None
+
+    def allows(self, kind: str, name: str, is_own: bool) -> bool:
+        """Return whether an endpoint may take part.
+
+        :param kind: 'publisher', 'subscription', 'service' or 'client'.
+        :param name: the expanded name of its topic or service.
+        :param is_own: whether it belongs to this machine.
+        """
+        goes_out = (kind in (PUBLISHER, CLIENT)) == is_own
+        one_way = self.outgoing if goes_out else self.incoming
+        if self.deny and covers(self.deny, name):
+            return False
+        return (not self.names or covers(self.names, name)) and (one_way is None or covers(one_way, name))
+
+    def __str__(self) -> str:
+        parts = [' '.join(self.names) or 'all topics']
+        if self.deny:
+            parts.append(f'not {" ".join(self.deny)}')
+        for label, names in (('in', self.incoming), ('out', self.outgoing)):
+            if names is not None:
+                parts.append(f'{label}: {" ".join(names) or "nothing"}')
+        return ', '.join(parts)
+
+
+EVERYTHING = Crossing()
+
+
+class JoinRequest(NamedTuple):
+    """What a user who joins asks for.
+
+    :ivar link: what carries the messages.
+    :ivar clock: whether the machine's time is published on /clock.
+    """
+
+    link: str = DEFAULT
+    clock: bool = False
+    crossing: Crossing = EVERYTHING
+
+
+def covers(names: Sequence[str], name: str) -> bool:
+    """Return whether a name is one of `names`, or is in one of these namespaces."""
+    wanted = ['/' + each.strip('/') for each in names]
+    return any(each in ('/', name) or name.startswith(each + '/') for each in wanted)
+
+
+def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
+    """Add the options of a join. The names of a list may be separated by commas.
+
+    :param prefix: begins the name of each option, 'network-' for a launch. There each option takes one word, so that it does not
+        take the package and the launch file as well.
+    """
+    for name, text in LISTS.items():
+        parser.add_argument(
+            f'--{prefix}{name}', nargs=1 if prefix else '+', action='extend', default=[], metavar='NAMES', help=text
+        )
+    parser.add_argument(f'--{prefix}readonly', action='store_true', help='nothing comes in: others can look and change nothing')
+    parser.add_argument(f'--{prefix}clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
+    parser.add_argument(f'--{prefix}link', metavar='LINK', help='what carries the messages: cyclonedds (default) or rclpy')
+
+
+def option_words(arguments: argparse.Namespace, prefix: str = '') -> list[str]:
+    """Return the options of :func:`add_options` as words again, without the prefix."""
+    start = prefix.replace('-', '_')
+    words = [f'--{name}={value}' for name in LISTS for value in getattr(arguments, start + name)]
+    words += [f'--{name}' for name in ('readonly', 'clock') if getattr(arguments, start + name)]
+    link = getattr(arguments, start + 'link')
+    return words if link is None else [*words, f'--link={link}']
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise UnusableInput(f'edulaunch network on: {message}', help='edulaunch network --help')
+
+
+def join_request(words: Sequence[str]) -> JoinRequest:
+    """Read the options of a join.
+
+    :raises UnusableInput: for words that are not options of it, and for lists that contradict each other.
+    """
+    parser = _Parser(prog='edulaunch network on', add_help=False, allow_abbrev=False)
+    add_options(parser)
+    found, unknown = parser.parse_known_args(list(words))
+    if unknown:
+        known = [f'--{name}' for name in (*LISTS, 'readonly', 'clock', 'link')]
+        raise UnusableInput(f'edulaunch network on has no option {unknown[0]!r}', help=did_you_mean(unknown[0], known) or None)
+    lists = {name: tuple(each for value in getattr(found, name) for each in value.split(',') if each) for name in LISTS}
+    if found.readonly and lists['in']:
+        raise UnusableInput('--readonly lets nothing in, and --in names what comes in', help='leave one of them out')
+    incoming = () if found.readonly else lists['in'] or None
+    return JoinRequest(
+        found.link or DEFAULT, found.clock, Crossing(lists['topics'], lists['deny'], incoming, lists['out'] or None)
+    )

@@ -1,0 +1,190 @@
+"""One end of the link: sends and takes frames, passes the token, makes calls."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from struct import Struct
+from typing import Any, NoReturn
+
+from edulaunch.runtime.link.clock import BEFORE_ALL, Key, PeerSimulation
+from edulaunch.runtime.link.codec import HEADER, LONGEST_FRAME, Kind, Violation, dump, load
+
+FLUSH_BYTES = 1 << 17
+CHUNK_BYTES = 1 << 18
+LAST_NUMBER = 1 << 62
+TIME = Struct('<q')
+NUMBER = Struct('<Q')
+TOKEN = Struct('<QQqBQ')  # number, then a key
+Handler = Callable[[memoryview], Any]
+
+
+class Gone(Exception):
+    """The other peer has closed its end."""
+
+
+class Peer:
+    """One peer's end of the link.
+
+    :param trusts: whether the other peer is believed; if not, its time and numbers must go forward and stay within its turn.
+    :param quota: how many bytes the other peer may send altogether; None for no limit.
+    """
+
+    def __init__(self, sim: PeerSimulation, end: socket.socket, *, trusts: bool, quota: int | None = None) -> None:
+        self.sim = sim
+        self.handlers: dict[int, Handler] = {}
+        self.calls: dict[int, Handler] = {}
+        self.received = 0
+        self._end = end
+        self._trusts = trusts
+        self._quota = quota
+        self._out = bytearray()
+        self._in = bytearray()
+        self._at = 0
+        self._told_ns = sim.now_ns
+        self._grant_ns = sim.now_ns
+        sim.pass_token = self._pass_token
+
+    def fatal(self, error: Exception) -> NoReturn:
+        """The link cannot go on. Programs catch what is raised in them, so whoever owns this peer may end everything here."""
+        raise error
+
+    def send(self, kind: Kind, payload: bytes) -> None:
+        """Tell the other peer something that is for the record, or that wakes nobody there."""
+        if self._told_ns != self.sim.now_ns:
+            self._told_ns = self.sim.now_ns
+            self._add(Kind.ADVANCE, TIME.pack(self._told_ns))
+        self._add(kind, payload)
+
+    def tell(self, kind: Kind, payload: bytes) -> None:
+        """Tell it something that may wake somebody there, in the order of what is asked for here before and after."""
+        sim = self.sim
+        if self._marked != sim.last_number or not sim.is_marked():
+            self.send(Kind.MARK, NUMBER.pack(sim.number_for_the_other()))
+            self._marked = sim.last_number
+        self.send(kind, payload)
+
+    _marked = -1
+
+    def call(self, kind: Kind, value: Any) -> Any:
+        """Let the other peer do something now, and give what it answers."""
+        self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
+        self._flush()
+        return self._take_until(Kind.RETURN)
+
+    def _answer(self, kind: int, payload: memoryview) -> None:
+        self._continue(payload)
+        value = self.calls[kind](payload[NUMBER.size :])
+        self._hand_over(Kind.RETURN, self.sim.head(), dump(value))
+
+    def _hand_over(self, kind: Kind, key: Key, value: bytes = b'null') -> None:
+        self.send(kind, TOKEN.pack(self.sim.sequence(), *key) + value)
+        self._flush()
+
+    def _pass_token(self, key: Key) -> None:
+        self._hand_over(Kind.TOKEN, key)
+        self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
+
+    def await_token(self, grant_ns: int) -> None:
+        """Let the other peer run until it passes the token; at most until the time is `grant_ns`."""
+        self._grant_ns = grant_ns
+        self._take_until(Kind.TOKEN)
+        self._grant_ns = self.sim.now_ns
+
+    def _take_until(self, kind: Kind) -> Any:
+        """Take frames until one of this kind hands over; what is said with it."""
+        return self.checked(lambda: self._until(kind))
+
+    def _until(self, kind: Kind) -> Any:
+        while True:
+            found, payload = self._next()
+            if found == kind:
+                return self._take_over(payload)
+            self._dispatch(found, payload)
+
+    def checked(self, act: Callable[[], Any]) -> Any:
+        """Do something with what the other peer has sent. What goes wrong with it there ends the link."""
+        try:
+            return act()
+        except (Violation, Gone, TooMuch) as error:
+            self.fatal(error)
+        except Exception as error:
+            if self._trusts:
+                raise
+            self.fatal(error)
+
+    def _take_over(self, payload: memoryview) -> Any:
+        """The other peer's last number, the key of its next item, and a value."""
+        number, *key = TOKEN.unpack_from(payload)
+        self._take_number(number)
+        self.sim.other = key[0], key[1], key[2], key[3]
+        return load(bytes(payload[TOKEN.size :]))
+
+    def _continue(self, payload: memoryview) -> None:
+        self._take_number(NUMBER.unpack_from(payload)[0])
+
+    def _take_number(self, number: int) -> None:
+        if not self._trusts and not self.sim.sequence() <= number < LAST_NUMBER:
+            raise Violation('numbers go forward')
+        self.sim.continue_from(number)
+
+    def advance(self, payload: memoryview) -> None:
+        """Take the other peer's time."""
+        (now_ns,) = TIME.unpack(payload)
+        if not self._trusts and not self.sim.now_ns <= now_ns <= self._grant_ns:
+            raise Violation('time goes forward, and not beyond what is due elsewhere')
+        self._told_ns = self.sim.now_ns = now_ns
+
+    def _add(self, kind: Kind, payload: bytes) -> None:
+        self._out += HEADER.pack(len(payload), kind)
+        self._out += payload
+        if len(self._out) > FLUSH_BYTES:
+            self._flush()
+
+    def _flush(self) -> None:
+        data, self._out = self._out, bytearray()
+        try:
+            self._end.sendall(data)
+        except OSError:
+            self.fatal(Gone())
+
+    def _dispatch(self, kind: int, payload: memoryview) -> None:
+        if kind == Kind.ADVANCE:
+            self.advance(payload)
+        elif kind == Kind.MARK:
+            self._continue(payload)
+        elif kind in self.calls:
+            self._answer(kind, payload)
+        else:
+            self.handlers[kind](payload)
+
+    def _next(self) -> tuple[int, memoryview]:
+        while True:
+            have = len(self._in) - self._at
+            if have >= HEADER.size:
+                length, kind = HEADER.unpack_from(self._in, self._at)
+                if length > LONGEST_FRAME:
+                    raise Violation(f'a frame of {length} bytes')
+                if have >= HEADER.size + length:
+                    start = self._at + HEADER.size
+                    self._at = start + length
+                    return kind, memoryview(bytes(self._in[start : self._at]))
+            self._read()
+
+    def _read(self) -> None:
+        try:
+            data = self._end.recv(CHUNK_BYTES)
+        except OSError:
+            raise Gone from None
+        if not data:
+            raise Gone
+        self.received += len(data)
+        if self._quota is not None and self.received > self._quota:
+            raise TooMuch
+        del self._in[: self._at]
+        self._at = 0
+        self._in += data
+
+
+class TooMuch(Exception):
+    """The other peer has sent more than it may."""

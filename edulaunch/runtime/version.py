@@ -1,0 +1,3 @@
+"""The version, for the command line and the build."""
+
+__version__ = '1.0.0'

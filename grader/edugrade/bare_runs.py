@@ -1,0 +1,93 @@
+"""Runs without a launch argument, which show its default.
+
+A scenario names in `defaults` the arguments that it does not give. Where the launch file declares another default, or none, the
+run is made again with the argument given: a wrong default costs its own points, and not those of all that hangs on the value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from .evidence import Outcome, Scenario, described_defaults, written_text
+from .library.arguments import is_literal, is_same_value
+from .library.deaths import deaths
+from .worker import in_worker
+
+Again = Callable[[list[Scenario]], Sequence[Outcome]]
+
+
+def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outcome]:
+    """Return the outcomes. Those that had to be made again are replaced. One for which any default will do, and none is there, is
+    left out.
+
+    :param again: makes runs.
+    """
+    if not any(outcome.scenario.defaults for outcome in outcomes):
+        return list(outcomes)
+    try:
+        plan = in_worker(lambda: _plan(outcomes))  # what a submission declares may upset whoever looks at it
+    except Exception:  # judging it meets the same, and says so
+        return list(outcomes)
+    places = [place for place, (names, _) in enumerate(plan) if names and None not in names.values()]
+    made = again([_giving(outcomes[place].scenario, plan[place][0]) for place in places]) if places else []
+    instead = {
+        place: outcome._replace(bare=(plan[place][1], tuple(plan[place][0])) if plan[place][1] else None)
+        for place, outcome in zip(places, made, strict=True)
+    }
+    return [instead.get(place, outcome) for place, outcome in enumerate(outcomes) if place in instead or not plan[place][0]]
+
+
+def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str]]:
+    """For each run the arguments that it has to be given, and why it could not do without them; '' where it could."""
+    recorded = [outcome.recording for outcome in outcomes if outcome.recording is not None]
+    if not recorded:
+        return [({}, '') for _ in outcomes]
+    known = described_defaults(recorded[0])
+    given = [_to_give(outcome, known) if outcome.scenario.defaults else {} for outcome in outcomes]
+    return [(names, _why(outcome) if names else '') for names, outcome in zip(given, outcomes, strict=True)]
+
+
+def _why(outcome: Outcome) -> str:
+    return outcome.text if outcome.recording is None else _death(outcome) or ''
+
+
+def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str | None]:
+    """The arguments that a run has to be given after all, with their values.
+
+    :param known: the defaults that another run's recording has.
+    """
+    defaults = outcome.scenario.defaults
+    if outcome.recording is None and outcome.kind != 'unusable':
+        return {}
+    declared = known if outcome.recording is None else described_defaults(outcome.recording)
+    other: dict[str, str | None] = {
+        name: wanted for name, wanted in defaults.items() if wanted is not None and _is_other(declared.get(name), wanted)
+    }
+    if outcome.recording is not None:  # it can do without those that it does not declare
+        return other or _of_another_type(outcome, declared)
+    lacking = {name: wanted for name, wanted in defaults.items() if declared.get(name) is None}
+    return {**lacking, **other} or {name: wanted or written_text(declared[name] or '') for name, wanted in defaults.items()}
+
+
+def _of_another_type(outcome: Outcome, declared: Mapping[str, str | None]) -> dict[str, str | None]:
+    """Defaults that are written in another way, such as 1 for 1.0, in a run in which a node died of it."""
+    if outcome.recording is None or _death(outcome) is None:
+        return {}
+    texts = {name: written_text(text) for name, text in declared.items() if text is not None}
+    defaults = outcome.scenario.defaults
+    return {name: wanted for name, wanted in defaults.items() if wanted is not None and texts.get(name, wanted) != wanted}
+
+
+def _death(outcome: Outcome) -> str | None:
+    """The first program that died in a run."""
+    found = None if outcome.recording is None else next(deaths(outcome.recording), None)
+    return None if found is None else f'{found.name} died'
+
+
+def _is_other(seen: str | None, wanted: str) -> bool:
+    return seen is not None and is_literal(seen) and not is_same_value(written_text(seen), wanted)
+
+
+def _giving(scenario: Scenario, names: Mapping[str, str | None]) -> Scenario:
+    rest = {name: default for name, default in scenario.defaults.items() if name not in names}
+    return scenario._replace(arguments={**scenario.arguments, **{key: str(value) for key, value in names.items()}}, defaults=rest)

@@ -1,0 +1,163 @@
+"""What a teacher decides beside the marks of a batch: other points, comments, and what is taken off for lateness.
+
+Points and comments stand in ``teacher.csv`` in the folder of the results. Grading never writes that file, so they survive it.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+from math import ceil, isfinite
+from typing import Any, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..files import read_given
+
+FILE = 'teacher.csv'
+LARGEST_BYTES = 5_000_000
+COLUMNS = ('student', 'exercise', 'points', 'comment')
+NAMES, NUMBERS = ('student', 'Student', 'Full name', 'Name'), ('student_id', 'id', 'Identifier', 'SID')
+TIMES = ('submitted', 'Submission Time', 'Last modified (submission)')
+MOODLE_TIME = '%A, %d %B %Y, %I:%M %p'
+DAY_S = 86400
+
+Result = dict[str, Any]
+
+
+class Decision(NamedTuple):
+    """Other points (None: those of the grader) and a comment."""
+
+    points: float | None
+    comment: str
+
+
+class Late(NamedTuple):
+    """How much is taken off: `per_day` hundredths of the points for each day that has begun after `due`."""
+
+    due: datetime
+    per_day: float
+    submitted: Mapping[str, datetime]
+
+    def days(self, result: Result) -> int:
+        """How many days a submission is late; 0 when nobody says when it was submitted."""
+        when = self.submitted.get(str(result.get('student_id') or '')) or self.submitted.get(str(result['student']))
+        if when is None:
+            return 0
+        try:
+            return max(0, ceil((when - self.due).total_seconds() / DAY_S))
+        except TypeError:
+            raise UnusableInput(
+                'the due date or a submission has a time zone, and the other has none',
+                help='--due 2026-11-20T23:59+01:00 has one',
+            ) from None
+
+
+def decided(results: Sequence[Result], folder: str, late: Late | None = None) -> list[Result]:
+    """The results with the points that count. `graded` has those of the grader where they differ; `comment`, `late_days` say why.
+
+    :param folder: of the results.
+    :raises UnusableInput: when the teacher's file cannot be read, or names somebody of whom there is no result.
+    """
+    decisions = read_decisions(os.path.join(folder, FILE))
+    found = [_decided(result, decisions, late) for result in results]
+    known = {key for result in results for key in _keys(result)}
+    strange = next((key for key in decisions if key not in known), None)
+    if strange is not None:
+        raise UnusableInput(f'{FILE} names {strange[0]} with the exercise {strange[1] or "(none)"}, and there is no such result')
+    return found
+
+
+def _keys(result: Result) -> list[tuple[str, str]]:
+    names = [name for name in (result['student'], result.get('student_id')) if name]
+    return [(name, exercise) for name in names for exercise in (result.get('rubric', {}).get('name', ''), '')]
+
+
+def _decided(result: Result, decisions: Mapping[tuple[str, str], Decision], late: Late | None) -> Result:
+    decision = next((decisions[key] for key in _keys(result) if key in decisions), Decision(None, ''))
+    points = result.get('points', {})
+    earned, days = points.get('earned'), late.days(result) if late else 0
+    counted = earned if decision.points is None else decision.points
+    if counted is not None and late is not None and decision.points is None:
+        counted = round(counted * max(0.0, 1 - late.per_day / 100 * days), 2)
+    about: Result = {'comment': decision.comment} if decision.comment else {}
+    about |= {'late_days': days} if days else {}
+    if counted == earned:
+        return {**result, **about}
+    return {**result, **about, 'graded': earned, 'points': {**points, 'earned': counted, 'possible': points.get('possible', 0)}}
+
+
+def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
+    """The rows of the teacher's file, by student (name or number) and exercise; none when there is no such file.
+
+    :raises UnusableInput: with the line that is wrong.
+    """
+    if not os.path.exists(path):
+        return {}
+    head, rows = read_table(path)
+    if not {'student', 'points'} <= set(head):
+        raise UnusableInput(f'{path} has no columns student and points', help=f'its first line is {",".join(COLUMNS)}')
+    found = {}
+    for number, row in enumerate(rows, 2):
+        text = row['points'].strip().replace(',', '.')
+        try:
+            points = float(text) if text else None
+        except ValueError:
+            points = -1.0
+        if points is not None and not (isfinite(points) and points >= 0):
+            raise UnusableInput(
+                f'{path}:{number}: {row["points"]!r} are no points', help='a number, or nothing for those of the grader'
+            )
+        if row['student'].strip():
+            found[row['student'].strip(), row.get('exercise', '').strip()] = Decision(points, row.get('comment', '').strip())
+    return found
+
+
+def read_late(due: str, per_day: float, path: str) -> Late:
+    """Lateness by a table with the times of submission: ours (``student,submitted``), Gradescope's, or Moodle's worksheet.
+
+    :raises UnusableInput: when a time cannot be read.
+    """
+    if not 0 <= per_day <= 100:
+        raise UnusableInput(f'--late-per-day {per_day:g} is no number from 0 to 100')
+    head, rows = read_table(path)
+    column = next((name for name in TIMES if name in head), None)
+    if column is None or not set(head) & {*NAMES, *NUMBERS}:
+        raise UnusableInput(f'{path} has no columns with students and times', help='student,submitted')
+    times = {}
+    for number, row in enumerate(rows, 2):
+        if row[column].strip() not in ('', '-'):
+            when = _time(row[column].strip(), f'{path}:{number}')
+            for name in (*NAMES, *NUMBERS):
+                if row.get(name, '').strip():
+                    times[row[name].split()[-1] if name == 'Identifier' else row[name].strip()] = when
+    return Late(_time(due, '--due'), per_day, times)
+
+
+def _time(text: str, place: str) -> datetime:
+    try:
+        return datetime.fromisoformat(text.replace('Z', '+00:00').replace(' +', '+'))
+    except ValueError:
+        pass
+    try:
+        return datetime.strptime(text, MOODLE_TIME)
+    except ValueError:
+        raise UnusableInput(f'{place}: {text!r} is no time', help='2026-11-20T23:59') from None
+
+
+def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:
+    """Head and rows of a CSV file with commas or semicolons.
+
+    :raises UnusableInput: when it cannot be read.
+    """
+    try:
+        text = read_given(path, LARGEST_BYTES, 'the table ').decode('utf-8-sig')
+    except UnicodeDecodeError as error:
+        raise UnusableInput(f'the table {path} cannot be read: {error}', help='it is CSV in UTF-8') from None
+    first = text.partition('\n')[0]
+    reader = csv.DictReader(io.StringIO(text), restval='', delimiter=';' if first.count(';') > first.count(',') else ',')
+    rows = [{key: value for key, value in row.items() if isinstance(key, str)} for row in reader]
+    return list(reader.fieldnames or ()), rows

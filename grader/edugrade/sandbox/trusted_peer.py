@@ -1,0 +1,189 @@
+"""The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer, and answers.
+
+It answers the runner with two frames: a letter, eight bytes of length, content. The first is the confined peer's, sent before
+that reads anything of the submission.
+
+====== ===========================================================================
+letter content
+====== ===========================================================================
+C      JSON: which layers of confinement hold; then one of
+R      what this peer recorded: a line of JSON (the provenance of its rows, and what the bags hold), then the recording's bytes
+U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
+S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other peer sent nonsense),
+       'broken' (it says that edulaunch broke in it)
+B      JSON: edulaunch itself broke, here
+====== ===========================================================================
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from types import FrameType
+from typing import Any, NoReturn
+
+from . import bags
+
+HEADER_BYTES = 9
+LONGEST_WORDS = 64_000
+LATER_S = 0.4  # than the confined peer's own alarm, which knows where the program was
+PATIENCE_S = 0.5  # with a peer that has closed its end, until it has ended
+ITS_WORDS = b'US'
+INTERRUPTED_S = 2.0  # of simulated time, for programs to end after Ctrl-C
+
+
+class TrustedPeer:
+    """One run.
+
+    :param channel: to the runner.
+    :param confined: is the other peer, given its end of the link and of the pipe for its last words.
+    """
+
+    def __init__(self, job: dict[str, Any], channel: int, confined: Callable[[socket.socket, int], NoReturn]) -> None:
+        self._job = job
+        self._channel = channel
+        ours, theirs = socket.socketpair()
+        self._words, writing_end = os.pipe()
+        self._pid = os.fork()
+        if self._pid == 0:
+            for end in (channel, self._words, ours.fileno()):
+                os.close(end)
+            confined(theirs, writing_end)
+        os.close(writing_end)
+        theirs.close()
+        self._link = ours
+
+    def run(self) -> NoReturn:
+        """Tell the runner what confines the other peer, run with it, and answer."""
+        state = read_words(self._words)
+        if state[:1] != b'C':
+            self._answer(b'B', b'{"text": "the process for the submission ended before it had read anything of it"}')
+            os._exit(0)
+        self._answer(state[:1], state[HEADER_BYTES:])
+        os.set_blocking(self._words, False)
+        signal.signal(signal.SIGCHLD, self._on_its_end)
+        signal.signal(signal.SIGALRM, lambda *_: self._stopped('timeout'))
+        signal.setitimer(signal.ITIMER_REAL, self._job['wall_s'] + LATER_S)
+        try:
+            letter, content = b'R', self._recorded()
+        except MemoryError:
+            self._stopped('memory')
+        except Exception as error:
+            letter, content = broke(error)
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        self._answer(letter, content)
+        os._exit(0)
+
+    def _recorded(self) -> bytes:
+        from edulaunch.engine.recording import Recording
+        from edulaunch.runtime.link.trusted import Trusted
+
+        trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
+        trusted.peer.fatal = self._on_fatal  # type: ignore[method-assign]
+        content = trusted.run(self._job['duration_s'])
+        try:
+            recording = Recording(content).to_bytes()
+        except MemoryError:
+            raise
+        except Exception as error:  # only what the other peer told of itself can be of the wrong kind
+            self._on_fatal(error)
+        provenance = trusted.recorder.provenance.as_data()
+        found = self._bags_after_interrupt(trusted) if self._job['is_interrupted'] else []
+        return json.dumps([*provenance, *found]).encode() + b'\n' + recording
+
+    def _bags_after_interrupt(self, trusted: Any) -> list[dict[str, Any]]:
+        """Let time go on while launch and its programs end, which does not count, and read the bags that they have written."""
+
+        def over(error: Exception) -> NoReturn:
+            raise error
+
+        published, end_ns = trusted.published_bytes, trusted.sim.now_ns
+        trusted.peer.fatal = over
+        with suppress(Exception):
+            trusted.go_on(INTERRUPTED_S)
+        return bags.written_bags(self._job['home'], end_ns, published)
+
+    def _on_fatal(self, error: Exception) -> NoReturn:
+        from edulaunch.runtime.link.peer import Gone, TooMuch
+
+        if isinstance(error, Gone):
+            self._end_like_it()
+        self._stopped('recording' if isinstance(error, TooMuch) else 'protocol', f'{type(error).__name__}: {error}')
+
+    def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
+        """The other peer has ended; what it has started may hold its end of the link. What was sent is read, and no more."""
+        with suppress(OSError):
+            self._link.shutdown(socket.SHUT_RDWR)
+
+    def _end_like_it(self) -> NoReturn:
+        """The other peer is gone: pass its last words on, or end as it did."""
+        words = read_words(self._words)
+        if words[:1] == b'B':  # a file can break what it shares a process with, or say that it broke: that is worth no mark
+            self._answer(b'S', b'{"reason": "broken", "said": %s}' % (words[HEADER_BYTES:] or b'null'))
+            os._exit(0)
+        if words[:1] and words[:1] in ITS_WORDS:
+            self._answer(words[:1], words[HEADER_BYTES:])
+            os._exit(0)
+        if words:
+            self._stopped('protocol')
+        status = self._status()
+        if status is not None and status < 0:
+            with suppress(OSError, ValueError):
+                signal.signal(-status, signal.SIG_DFL)
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, [-status])
+            os.kill(os.getpid(), -status)
+        os._exit(0 if status is None else status)
+
+    def _status(self) -> int | None:
+        deadline = time.monotonic() + PATIENCE_S
+        while time.monotonic() < deadline:
+            ended, status = os.waitpid(self._pid, os.WNOHANG)
+            if ended:
+                return os.waitstatus_to_exitcode(status)
+            time.sleep(0.002)
+        return None
+
+    def _stopped(self, reason: str, detail: str = '') -> NoReturn:
+        self._answer(b'S', json.dumps({'reason': reason, 'detail': detail}).encode())
+        os._exit(0)
+
+    def _answer(self, letter: bytes, content: bytes) -> None:
+        send(self._channel, letter, content)
+
+
+def send(channel: int, letter: bytes, content: bytes) -> None:
+    """Write one frame, all of it."""
+    for part in (letter + len(content).to_bytes(8, 'big'), content):
+        view = memoryview(part)
+        while view:
+            view = view[os.write(channel, view) :]
+
+
+def read_words(words: int) -> bytes:
+    """One whole frame from a pipe, b'' when there is none."""
+    data = b''
+    with suppress(BlockingIOError):
+        while len(data) < LONGEST_WORDS and not _is_whole(data):
+            more = os.read(words, LONGEST_WORDS)
+            if not more:
+                break
+            data += more
+    return data if _is_whole(data) else b''
+
+
+def _is_whole(data: bytes) -> bool:
+    return len(data) >= HEADER_BYTES and len(data) >= HEADER_BYTES + int.from_bytes(data[1:HEADER_BYTES], 'big')
+
+
+def broke(error: BaseException) -> tuple[bytes, bytes]:
+    """The answer when edulaunch itself broke."""
+    import traceback
+
+    text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))
+    return b'B', json.dumps({'text': f'{type(error).__name__}: {error}', 'trace': text[-8000:]}).encode()

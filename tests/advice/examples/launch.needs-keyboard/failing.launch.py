@@ -1,0 +1,7 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    name = input('name of the simulator: ')
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node', name=name)])

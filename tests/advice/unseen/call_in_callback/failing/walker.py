@@ -1,0 +1,21 @@
+import rclpy
+from rclpy.node import Node
+from turtlesim.srv import Spawn
+
+
+class Walker(Node):
+    def __init__(self):
+        super().__init__('walker')
+        self.client = self.create_client(Spawn, 'spawn')
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.client.call(Spawn.Request(x=1.0, y=1.0))
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Walker())
+
+
+main()

@@ -1,0 +1,12 @@
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+            ExecuteProcess(cmd=['ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x: 1.0, y: 1.0, name: turtle2}']),
+        ]
+    )

@@ -1,0 +1,20 @@
+import rclpy
+from rclpy.node import Node
+from example_interfaces.srv import AddTwoInts
+
+
+class Walker(Node):
+    def __init__(self):
+        super().__init__('walker')
+        self.create_service(AddTwoInts, 'add', self.add)
+
+    def add(self, request, response):
+        response.sum = request.a + request.b
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Walker())
+
+
+main()

@@ -1,0 +1,21 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(
+                package='tf2_ros',
+                executable='static_transform_publisher',
+                name='a',
+                arguments=['--x', '1', '--frame-id', 'world', '--child-frame-id', 'table'],
+            ),
+            Node(
+                package='tf2_ros',
+                executable='static_transform_publisher',
+                name='b',
+                arguments=['--x', '2', '--frame-id', 'map', '--child-frame-id', 'table'],
+            ),
+        ]
+    )

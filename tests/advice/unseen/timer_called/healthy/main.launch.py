@@ -1,0 +1,11 @@
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+HERE = Path(__file__).parent
+
+
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['python3', str(HERE / 'walker.py')])])

@@ -1,0 +1,19 @@
+import rclpy
+from rclpy.node import Node
+from geometry_msgs.msg import Twist
+from turtlesim.msg import Pose
+
+
+class Walker(Node):
+    def __init__(self):
+        super().__init__('walker')
+        self.pub = self.create_publisher(Twist, 'my-topic', 10)
+        self.create_timer(1.0, lambda: None)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Walker())
+
+
+main()

@@ -1,0 +1,102 @@
+"""Help in JupyterLab: mistakes in cells that write a launch file, and in launch files in XML, are marked with their cures."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.browser.lab import WAIT_MS, WANTED, Lab
+
+pytestmark = pytest.mark.browser
+for _name in ('pygls', 'jupyterlab_lsp', 'pylsp'):
+    pytest.importorskip(_name, reason=f"{_name} is not installed: pip install 'edulaunch[editor,browser]'")
+
+CELL = """%%writefile follow.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='turtlesm', executable='turtlesim_node'),
+        Node(package='turtlesim', executable='turtlesim_nod', nmae='b'),
+    ])
+"""
+MARKUP = '<launch>\n  <node pkg="turtlesim" exec="turtlesim_nod"/>\n</launch>\n'
+OPEN = """async ([path, factory]) => {
+  const widget = await window.jupyterapp.commands.execute('docmanager:open', {path, factory});
+  await widget.context.ready;
+}"""
+TYPE = """text => {
+  const cell = window.jupyterapp.shell.currentWidget.content.widgets[0];
+  cell.model.sharedModel.setSource(text);
+}"""
+
+
+@pytest.fixture(scope='module')
+def tab(lab: Lab, course: Path) -> Iterator[Any]:
+    cell = {'cell_type': 'code', 'id': 'write', 'metadata': {}, 'execution_count': None, 'outputs': [], 'source': ''}
+    spec = {
+        'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'},
+        'language_info': {'name': 'python'},
+    }
+    notebook = {'nbformat': 4, 'nbformat_minor': 5, 'metadata': spec, 'cells': [cell]}
+    (course / 'help.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
+    (course / 'help.launch.xml').write_text(MARKUP, encoding='utf-8')
+    page = lab._new_tab()
+    yield page
+    page.evaluate('() => window.jupyterapp.serviceManager.sessions.shutdownAll()')
+    page.context.close()
+
+
+def marked(page: Any, words: list[str]) -> None:
+    """Wait until these words are underlined."""
+    page.wait_for_function(
+        """words => {
+            const found = [...document.querySelectorAll('.cm-lintRange')].map(one => one.textContent);
+            return words.every(word => found.some(text => text.includes(word)));
+        }""",
+        arg=words,
+        timeout=WAIT_MS,
+        polling=500,
+    )
+
+
+def message(page: Any, word: str) -> str:
+    """Return the message that appears while the pointer is on a word and Ctrl is held."""
+    page.keyboard.down('Control')
+    page.locator('.cm-lintRange', has_text=word).first.hover()
+    shown = page.locator('.cm-tooltip-lint, .lsp-tooltip, .cm-tooltip-hover')
+    shown.first.wait_for(timeout=WAIT_MS)
+    text = str(shown.first.inner_text())
+    page.keyboard.up('Control')
+    return text
+
+
+def picture(page: Any, shots: Path, name: str) -> None:
+    if WANTED:
+        page.screenshot(path=shots / f'{name}.png')
+
+
+def test_a_cell_that_writes_a_launch_file_is_marked_while_typing(tab: Any, shots: Path) -> None:
+    tab.evaluate(OPEN, ['help.ipynb', 'Notebook'])
+    tab.get_by_text('Python 3 (ipykernel) | Idle').wait_for(timeout=WAIT_MS)
+    tab.evaluate(TYPE, CELL)
+    marked(tab, ['turtlesm', 'turtlesim_nod', 'nmae='])
+    assert 'write name=' in message(tab, 'nmae=')
+    picture(tab, shots, 'editor-cell')
+    tab.evaluate(
+        TYPE, CELL.replace('turtlesm', 'turtlesim').replace('_nod', '_node').replace('_nodee', '_node').replace('nmae', 'name')
+    )
+    tab.wait_for_function("() => !document.querySelector('.cm-lintRange')", timeout=WAIT_MS, polling=500)
+
+
+def test_a_launch_file_in_xml_is_marked(tab: Any, shots: Path) -> None:
+    tab.evaluate(OPEN, ['help.launch.xml', 'Editor'])
+    marked(tab, ['turtlesim_nod'])
+    assert "write 'turtlesim_node'" in message(tab, 'turtlesim_nod')
+    picture(tab, shots, 'editor-xml')

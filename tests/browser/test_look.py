@@ -1,0 +1,136 @@
+"""How the view looks: themes, contrast and names (axe-core), windows of ended programs, and what the page says when nothing moves."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tarfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import edulaunch
+from edulaunch.desk.view.page import recorded_page, script
+from edulaunch.desk.view.replay import timeline_of
+from edulaunch.engine.recording import Recording
+from tests.browser.desk import Desk
+
+pytestmark = pytest.mark.browser
+AXE = 'axe-core@4.14.1'
+TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
+
+
+@pytest.fixture(scope='module')
+def recording() -> Recording:
+    return edulaunch.run('turtle_tf2_py', 'turtle_tf2_demo.launch.py', duration_s=3)
+
+
+@pytest.fixture(scope='module')
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The text of axe-core: from the file that EDULAUNCH_AXE names, else from npm."""
+    if 'EDULAUNCH_AXE' in os.environ:
+        return Path(os.environ['EDULAUNCH_AXE']).read_text(encoding='utf-8')
+    npm = shutil.which('npm')
+    if npm is None:
+        pytest.skip('no npm: set EDULAUNCH_AXE to the path of axe.min.js')
+    folder = tmp_path_factory.mktemp('axe')
+    done = subprocess.run([npm, 'pack', AXE], cwd=folder, capture_output=True, check=False, timeout=120)
+    if done.returncode:
+        pytest.skip('axe-core cannot be had from npm: set EDULAUNCH_AXE to the path of axe.min.js')
+    with tarfile.open(next(folder.glob('*.tgz'))) as packed:
+        member = packed.extractfile('package/axe.min.js')
+        assert member is not None
+        return member.read().decode()
+
+
+@pytest.mark.parametrize('scheme', ['light', 'dark'])
+@pytest.mark.parametrize('width', [900, 1400])
+def test_axe_finds_no_violation(browser: Any, tmp_path: Path, recording: Recording, axe: str, scheme: str, width: int) -> None:
+    file = tmp_path / 'demo.html'
+    file.write_text(recorded_page(timeline_of(recording), 'demo'), encoding='utf-8')
+    context = browser.new_context(viewport={'width': width, 'height': 860}, color_scheme=scheme, bypass_csp=True)
+    desk = Desk(context.new_page())
+    desk.page.goto(file.as_uri())
+    desk.page.add_script_tag(content=axe)
+    desk.seek(1.0)
+    found = []
+    for tab in TABS:
+        desk.open(tab)
+        desk.frame()
+        result = desk.page.evaluate('axe.run(document, { resultTypes: ["violations"] })')
+        found += [(tab, one['id'], [node['target'] for node in one['nodes']]) for one in result['violations']]
+    assert found == []
+    context.close()
+
+
+@pytest.mark.parametrize('jupyter', ['light', 'dark'])
+def test_a_replay_has_the_theme_of_jupyterlab(browser: Any, recording: Recording, jupyter: str) -> None:
+    context = browser.new_context(color_scheme='null')  # a theme that playwright sets would hold in the frame, too
+    page = context.new_page()
+    page.goto('about:blank')
+    page.evaluate(
+        '([light, text]) => { document.body.dataset.jpThemeLight = light; document.body.innerHTML = text; }',
+        [str(jupyter == 'light').lower(), recording.replay().html()],
+    )
+    page.frame_locator('iframe').locator(f'.desk[data-theme={jupyter}]').wait_for(timeout=20_000)
+    context.close()
+
+
+@pytest.fixture
+def live(browser: Any, recording: Recording) -> Iterator[Desk]:
+    """A live view whose machine is a list of messages."""
+    context = browser.new_context(viewport={'width': 1200, 'height': 860}, color_scheme='light')
+    page = context.new_page()
+    page.goto('about:blank')
+    delta = json.dumps(timeline_of(recording))
+    page.evaluate(
+        f"""async () => {{ document.body.innerHTML = '<div id=desk></div>';
+        document.body.dataset.jpThemeLight = 'false';
+        {script()}
+        window.sent = []; const handlers = [];
+        openDesk(document.getElementById('desk'), {{ send: words => sent.push(words), on: handler => handlers.push(handler) }}, {{ tab: 'graph' }});
+        window.say = message => handlers.forEach(handler => handler(message));
+        say({{ delta: {delta}, machine: {{ running: true, speed: 1 }} }}); }}"""
+    )
+    desk = Desk(page)
+    page.locator('.worlds canvas').first.wait_for()
+    yield desk
+    context.close()
+
+
+def test_a_widget_follows_the_theme_of_jupyterlab_until_somebody_chooses(live: Desk) -> None:
+    theme = "document.getElementById('desk').shadowRoot.querySelector('.desk').dataset.theme"
+    assert live.page.evaluate(theme) == 'dark', 'the system is light'
+    live.page.evaluate("document.body.dataset.jpThemeLight = 'true'")
+    live.page.wait_for_function(f"() => {theme} === 'light'")
+    live.press('dark or light')
+    live.page.evaluate("document.body.dataset.jpThemeLight = 'false'; document.body.dataset.jpThemeLight = 'true'")
+    assert live.page.evaluate(theme) == 'dark'
+
+
+def test_arrow_keys_while_time_is_paused_say_why_nothing_happens(live: Desk) -> None:
+    live.page.evaluate('say({ machine: { running: false } })')
+    live.page.locator('.worlds canvas').first.focus()
+    live.page.keyboard.press('ArrowUp')
+    live.until('.state', 'Time is paused, so nothing moves.')
+
+
+def test_a_machine_that_has_ended_is_not_shown_as_running(live: Desk) -> None:
+    live.page.evaluate("say({ ended: 'the machine has ended', machine: { running: false } })")
+    live.until('.state', 'the machine has ended')
+    assert live.page.locator('button[title^="play or pause"]').is_disabled()
+    live.page.evaluate(f'say({{ delta: {json.dumps({"start": 0, "now": 3_100_000})}, machine: {{ running: true }} }})')
+    live.until('.state', 'running')
+
+
+def test_the_window_of_an_ended_program_takes_one_line(live: Desk, recording: Recording) -> None:
+    nodes = [[*row[:5], 2_000_000] for row in timeline_of(recording)['nodes'] if row[1] == '/sim']
+    live.page.evaluate(f'say({{ delta: {{ start: 0, now: 3200000, nodes: {json.dumps(nodes)} }} }})')
+    live.until('figure', '/sim ended at 2.00 s')
+    assert live.page.locator('.worlds canvas').first.is_hidden()
+    live.page.get_by_text('/sim ended at').click()
+    live.page.locator('.worlds canvas').first.wait_for()
