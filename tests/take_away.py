@@ -26,6 +26,8 @@ OF_THE_HOUSE = (
     'tests/test_tested.py',
     'tests/lessons/test_features.py::test_the_tests_that_are_named_exist',
     'tests/test_docs.py::test_the_files_of_the_three_walks_are_there',
+    'tests/test_docs.py::test_the_files_that_a_page_names_are_there',
+    'tests/test_errors.py::test_every_extra_that_a_message_names_is_there',
 )
 """Tests that name every folder, and so also those that went."""
 
