@@ -21,6 +21,7 @@ from edulaunch.errors import UnusableInput
 
 from .lessons import EXERCISES, LESSONS, manifest
 from .lessons import FOLDER as NOTES
+from .notebook_file import parse_notebook
 from .questions import FILE as QUESTIONS
 from .questions import SEALED, seal
 from .stored import as_text, without_outputs
@@ -85,10 +86,7 @@ def _content(path: str) -> bytes:
         data = file.read()
     if not path.endswith('.ipynb'):
         return data
-    try:
-        return as_text(without_outputs(json.loads(data))).encode()
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise UnusableInput(f'the notebook {path} cannot be read: {error!r}', help='open it in JupyterLab and save it') from None
+    return as_text(without_outputs(parse_notebook(data, path).content)).encode()
 
 
 LONGEST_NAME = 80

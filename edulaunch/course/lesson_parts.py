@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import re
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from html import unescape
 from io import BytesIO
 from typing import Any, NamedTuple
@@ -20,6 +20,7 @@ from edugrade.reports.markup import element
 
 from edulaunch.errors import UnusableInput, how_to_install
 
+from .notebook_file import Cell
 from .questions import Question, Questions
 
 WRITES = '%%writefile '
@@ -68,7 +69,7 @@ class Part(NamedTuple):
 
 
 def lesson_parts(
-    cells: list[dict[str, Any]], outputs: Mapping[str, list[dict[str, Any]]], questions: Questions, teacher: bool
+    cells: Iterable[Cell], outputs: Mapping[str, list[dict[str, Any]]], questions: Questions, teacher: bool
 ) -> Iterator[Part]:
     """The parts of a notebook's cells in their order.
 
@@ -77,26 +78,26 @@ def lesson_parts(
     """
     asked = False
     for cell in cells:
-        source = ''.join(cell['source'])
-        if cell['cell_type'] == 'markdown':
+        source = cell.source
+        if cell.kind == 'markdown':
             asked = '**Predict' in source
-            yield Part('text', cell['id'], source)
-        elif cell['cell_type'] == 'code':
+            yield Part('text', cell.ident, source)
+        elif cell.kind == 'code':
             asked = asked or bool(_PREDICTS.search(source))
-            gave = tuple(_outputs(outputs.get(cell['id'], [])))
-            yield from _code_parts(cell['id'], source, gave, asked and not teacher)
+            gave = tuple(_outputs(outputs.get(cell.ident, [])))
+            yield from _code_parts(cell.ident, source, gave, asked and not teacher)
             yield from (
-                Part('quiz', cell['id'], name, question=questions.questions.get(name)) for name, _ in _ASKS.findall(source)
+                Part('quiz', cell.ident, name, question=questions.questions.get(name)) for name, _ in _ASKS.findall(source)
             )
             for name, _ in _EXPLAINS.findall(source):
                 answer = questions.explanations[name].answer if name in questions.explanations else ''
-                yield Part('guess', cell['id'], 'one or two sentences')
-                yield Part('text', cell['id'], f'<details><summary>Answer</summary>\n\n{answer}\n\n</details>')
+                yield Part('guess', cell.ident, 'one or two sentences')
+                yield Part('text', cell.ident, f'<details><summary>Answer</summary>\n\n{answer}\n\n</details>')
             if _COMPARES.search(source):
                 asked = False
                 was = next((found[1] for output in reversed(gave) if (found := _WAS.search(output.text))), '')
                 if teacher and was:
-                    yield Part('answer', cell['id'], was)
+                    yield Part('answer', cell.ident, was)
 
 
 def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool) -> Iterator[Part]:

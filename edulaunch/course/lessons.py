@@ -5,7 +5,6 @@ Notes for teachers are ``lessons/notes/NN_name.md``: never handed out to student
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Iterable
@@ -15,6 +14,8 @@ from edugrade.course import MANIFEST, Exercise, here_and_above, read_course
 
 from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
+
+from .notebook_file import read_notebook
 
 LESSONS, EXERCISES = 'lessons', 'exercises'
 _HERE = os.path.dirname(os.path.abspath(__file__))
@@ -102,9 +103,8 @@ def _is_lesson(name: str) -> bool:
 def _lesson(folder: str, file: str) -> Lesson:
     name = file.removesuffix('.ipynb')
     try:
-        with open(os.path.join(folder, file), encoding='utf-8') as notebook:
-            cells = [''.join(cell['source']) for cell in json.load(notebook)['cells']]
-    except (OSError, ValueError, KeyError, TypeError):
+        cells = [cell.source for cell in read_notebook(os.path.join(folder, file)).cells]
+    except UnusableInput:
         return Lesson(name, name, ())
     heading = next((cell.split('\n')[0] for cell in cells if cell.startswith('# ')), name)
     return Lesson(name, heading.lstrip('# ').strip(), tuple(found for cell in cells for found in _PREDICTS.findall(cell)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -21,6 +20,7 @@ from edulaunch.errors import UnusableInput
 from .copying import write_file
 from .lesson_parts import FOLDER, Part, environment, heading_id, lesson_parts, markdown
 from .lessons import LESSONS, manifest, read_lessons, read_notes
+from .notebook_file import read_notebook
 from .questions import questions_file, read_questions
 from .runs import Say, run_lessons
 from .stored import read_outputs
@@ -104,8 +104,7 @@ def read_pages(
     else:
         outputs = run_lessons(course, names, wanted, say)
     for name in wanted:
-        with open(os.path.join(folder, f'{name}.ipynb'), encoding='utf-8') as file:
-            cells = json.load(file)['cells']
+        cells = read_notebook(os.path.join(folder, f'{name}.ipynb')).cells
         parts = tuple(lesson_parts(cells, outputs[name], questions, teacher))
         yield _page(name, parts, read_notes(course).get(name, '') if teacher else '')
 

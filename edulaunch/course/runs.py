@@ -24,6 +24,7 @@ from edulaunch.errors import UnusableInput
 
 from .copying import copy_files, student_files
 from .lessons import LESSONS
+from .notebook_file import parse_notebook, read_outputs_file
 from .stored import run_notebook, without_place
 
 WRITES = '%%writefile '
@@ -90,8 +91,9 @@ def _written(files: dict[str, bytes], names: list[str]) -> dict[str, bytes]:
     """Return the files that lessons write with ``%%writefile``, as they are at the end of the last one."""
     written: dict[str, bytes] = {}
     for name in names:
-        for cell in json.loads(files[f'{LESSONS}/{name}.ipynb'])['cells']:
-            first, _, rest = ''.join(cell['source']).partition('\n')
+        path = f'{LESSONS}/{name}.ipynb'
+        for cell in parse_notebook(files[path], path).cells:
+            first, _, rest = cell.source.partition('\n')
             path = first.removeprefix(WRITES).strip()
             if first.startswith(WRITES) and not os.path.isabs(path) and '..' not in path:
                 written[f'{LESSONS}/{path}'] = f'{rest}\n'.encode()
@@ -119,11 +121,9 @@ def _place(key: str) -> str:
 
 def _read(key: str) -> Outputs | None:
     try:
-        with open(_place(key), encoding='utf-8') as file:
-            found: Outputs = json.load(file)
+        return read_outputs_file(_place(key))
     except (OSError, ValueError):
         return None
-    return found
 
 
 def _store(key: str, outputs: Outputs) -> None:

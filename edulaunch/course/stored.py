@@ -21,6 +21,8 @@ from edugrade.progress_file import PLACE as PROGRESS
 from edulaunch.engine.underlay_place import engine_folder
 from edulaunch.errors import UnusableInput
 
+from .notebook_file import read_notebook, read_outputs_file
+
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
 """Kinds of data of which only the presence is kept."""
@@ -42,12 +44,10 @@ def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
     """
     path = outputs_file(notebook)
     try:
-        with open(path, encoding='utf-8') as file:
-            found: dict[str, list[dict[str, Any]]] = json.load(file)
+        return read_outputs_file(path)
     except (OSError, ValueError) as error:
         help = f'`edulaunch course store {os.path.basename(notebook)}` runs the notebook and keeps them'
         raise UnusableInput(f'the outputs of {notebook} cannot be read: {error}', help=help) from None
-    return found
 
 
 def store_outputs(notebook: str) -> None:
@@ -70,6 +70,8 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
 
     folder = os.path.dirname(os.path.abspath(notebook))
     read: Any = nbformat.read
+    if not all(cell.ident for cell in read_notebook(notebook).cells):
+        raise UnusableInput(f'{notebook} has a cell without an id', help='open it in JupyterLab and save it again')
     try:
         done = read(notebook, as_version=4)
     except Exception as error:  # whatever Jupyter says of what is no notebook
@@ -103,9 +105,7 @@ def _failure(notebook: Any) -> str:
 
 def strip(notebook: str) -> None:
     """Take outputs, counts and what an editor left out of a notebook."""
-    with open(notebook, encoding='utf-8') as file:
-        raw = json.load(file)
-    _write(notebook, without_outputs(raw))
+    _write(notebook, without_outputs(read_notebook(notebook).content))
 
 
 def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:

@@ -41,10 +41,12 @@ MISTAKES = {
     'lessons/01_circle.ipynb: the cell id "3f2A" is not made of words': cells(lambda all: all[0].update(id='3f2A')),
     'lessons/01_circle.ipynb: nothing is kept of what the cell new gives': cells(lambda all: all.append({**all[1], 'id': 'new'})),
     'lessons/01_circle.ipynb: outputs are kept of the cell set-up, which is gone': cells(lambda all: all.pop(1)),
-    "lessons/01_circle.ipynb: it is no notebook: it lacks 'cell_type'": cells(lambda all: all[1].pop('cell_type')),
-    'lessons/01_circle.ipynb: its cell number 2 is none of Jupyter': cells(lambda all: all[1].update(id=7)),
-    'lessons/01_circle.ipynb: it cannot be read as a notebook: ': cells(lambda all: all.append(7)),
-    'lessons/01_circle.ipynb: it cannot be read as a notebook': lambda lessons: (lessons / '01_circle.ipynb').write_text('{'),
+    'lessons/01_circle.ipynb is not a notebook: cell 2 has a "cell_type" that is not one of': cells(
+        lambda all: all[1].pop('cell_type')
+    ),
+    'lessons/01_circle.ipynb is not a notebook: cell 2 has an "id" that is not a string': cells(lambda all: all[1].update(id=7)),
+    'lessons/01_circle.ipynb is not a notebook: cell ': cells(lambda all: all.append(7)),
+    'lessons/01_circle.ipynb is not a notebook: it is not JSON': lambda lessons: (lessons / '01_circle.ipynb').write_text('{'),
     'lessons/01_circle.ipynb: the outputs of': lambda lessons: (lessons / '.outputs' / '01_circle.json').unlink(),
     'lessons/conftest.py is missing': lambda lessons: (lessons / 'conftest.py').unlink(),
     'lessons/questions.toml has no question "radius-of-circle", which a lesson asks': questions('radius-of-circle', 'radius'),

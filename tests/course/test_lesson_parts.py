@@ -5,21 +5,22 @@ from __future__ import annotations
 from typing import Any
 
 from edulaunch.course.lesson_parts import Part, lesson_parts, markdown
+from edulaunch.course.notebook_file import Cell
 from edulaunch.course.questions import Explanation, Questions
 
 
-def text(source: str) -> dict[str, Any]:
-    return {'cell_type': 'markdown', 'id': 'text', 'source': source}
+def text(source: str) -> Cell:
+    return Cell('text', 'markdown', source)
 
 
-def code(ident: str, source: str) -> dict[str, Any]:
-    return {'cell_type': 'code', 'id': ident, 'source': source}
+def code(ident: str, source: str) -> Cell:
+    return Cell(ident, 'code', source)
 
 
-def parts(*cells: dict[str, Any], teacher: bool = False, **outputs: Any) -> list[Part]:
+def parts(*cells: Cell, teacher: bool = False, **outputs: Any) -> list[Part]:
     given = {ident.replace('_', '-'): output for ident, output in outputs.items()}
     questions = Questions({}, {'why': Explanation('why', '01', 'Because.')})
-    return list(lesson_parts(list(cells), given, questions, teacher))
+    return list(lesson_parts(cells, given, questions, teacher))
 
 
 def said(words: str) -> list[dict[str, Any]]:

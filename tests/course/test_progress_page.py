@@ -35,7 +35,9 @@ def _in_a_course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / 'exercises').mkdir()
     (tmp_path / 'exercises' / 'course.toml').write_text(COURSE)
     cells = ['# 1. Your first launch file\n\nText', "predict('one', ...)", "x = 1\npredict('two', ...)"]
-    (lessons / '01_first_launch.ipynb').write_text(json.dumps({'cells': [{'source': [cell]} for cell in cells]}))
+    (lessons / '01_first_launch.ipynb').write_text(
+        json.dumps({'cells': [{'cell_type': 'markdown', 'source': [cell]} for cell in cells]})
+    )
     (lessons / '02.ipynb').write_text('{')
     monkeypatch.chdir(lessons)
 

@@ -21,6 +21,9 @@ def notebook(folder: Path, name: str, *sources: str) -> None:
     (folder / f'{name}.ipynb').write_text(json.dumps(raw))
 
 
+PRINTED = {'output_type': 'stream', 'name': 'stdout'}
+
+
 @pytest.fixture
 def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A course of two lessons; a run is recorded and gives the files of its folder in place of outputs."""
@@ -39,7 +42,7 @@ def ran(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, dict[str, str]]]:
     def run(path: str) -> object:
         here = Path(path).parent
         seen.append((Path(path).stem, {file.name: file.read_text() for file in here.rglob('my_launch/*')}))
-        return {'cells': [{'cell_type': 'code', 'id': 'c0', 'outputs': [{'text': f'in {here}/my_launch'}]}]}
+        return {'cells': [{'cell_type': 'code', 'id': 'c0', 'outputs': [{**PRINTED, 'text': f'in {here}/my_launch'}]}]}
 
     monkeypatch.setattr(runs, 'run_notebook', run)
     return seen
@@ -49,7 +52,7 @@ def test_a_lesson_runs_alone_with_the_files_that_earlier_ones_write(course: Path
     said: list[str] = []
     gave = run_lessons(str(course), ['01_one', '02_two'], ['02_two'], said.append)
     assert ran == [('02_two', {'a.py': 'x = 2\n'})]
-    assert gave == {'02_two': {'c0': [{'text': 'in my_launch'}]}} and said == ['02_two: lesson 1 of 1']
+    assert gave == {'02_two': {'c0': [{**PRINTED, 'text': 'in my_launch'}]}} and said == ['02_two: lesson 1 of 1']
 
 
 def test_nothing_runs_again_until_something_changes(course: Path, ran: list[tuple[str, dict[str, str]]]) -> None:

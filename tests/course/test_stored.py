@@ -86,4 +86,4 @@ def test_a_cell_that_fails_is_named_without_frames_and_colours(tmp_path: Path, c
 def test_what_is_no_notebook_is_said_in_a_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / 'one.ipynb').write_text('3')
     assert main(['course', 'store', str(tmp_path / 'one.ipynb')]) == 2
-    assert 'cannot be read as a notebook' in capsys.readouterr().err
+    assert 'one.ipynb is not a notebook: it is JSON, but not an object' in capsys.readouterr().err
