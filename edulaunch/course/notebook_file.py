@@ -45,7 +45,7 @@ class Cell(NamedTuple):
 class Notebook(NamedTuple):
     """A notebook.
 
-    :ivar content: the content of the file as JSON has it, for those who write it again.
+    :ivar content: the content of the file as JSON has it, for tools that write it again.
     """
 
     cells: tuple[Cell, ...]
@@ -124,7 +124,7 @@ def read_outputs_file(path: str) -> dict[str, list[dict[str, Any]]]:
     if len(data) > LARGEST or not isinstance(found, dict) or not all(isinstance(given, list) for given in found.values()):
         raise ValueError('it is not an object with a list of outputs for each cell')
     try:
-        return {ident: [dict(_output(output)) for output in given] for ident, given in found.items()}
+        return {ident: [_output(output) for output in given] for ident, given in found.items()}
     except _Wrong as error:
         raise ValueError(f'a cell in it {error}') from None
 
@@ -148,7 +148,7 @@ def _cell(cell: Any) -> Cell:
     return Cell(ident, str(kind), source, checked, bool(cell.get('execution_count')))
 
 
-def _output(output: Any) -> Mapping[str, Any]:
+def _output(output: Any) -> dict[str, Any]:
     needed = _OUTPUTS.get(str(output.get('output_type'))) if isinstance(output, dict) else None
     if needed is None:
         raise _Wrong('has an output of an unknown kind')
@@ -166,11 +166,12 @@ def _output(output: Any) -> Mapping[str, Any]:
             text = _joined(value, kind)
             if kind == 'image/png' and not _is_base64(text):
                 raise _Wrong('has a picture that is not base64')
-    return output
+    checked: dict[str, Any] = output
+    return checked
 
 
 def _joined(value: Any, key: str) -> str:
-    """Return a text that may be a list of its lines."""
+    """Return a string that may be stored as a list of its lines."""
     if isinstance(value, str):
         return value
     if not isinstance(value, list) or not _is_strings(value):
