@@ -7,7 +7,7 @@ matplotlib is loaded when the first picture is drawn.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.canvas.picture import Picture, shown
@@ -24,6 +24,7 @@ __all__ = [
     'plot_frames',
     'plot_graph',
     'plot_series',
+    'plot_system',
     'plot_tf_tree',
     'plot_turtles',
 ]
@@ -97,6 +98,22 @@ def plot_graph(recording: Recording, *, unused: bool = False, services: bool = F
     return shown(graph_scene(recording, unused=unused, services=services), 'draw_graph', ax)
 
 
+def plot_system(
+    system: Any, other: Any = None, changed: Mapping[str, list[str]] | None = None, *, services: bool = False, ax: Any = None
+) -> Any:
+    """Nodes, topics and frames as a launch file plans them, or two systems side by side.
+
+    :param system, other: see `edulaunch.advice.explaining.systems.System`.
+    :param changed: for each node that both have and that differs, the names of the parameters that do.
+    :param services: also show services that a node calls.
+    :param ax: matplotlib axes to draw on; a list of two for two systems.
+    :returns: a Picture, or what was given as `ax`.
+    """
+    from edulaunch.canvas.system_scene import system_scene
+
+    return shown(system_scene(system, other, changed, services=services), 'draw_system', ax)
+
+
 def plot_distance(recording: Recording, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
     """How far a follower is from what it follows, over time, in metres; below `close_m` it counts as close.
 
@@ -143,6 +160,7 @@ views.register(
     plot_frames=plot_frames,
     plot_graph=plot_graph,
     plot_series=plot_series,
+    plot_system=plot_system,
     plot_tf_tree=plot_tf_tree,
     plot_turtles=plot_turtles,
 )

@@ -13,12 +13,15 @@ from edulaunch.advice.plan import rehearse
 from edulaunch.advice.plan.explanation import differences, explanation_of
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.engine.recording.views import view
 from edulaunch.runtime.launching import find_launch_file
 from edulaunch.runtime.session import Session
 
 if TYPE_CHECKING:
+    from edulaunch.advice.explaining.systems import System
     from edulaunch.advice.plan import Rehearsal
     from edulaunch.advice.plan.explanation import Entry
+    from edulaunch.engine.recording import Recording
 
 MOMENT_S = 0.5
 
@@ -96,6 +99,20 @@ class Explanation(Tree):
         """What was assumed to be there: names of packages, and other things in words."""
         return self._rehearsal.missing
 
+    def system(self, earlier: Recording | None = None) -> System:
+        """The nodes, endpoints and frames that the launch file plans; see :mod:`edulaunch.advice.explaining.systems`.
+
+        :param earlier: a run of it, whose nodes have the endpoints that they had there.
+        """
+        from edulaunch.advice.explaining.systems import planned_system
+
+        with Session(workspaces=self._workspaces) as session:
+            return planned_system(self.plan, session.index, earlier, _subject(self))
+
+    def graph(self, earlier: Recording | None = None, *, services: bool = False) -> Any:
+        """A picture of :meth:`system`; see :func:`edulaunch.canvas.plot_system`."""
+        return view('plot_system')(self.system(earlier), services=services)
+
     def why(self, name: str, parameter: str | None = None) -> Reason:
         """Why a node's parameter, or a launch argument, has the value it has.
 
@@ -118,8 +135,16 @@ class Comparison(Tree):
     """What differs between two explanations; `data` is a list of entries with a `sign`."""
 
     def __init__(self, before: Explanation, after: Explanation) -> None:
+        self._both = before, after
         self.data = self.entries = differences(before.data, after.data)
         self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')
+
+    def graph(self, *, services: bool = False) -> Any:
+        """A picture of both plans, with what differs; see :func:`edulaunch.canvas.plot_system`."""
+        from edulaunch.advice.explaining.systems import pictured
+
+        before, after = self._both
+        return pictured(before.system(), after.system(), services=services)
 
 
 def _subject(explanation: Explanation) -> str:

@@ -16,10 +16,13 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli.explain_rule import explain_rule, is_rule
 from edulaunch.desk.cli.launch import split_words
+from edulaunch.engine.recording.views import view
 from edulaunch.errors import UnusableInput
 
 if TYPE_CHECKING:
     from edulaunch.advice.explaining.explained import Explanation, Tree
+    from edulaunch.advice.explaining.systems import System
+    from edulaunch.engine.recording import Recording
 
 EXAMPLES = """examples:
   edulaunch explain turtlesim multisim.launch.py
@@ -27,6 +30,7 @@ EXAMPLES = """examples:
   edulaunch explain my.launch.py /sim background_g             why has this parameter this value
   edulaunch explain my.launch.py background_r                  why has this launch argument this value
   edulaunch explain tf.unknown-frame                           a rule of advice: cause, example and cure
+  edulaunch explain my.launch.py --graph plan.png              a picture of the planned nodes, topics and frames
   edulaunch explain --diff my.launch.py other.launch.py        what differs between two launch files
   edulaunch explain --diff my.launch.py gui:=true gui:=false   ... between two sets of arguments ("a:=1 b:=2" for several)"""
 
@@ -42,6 +46,11 @@ def explain_arguments(parser: argparse.ArgumentParser) -> None:
         help='launch file name, launch arguments; what is to be explained, if not all',
     )
     parser.add_argument('--diff', action='store_true', help='what differs: two launch files, or two sets of arguments of one')
+    parser.add_argument(
+        '--graph', metavar='OUT', help='write the planned nodes, topics and frames as a picture (.png) or page (.html)'
+    )
+    parser.add_argument('--run', metavar='RECORDING', help='an earlier run: --graph takes the endpoints of its nodes')
+    parser.add_argument('--services', action='store_true', help='--graph shows services that a node calls, too')
     parser.add_argument('--json', action='store_true', help='as plain data')
     parser.add_argument(
         '--assume-packages', action='store_true', help='go on when packages are missing, with empty ones instead, and say which'
@@ -60,12 +69,52 @@ def explain_verb(arguments: argparse.Namespace) -> int:
     if subject:
         _print(explanation.why(*subject), arguments)
         return 0
+    if arguments.graph:
+        write_graph([explanation.system(_earlier(arguments))], arguments.graph, arguments.services)
+        gc.collect()  # nodes of edulaunch ran for a moment: their objects end before Python does
+        return report(explanation)
     _print(explanation, arguments)
     if not arguments.json:
         data = explanation.data
         reason = data['shutdown_reason'] or 'none'
         print(f'nodes: {data["nodes"]}, other processes: {data["processes"]}, reason of the shutdown: {reason}')
     return report(explanation)
+
+
+def _earlier(arguments: argparse.Namespace) -> Recording | None:
+    from edulaunch.engine.recording import Recording
+
+    return Recording.load(arguments.run) if arguments.run else None
+
+
+def write_graph(systems: list[System], path: str, services: bool = False) -> None:
+    """Write one system, or two with what differs, as a picture or page. Print the system or the differences, and the path.
+
+    :raises UnusableInput: for another kind of file, and when it cannot be written.
+    """
+    from edulaunch.advice.explaining.systems import differences, pictured
+
+    if not path.endswith(('.png', '.html')) or (len(systems) == 2 and not path.endswith('.png')):
+        kinds = '.png' if len(systems) == 2 else '.png or .html'
+        raise UnusableInput(f'--graph cannot write {path}.', help=f'name a file that ends with {kinds}')
+    if len(systems) == 2:
+        found = differences(*systems)
+        print('\n'.join(f'{one.sign} {one.text}' for one in found) or 'no difference in nodes, topics, parameters and frames')
+        picture = pictured(systems[0], systems[1], services=services)
+    else:
+        print('\n'.join(systems[0].lines()))
+        picture = view('plot_system')(systems[0], services=services)
+    try:
+        if path.endswith('.png'):
+            picture.save(path)
+        else:
+            from edulaunch.desk.view.planned import planned_page
+
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write(planned_page(systems[0]))
+    except OSError as error:
+        raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None
+    print(path)
 
 
 def explained(arguments: argparse.Namespace) -> tuple[Explanation, list[str]]:
@@ -113,6 +162,10 @@ def _compare(arguments: argparse.Namespace) -> int:
         )
     before, after = (_explained(first, file, split_words(first, words)[2], arguments) for first, file, words in cases)
     _print(before.compare(after), arguments)
+    if arguments.graph:
+        earlier = _earlier(arguments)
+        write_graph([before.system(earlier), after.system(earlier)], arguments.graph, arguments.services)
+        gc.collect()
     return max(report(before), report(after))
 
 

@@ -1,4 +1,4 @@
-"""`edulaunch recording info|show|export`: what a recording holds, as text, a page that plays it, pictures, bags and tables."""
+"""`edulaunch recording info|show|export|diff`: what a recording holds, as text, page, pictures or tables; and what differs."""
 
 from __future__ import annotations
 
@@ -164,20 +164,49 @@ def write_picture(recording: Recording, path: str, what: str | None = None, time
     return path
 
 
+def diff_arguments(parser: argparse.ArgumentParser) -> None:
+    """The two recordings, and where the picture goes."""
+    _file_arguments(parser)
+    parser.add_argument('other', metavar='OTHER', help='the recording to compare with')
+    parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs, with what differs')
+
+
+def diff(arguments: argparse.Namespace) -> int:
+    """Print what differs between two runs. 0 when nothing does, 1 when something does.
+
+    :raises UnusableInput: when the picture cannot be written.
+    """
+    from edulaunch.advice.explaining.systems import differences, pictured, run_differences, system_of_run
+
+    paths = arguments.file, arguments.other
+    runs = [Recording.load(path, trusted=arguments.trusted) for path in paths]
+    before, after = (system_of_run(run, path) for run, path in zip(runs, paths, strict=True))
+    found = [f'{one.sign} {one.text}' for one in differences(before, after)] + run_differences(*runs)
+    print('\n'.join(found) or 'no difference')
+    if arguments.png:
+        try:
+            pictured(before, after).save(arguments.png)
+        except OSError as error:
+            raise UnusableInput(f'{arguments.png} cannot be written: {error.strerror}') from None
+        print(arguments.png)
+    return 1 if found else 0
+
+
 def recording_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs."""
-    verbs = parser.add_subparsers(dest='what_to_do', metavar='export | info | show', required=True)
+    verbs = parser.add_subparsers(dest='what_to_do', metavar='diff | export | info | show', required=True)
     info = verbs.add_parser('info', help='say what a recording holds')
     _file_arguments(info)
     info.add_argument('--json', action='store_true', help='as JSON')
     show_arguments(verbs.add_parser('show', help='write a page that plays a recording, or a picture'))
+    diff_arguments(verbs.add_parser('diff', help='say what differs between two recordings'))
     export_arguments(verbs.add_parser('export', help='write the messages as a bag, or as tables'))
 
 
 def recording_verb(arguments: argparse.Namespace) -> int:
     """Print the summary, or write a page, a picture, a bag or tables; returns the exit code."""
     if arguments.what_to_do != 'info':
-        return (show if arguments.what_to_do == 'show' else export)(arguments)
+        return {'show': show, 'export': export, 'diff': diff}[arguments.what_to_do](arguments)
     summary = summarise(Recording.load(arguments.file, trusted=arguments.trusted))
     if arguments.json:
         import json

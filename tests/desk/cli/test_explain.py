@@ -216,3 +216,37 @@ def test_a_terminal_shows_colours_and_only_colours_more(
     shown = lines_of(capsys, file)
     assert [re.sub(r'\x1b\[[0-9;]*m', '', line) for line in shown] == plain
     assert any('\x1b[1;32mnode ' in line for line in shown)
+
+
+def test_a_picture_and_a_page_of_the_plan(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture, page = str(tmp_path / 'plan.png'), str(tmp_path / 'plan.html')
+    assert main(['explain', str(file), '--graph', picture]) == 0
+    out = capsys.readouterr().out
+    assert '  subscribes to /turtle1/cmd_vel [geometry_msgs/msg/Twist]' in out and out.endswith(f'{picture}\n')
+    assert Path(picture).read_bytes().startswith(b'\x89PNG')
+    assert main(['explain', str(file), '--graph', page]) == 0
+    assert 'openDesk' in Path(page).read_text(encoding='utf-8')
+
+
+def test_two_plans_side_by_side(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = str(tmp_path / 'two.png')
+    assert main(['explain', '--diff', str(file), 'red:=1', 'red:=2', '--graph', picture]) == 0
+    assert '~ /sim parameter background_r = 2, before 1\n' in capsys.readouterr().out
+    assert Path(picture).read_bytes().startswith(b'\x89PNG')
+
+
+def test_a_graph_of_another_kind_is_refused(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['explain', str(file), '--graph', str(tmp_path / 'plan.pdf')]) == 2
+    assert main(['explain', '--diff', str(file), 'red:=1', '--graph', str(tmp_path / 'plan.html')]) == 2
+    assert main(['explain', str(file), '--graph', str(tmp_path / 'no' / 'plan.png')]) == 2
+    err = capsys.readouterr().err
+    assert 'name a file that ends with .png or .html' in err and 'name a file that ends with .png\n' in err
+    assert 'plan.png cannot be written' in err
+
+
+def test_an_earlier_run_gives_the_endpoints(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    demo = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+    run, picture = str(tmp_path / 'run.rec'), str(tmp_path / 'plan.png')
+    assert main(['launch', *demo, '--fast', '--for', '2', '--record', run]) == 0
+    assert main(['explain', *demo, '--graph', picture, '--run', run]) == 0
+    assert '  publishes /turtle2/pose' in capsys.readouterr().out

@@ -39,3 +39,16 @@ def test_what_is_no_recording_gets_a_sentence(tmp_path: Path, capsys: pytest.Cap
     assert main(['recording', 'info', str(tmp_path / 'y')]) == 2
     err = capsys.readouterr().err
     assert 'is damaged: line 1 is not JSON' in err and 'cannot read the recording' in err and 'Traceback' not in err
+
+
+def test_two_recordings_are_compared(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    other, picture = str(tmp_path / 'other.rec'), str(tmp_path / 'two.png')
+    assert main(['launch', 'turtlesim', 'multisim.launch.py', '--fast', '--for', '2', '--record', other]) == 0
+    capsys.readouterr()
+    assert main(['recording', 'diff', str(file), str(file)]) == 0
+    assert capsys.readouterr().out == 'no difference\n'
+    assert main(['recording', 'diff', str(file), other, '--png', picture]) == 1
+    out = capsys.readouterr().out
+    assert '~ messages on /turtlesim1/turtle1/pose: 124, before 61\n' in out and out.endswith(f'{picture}\n')
+    assert Path(picture).read_bytes().startswith(b'\x89PNG')
+    assert main(['recording', 'diff', str(file), other, '--png', str(tmp_path / 'no' / 'x.png')]) == 2

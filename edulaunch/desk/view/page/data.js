@@ -94,7 +94,7 @@ class Store {
   constructor() {
     Object.assign(this, {
       start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), robots: [], launches: new Map(), nodes: [], processes: [], endpoints: [],
-      parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
+      planned: null, parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
   apply(delta) {
@@ -130,6 +130,7 @@ class Store {
       ({ t: t / 1e6, service, type, client, request, served, replied: seconds(replied) }));
     for (const told of delta.launches || []) this.launched(told);
     for (const end of delta.endpoints || []) this.publisherNode.set(end[5], end[4]);
+    if (delta.planned) { this.planned = delta.planned; this.version++; }
     if (delta.advice) { this.advice = delta.advice.map(row => ({ ...row, t: row.time / 1e6 })); this.version++; }
     if (!this.grows) return;
     if (this.from === 0 && delta.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());

@@ -172,7 +172,18 @@ class Desk {
     this.say(`saved as ${name}`);
   }
   say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
-  load(delta, seen) { this.store.apply(delta); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
+  /* A plan has a graph and parameters; nothing in it moves. */
+  showPlan() {
+    this.box.setAttribute('aria-label', 'plan of a launch file');
+    for (const tab of [...this.tabs.children]) if (!['graph', 'parameters'].includes(tab.dataset.tab)) { delete this.views[tab.dataset.tab]; tab.remove(); }
+    this.left.hidden = true;
+    this.left.parentElement.style.gridTemplateColumns = 'minmax(0, 1fr)';
+    this.box.querySelector('footer').hidden = true;
+    this.title.textContent = document.title;
+    this.views.graph[0].unused.checked = true;
+    this.open('graph');
+  }
+  load(delta, seen) { this.store.apply(delta); if (delta.planned) this.showPlan(); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
 
   toggle() {
     if (this.live) { if (this.follow) this.send({ op: this.machine.running ? 'pause' : 'play' }); else { this.playing = !this.playing; } }
@@ -286,7 +297,7 @@ class Desk {
     this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
     this.box.classList.toggle('over', Boolean(this.ended));
     if (!this.ended && this.saidAt && performance.now() - this.saidAt < 6000) return;
-    this.state.textContent = this.ended || (!this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
+    this.state.textContent = this.ended || (store.planned ? 'planned; nothing runs' : !this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
       : (this.machine.running ? 'running' : 'paused') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
   }
 }

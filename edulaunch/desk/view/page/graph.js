@@ -64,8 +64,23 @@ class GraphView {
       for (const node of box.from) edges.push({ from: node, to: box.id, box });
       for (const node of box.to) edges.push({ from: box.id, to: node, box });
     }
+    if (store.planned) this.plan(boxes, edges);
     for (const box of boxes.values()) box.mark ||= sayingsOf(store, box.kind, box.name, time)[0]?.rule || '';
     return { boxes, edges };
+  }
+  /* Of a plan: what is not known of a node, and the frames. */
+  plan(boxes, edges) {
+    const { unknown, frames } = this.desk.store.planned;
+    for (const box of boxes.values()) {
+      if (box.kind === 'node') box.unknown = unknown[box.name];
+      else if (box.mark) [box.unknown, box.mark] = [[`${box.mark} known`], ''];
+    }
+    const frame = name => { const id = 'f' + name; if (!boxes.has(id)) boxes.set(id, { id, kind: 'frame', name, from: new Set(), to: new Set(), by: [] }); return boxes.get(id); };
+    for (const [parent, child, fixed, by] of frames) {
+      const box = frame(child);
+      Object.assign(box, { parent, fixed, by });
+      edges.push({ from: frame(parent).id, to: box.id, box });
+    }
   }
   misfit(box, time) {
     const found = this.desk.store.notes.find(row => row.kind === 'incompatible' && row.t <= time && row.text.startsWith(box.name + ':'));
@@ -104,8 +119,8 @@ class GraphView {
     for (const box of all) {  /* the namespace small above the name: a chain of nodes has to fit into a column */
       const cut = box.name.lastIndexOf('/');
       [box.space, box.base] = cut > 0 ? [box.name.slice(0, cut), box.name.slice(cut)] : ['', box.name];
-      box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14) + 20;
-      box.h = 26 + (box.space ? 12 : 0) + (box.mark ? 13 : 0);
+      box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14, ...(box.unknown || []).map(text => text.length * 6.3 + 14)) + 20;
+      box.h = 26 + (box.space ? 12 : 0) + (box.mark ? 13 : 0) + 12.5 * (box.unknown || []).length;
     }
     const found = layOut(all.map(box => [box.w, box.h]), edges.map(edge => [place.get(edge.from), place.get(edge.to)]), null, Math.max(420, (this.frame.clientWidth || 700) / 0.8));
     all.forEach((box, i) => Object.assign(box, { x: found.corners[i][0] + box.w / 2, y: found.corners[i][1] + box.h / 2 }));
@@ -113,8 +128,8 @@ class GraphView {
   }
   paint(boxes, edges, found) {
     const named = ids => [...ids].map(id => boxes.get(id)?.name).join(', ') || 'nobody', all = [...boxes.values()];
-    const ways = all.filter(box => box.kind !== 'node').map(box => `${box.name} from ${named(box.from)} to ${named(box.to)}${box.mark ? ` (${box.mark})` : ''}`);
-    this.sheet.setAttribute('aria-label', `node graph: ${all.filter(box => box.kind === 'node').map(box => box.name).join(', ')}; ${ways.join('; ')}`);
+    const ways = all.filter(box => box.kind !== 'node' && box.kind !== 'frame').map(box => `${box.name} from ${named(box.from)} to ${named(box.to)}${box.mark ? ` (${box.mark})` : ''}`);
+    this.sheet.setAttribute('aria-label', `node graph: ${all.filter(box => box.kind === 'node').map(box => box.name).join(', ')}; ${ways.join('; ')}${all.filter(box => box.parent).map(box => `; frame ${box.name} in ${box.parent} by ${box.by.join(', ')}`).join('')}`);
     const arrow = drawing('marker', { id: 'arrow', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: 'userSpaceOnUse', orient: 'auto-start-reverse' },
       drawing('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }));
     this.sheet.replaceChildren(drawing('defs', {}, arrow));
@@ -157,9 +172,9 @@ class GraphView {
     });
   }
   one(box) {
-    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}`, transform: `translate(${box.x} ${box.y})` });
+    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}${box.unknown ? 'unknown' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}${box.unknown ? `, not known: ${box.unknown.join(', ')}` : ''}`, transform: `translate(${box.x} ${box.y})` });
     group.append(drawing('rect', { x: -box.w / 2, y: -box.h / 2, width: box.w, height: box.h, rx: box.kind === 'node' ? box.h / 2 : 3 }));
-    const lines = [...(box.space ? [[box.space, 'space']] : []), [box.base, ''], ...(box.mark ? [['⚠ ' + box.mark, 'mark']] : [])];
+    const lines = [...(box.space ? [[box.space, 'space']] : []), [box.base, ''], ...(box.mark ? [['⚠ ' + box.mark, 'mark']] : []), ...(box.unknown || []).map(text => ['? ' + text, 'space'])];
     lines.forEach(([said, look], i) => {
       const text = drawing('text', { y: 4 + (i - (lines.length - 1) / 2) * 12.5, 'text-anchor': 'middle', class: look });
       text.textContent = said;
@@ -173,6 +188,7 @@ class GraphView {
   tell(time, now = false) {
     if (!now && !this.desk.isTimeToTell(this)) return;
     const { store } = this.desk, box = this.chosen, rows = [];
+    if (store.planned) { this.told.replaceChildren(...this.planned(box)); return; }
     if (box.kind === 'node') {
       const process = store.processes.find(row => row?.name === box.node.process);
       rows.push(make('b', {}, box.name), ` runs in ${box.node.process}${process ? `, pid ${process.pid}` : ''}`);
@@ -195,6 +211,15 @@ class GraphView {
     const said = sayingsOf(store, box.kind, box.name, time);
     rows.push(...(said.length || !box.mark ? sentences(said) : [make('p', { class: 'bad' }, `⚠ ${box.mark}`)]));
     this.told.replaceChildren(...rows);
+  }
+  /* What a plan says of a box. */
+  planned(box) {
+    const { store } = this.desk, known = { run: 'known from an earlier run', source: 'read in the source', 'built-in': 'known from edulaunch' };
+    if (box.kind === 'frame') return [make('b', {}, box.name), box.parent ? ` is a ${box.fixed ? 'static ' : ''}frame in ${box.parent}, published by ${box.by.join(', ')}` : ' is a root frame'];
+    if (box.kind !== 'node') return [make('b', {}, box.name), ` ${box.rows[0].type}: ${box.rows.map(end => `${end.kind} ${store.nodeName(end.node)}`).join(', ')}`];
+    const given = store.parametersAt(0).filter(row => row.node === box.name), source = store.planned.source[box.name];
+    return [make('b', {}, box.name), ` is ${box.node.process}; endpoints: ${known[source] || 'not known'}`, make('p', { class: 'mono' }, given.map(row => `${row.name}: ${written(row)}`).join('   ')),
+      ...(box.unknown || []).map(text => make('p', {}, `not known: ${text}`))];
   }
   /* The fields of a message; a number can be dragged to the plot. */
   message(topic, number) {

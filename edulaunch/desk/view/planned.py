@@ -1,0 +1,43 @@
+"""The page of a planned system: the graph of nodes, topics and frames before anything runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.desk.view.page import recorded_page
+
+if TYPE_CHECKING:
+    from edulaunch.advice.explaining.systems import System
+
+
+def planned_page(system: System) -> str:
+    """Return the page as HTML. It needs no other file and no network."""
+    return recorded_page(planned_delta(system), system.title, small=True)
+
+
+def planned_delta(system: System) -> dict[str, Any]:
+    """Return the system as a timeline of no length (see `edulaunch.desk.view.timeline`).
+
+    Its part `planned` has
+
+    * `frames`: [parent, child, is static, nodes] of each frame;
+    * `unknown`: for a node, what is not known;
+    * `source`: for a node, where its endpoints are known from.
+    """
+    nodes = list(enumerate(system.nodes))
+    return {
+        'start': 0,
+        'now': 0,
+        'nodes': [[number, node.name, node.program, number, 0, None] for number, node in nodes],
+        'endpoints': [[0, kind, name, type, number, number, []] for number, node in nodes for kind, name, type in node.ends],
+        'parameters': [
+            [0, node.name, name, value, 'the launch file', isinstance(value, float)]
+            for _, node in nodes
+            for name, value in node.parameters.items()
+        ],
+        'planned': {
+            'frames': [[frame.parent, frame.child, frame.is_static, frame.by] for frame in system.frames],
+            'unknown': {node.name: node.unknown for _, node in nodes if node.unknown},
+            'source': {node.name: node.source for _, node in nodes},
+        },
+    }
