@@ -13,6 +13,7 @@ from types import FrameType, TracebackType
 from typing import Any
 
 from edulaunch.errors import EdulaunchError
+from edulaunch.runtime.interrupt_watcher import WatchedSignals
 
 ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
 """Signals that end a program: `kill`, a terminal that closes, Ctrl-backslash."""
@@ -29,12 +30,14 @@ class Ending:
 
     :param stop: called at the first signal.
     :ivar came: the first signal that came; None before.
+    :ivar watched: where a signal that was heard is confirmed.
     :ivar is_saving: the run is over and its recording is written: further signals wait until that is done.
     """
 
     def __init__(self, stop: Callable[[], object] = lambda: None) -> None:
         self.came: int | None = None
         self.is_saving = False
+        self.watched = WatchedSignals()
         self._stop = stop
         self._before: dict[int, Any] = {}
 
@@ -50,6 +53,7 @@ class Ending:
             signal.signal(number, handler)
 
     def _hear(self, signum: int, frame: FrameType | None) -> None:
+        self.watched.confirm()
         is_first, self.came = self.came is None, self.came or signum
         if is_first:
             self._stop()

@@ -18,11 +18,13 @@ from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.processes.frame_owner import ENGINE, LIBRARIES
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.safe_file import remove_drafts
 from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.runtime.interrupt_watcher import WatchedSignals, watched_signals
 from edulaunch.runtime.keeping import Ending, Reserve, advice_or_why_not, first_interrupt_waits, spent
 from edulaunch.runtime.launch_process import LaunchRun, explain
 from edulaunch.runtime.launching import find_launch_file, launch_argument
@@ -233,6 +235,7 @@ class Terminal:
         self._seconds = seconds
         self._pressed = 0
         self._still_busy = StillBusy()
+        self._watched = WatchedSignals()
 
     def run(self, speed: float) -> None:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
@@ -241,12 +244,16 @@ class Terminal:
         try:
             if self._seconds is not None:
                 sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
-            with StillBusy() as self._still_busy, streams_of_programs():
+            watching = watched_signals((ENGINE, *LIBRARIES), sys.stderr.isatty())
+            with StillBusy() as self._still_busy, streams_of_programs(), watching as self._watched:
+                if self._ending is not None:
+                    self._ending.watched = self._watched
                 Pacer(sim, speed, clock=self._clock).run(None, self._is_over)
         finally:
             signal.signal(signal.SIGINT, before)
 
     def _press(self, signum: int, frame: FrameType | None) -> None:
+        self._watched.confirm()
         if self._pressed:
             self._pressed = 0
             raise KeyboardInterrupt

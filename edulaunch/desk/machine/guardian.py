@@ -10,11 +10,9 @@ the terminals read. Standard library only: it takes a few megabytes and starts b
 from __future__ import annotations
 
 import os
-import re
 import select
 import signal
 import sys
-import sysconfig
 import time
 from types import FrameType
 
@@ -29,6 +27,7 @@ from edulaunch.desk.machine.place import (
     remove_address,
     seconds_from,
 )
+from edulaunch.runtime.interrupt_watcher import innermost_own, library_folders
 
 LOOK_S = 0.25
 SLOW_S = 1.0
@@ -40,8 +39,9 @@ BUSY_INTERRUPT, BUSY_END = 12, 30
 """As above while Python still runs: the watchdog inside the machine acts first."""
 STOP_S = 1.0
 """Seconds that a machine has to end by itself when somebody stops it."""
+ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
+LIBRARIES = (ENGINE, *library_folders())
 HEADER = '(most recent call first):'
-PLACE = re.compile(r'File "([^"]*)", line (\d+) in (\S+)')
 
 
 class Guardian:
@@ -102,7 +102,7 @@ class Guardian:
         now_s = time.monotonic()
         self._traceback = ''.join((self._traceback + text).rpartition(HEADER)[1:])  # it comes in pieces
         if self._traceback.startswith(HEADER):
-            self._where = _own(PLACE.findall(self._traceback)) or self._where
+            self._where = innermost_own(self._traceback, LIBRARIES) or self._where
         if BUSY_SIGN in text or IDLE_SIGN in text:
             self.is_ready = True
             self._beat_s, self._silent_s, self._ended = now_s, 0.0, False
@@ -182,18 +182,6 @@ class Guardian:
                 _complain(self._place, self._number, why)
             _remove(busy_file(self._place, self._number))
             remove_address(self._place, self._number, address)
-
-
-def _own(places: list[tuple[str, str, str]]) -> str:
-    """Where the student's own code is, of the lines that a traceback names, the innermost first."""
-    engine = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
-    paths = (os.path.dirname(os.__file__), *map(sysconfig.get_path, ('stdlib', 'purelib', 'platlib')))
-    libraries = tuple(os.path.join(path, '') for path in paths)
-    own = [place for place in places if not place[0].startswith((engine, '<', *libraries))]
-    if not own:
-        return ''
-    file, line, function = own[0]
-    return f'{file}:{line}' + ('' if function == '<module>' else f' ({function})')
 
 
 def _stopped(pid: int) -> str:

@@ -25,7 +25,7 @@ def test_every_attempt_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['doctor']) == 0
     shown = capsys.readouterr().out
     assert 'NOT HELD' not in shown
-    assert shown.count('held ') == 27
+    assert shown.count('held ') == 29
     assert shown.endswith('Every attempt was refused.\n')
 
 

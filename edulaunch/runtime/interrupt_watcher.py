@@ -1,0 +1,203 @@
+"""A process beside `edulaunch launch` that answers Ctrl-C while Python itself cannot.
+
+A call of C code such as `sum(range(10**12))` keeps Python's interpreter: no handler of a signal runs, and neither does another
+thread. The kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads it. When
+Python does not confirm a signal, the process names the line that runs, and at the third Ctrl-C it ends the run.
+
+The second half is a program of its own, `python -I -S interrupt_watcher.py PID FOLDER...`. It uses the standard library alone and
+starts within about 10 ms on another core.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+import sysconfig
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+HEARD = b'\0'
+"""The byte by which Python confirms a signal: no signal has the number 0."""
+PATIENCE_S = 1.0
+"""Real seconds that Python has to confirm a signal."""
+TERM_S = 3.0
+"""The same for a signal that asks a run to end, such as SIGTERM; then the run is ended."""
+MOST_BYTES = 1 << 16
+PLACE = re.compile(r'File "([^"]*)", line (\d+) in (\S+)')
+_ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
+
+
+def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
+    """Return the innermost place of a student's code that a traceback of `faulthandler` names, as `file:line (function)`.
+
+    :param libraries: the beginnings of paths that are not a student's: Python's, its packages', and edulaunch's.
+    :returns: an empty string when the traceback names no such place.
+    """
+    own = [place for place in PLACE.findall(traceback) if not place[0].startswith(('<', *libraries))]
+    if not own:
+        return ''
+    file, line, function = own[0]
+    return f'{file}:{line}' + ('' if function == '<module>' else f' ({function})')
+
+
+def library_folders() -> tuple[str, ...]:
+    """Return the folders of Python's own modules and of installed packages, each with a separator at its end."""
+    paths = (os.path.dirname(os.__file__), *map(sysconfig.get_path, ('stdlib', 'purelib', 'platlib')))
+    return tuple(os.path.join(path, '') for path in paths)
+
+
+class WatchedSignals:
+    """The pipe by which Python confirms that it heard a signal.
+
+    :param pipe: the writing end; None where nobody watches.
+    """
+
+    def __init__(self, pipe: int | None = None) -> None:
+        self._pipe = pipe
+
+    def forget(self) -> None:
+        """Confirm nothing from now on: the number of the pipe may soon be that of another file."""
+        self._pipe = None
+
+    def confirm(self) -> None:
+        """Tell the watcher that a handler of Python runs."""
+        if self._pipe is not None:
+            try:
+                os.write(self._pipe, HEARD)
+            except OSError:  # the watcher is gone, or the pipe is full of signals
+                return
+
+
+@contextmanager
+def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterator[WatchedSignals]:
+    """Start a watcher for a block of code in the main thread. Handlers of signals in the block must call `confirm`.
+
+    Without such signals (Windows, a browser), or when no process can be started, the block runs without a watcher.
+
+    :param libraries: see :func:`innermost_own`.
+    :param is_watched: False runs the block without a watcher.
+    """
+    if not is_watched or not hasattr(signal, 'SIGUSR1') or sys.platform == 'emscripten':
+        yield WatchedSignals()
+        return
+    import faulthandler
+
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    command = [sys.executable, '-I', '-S', os.path.abspath(__file__), str(os.getpid()), *libraries]
+    try:
+        watcher = subprocess.Popen(command, stdin=reading, stdout=subprocess.DEVNULL, start_new_session=True)
+    except OSError:
+        os.close(reading)
+        os.close(writing)
+        yield WatchedSignals()
+        return
+    os.close(reading)
+    before = signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
+    faulthandler.register(signal.SIGUSR1, writing, all_threads=False)
+    watched = WatchedSignals(writing)
+    try:
+        yield watched
+    finally:
+        watched.forget()
+        signal.set_wakeup_fd(before)
+        faulthandler.unregister(signal.SIGUSR1)
+        os.close(writing)
+        watcher.wait()
+
+
+class Watcher:
+    """Reads the pipe of one run, prints notes, and ends the run in the end.
+
+    :param pid: the process of the run.
+    :param pipe: the reading end of the pipe.
+    :param libraries: see :func:`innermost_own`.
+    """
+
+    def __init__(self, pid: int, pipe: int, libraries: Sequence[str]) -> None:
+        self._pid, self._pipe, self._libraries = pid, pipe, libraries
+        self._presses = 0
+        self._judge_at_s: float | None = None
+        self._end_at_s: float | None = None
+        self._ending = {int(getattr(signal, name)) for name in _ENDING}
+
+    def run(self) -> None:
+        """Watch until the run closes its end of the pipe."""
+        while True:
+            waits = [at for at in (self._judge_at_s, self._end_at_s) if at is not None]
+            left_s = max(0.0, min(waits) - time.monotonic()) if waits else None
+            if not select.select([self._pipe], [], [], left_s)[0]:
+                self._judge()
+                continue
+            data = os.read(self._pipe, MOST_BYTES)
+            if not data:
+                return
+            self._hear(data)
+
+    def _hear(self, data: bytes) -> None:
+        now_s = time.monotonic()
+        for byte in data:
+            if byte == HEARD[0]:
+                self._presses, self._judge_at_s, self._end_at_s = 0, None, None
+            elif byte == signal.SIGINT:
+                self._presses += 1
+                self._judge_at_s = now_s + PATIENCE_S
+            elif byte in self._ending and self._end_at_s is None:
+                self._end_at_s = now_s + TERM_S
+
+    def _judge(self) -> None:
+        """Python has not confirmed a signal in time."""
+        now_s = time.monotonic()
+        if self._end_at_s is not None and now_s >= self._end_at_s:
+            self._end(f'{self._where()} does not let the run end')
+        elif self._judge_at_s is not None and now_s >= self._judge_at_s:
+            self._judge_at_s = None
+            if self._presses >= 3:
+                self._end(f'{self._where()} cannot be interrupted')
+            elif self._presses:
+                again = 'once more' if self._presses == 2 else 'twice more'
+                _print(
+                    f'note: {self._where()} is in a call that Python cannot interrupt; '
+                    f'press Ctrl-C {again} to kill the run and lose its recording'
+                )
+
+    def _where(self) -> str:
+        """Ask the run where it is: faulthandler answers from within C code."""
+        os.kill(self._pid, signal.SIGUSR1)
+        text, end_s = '', time.monotonic() + PATIENCE_S
+        while not innermost_own(text, self._libraries) and (left_s := end_s - time.monotonic()) > 0:
+            if not select.select([self._pipe], [], [], left_s)[0]:
+                break
+            data = os.read(self._pipe, MOST_BYTES)
+            if not data:
+                break
+            self._hear(data)
+            text += data.decode('utf-8', 'replace')
+        place = innermost_own(text, self._libraries)
+        return f'a program at {place}' if place else 'a program'
+
+    def _end(self, why: str) -> None:
+        _print(f'error: {why}: the run was killed, and its recording is lost')
+        os.kill(self._pid, signal.SIGKILL)
+
+
+def _print(line: str) -> None:
+    sys.stderr.write(f'\n{line}\n')
+    sys.stderr.flush()
+
+
+def main() -> None:
+    """The program of a watcher."""
+    try:
+        Watcher(int(sys.argv[1]), sys.stdin.fileno(), sys.argv[2:]).run()
+    except ProcessLookupError:  # the run has ended meanwhile
+        return
+
+
+if __name__ == '__main__':
+    main()
