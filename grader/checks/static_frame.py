@@ -9,7 +9,7 @@ from math import pi
 from random import Random
 from typing import TYPE_CHECKING
 
-from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.arguments import require_default
 from edugrade.library.deaths import refuse_dead
 from edugrade.library.frames import numbers, require_frame, tilt, transforms, yaw
@@ -98,11 +98,19 @@ def camera_is_in_its_place(run: Evidence) -> None:
             _require_turn(run, sent.frame)
 
 
-@check(points=1, needs=[laser_is_on_tf, camera_is_on_tf])
+@check(points=1, needs=[no_node_dies])
 def frames_are_static(run: Evidence) -> None:
     """Both frames are static: said once, known for ever"""
     for name in run:
         sent = transforms(run, name)
+        for child in ('laser', 'camera'):
+            if child not in sent:
+                raise Missing(
+                    f'the frame {child}',
+                    expected='sent once, on /tf_static',
+                    where=run.source.place,
+                    try_=f'use {PUBLISHER}',
+                )
         moving = [child for child in ('laser', 'camera') if not all(item.frame.is_static for item in sent[child])]
         if moving:
             raise Failure(

@@ -2,11 +2,14 @@
 
 A scenario names in `defaults` the arguments that it does not give. Where the launch file declares another default, or none, the
 run is made again with the argument given: a wrong default costs its own points, and not those of all that hangs on the value.
+A default that is a substitution is compared by what happens: the run with the argument given must be the same run.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any
 
 from .evidence import Outcome, Scenario, described_defaults, written_text
 from .library.arguments import is_literal, is_same_value
@@ -14,6 +17,8 @@ from .library.deaths import deaths
 from .worker import in_worker
 
 Again = Callable[[list[Scenario]], Sequence[Outcome]]
+ANOTHER = 'the default has another value'
+NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
 def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outcome]:
@@ -28,23 +33,70 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outco
         plan = in_worker(lambda: _plan(outcomes))  # what a submission declares may upset whoever looks at it
     except Exception:  # judging it meets the same, and says so
         return list(outcomes)
-    places = [place for place, (names, _) in enumerate(plan) if names and None not in names.values()]
+    places = [place for place, (names, *_) in enumerate(plan) if names and None not in names.values()]
     made = again([_giving(outcomes[place].scenario, plan[place][0]) for place in places]) if places else []
     instead = {
         place: outcome._replace(bare=(plan[place][1], tuple(plan[place][0])) if plan[place][1] else None)
         for place, outcome in zip(places, made, strict=True)
     }
+    instead = _with_calculated_given(outcomes, [names for *_, names in plan], again) | instead
     return [instead.get(place, outcome) for place, outcome in enumerate(outcomes) if place in instead or not plan[place][0]]
 
 
-def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str]]:
-    """For each run the arguments that it has to be given, and why it could not do without them; '' where it could."""
+def _with_calculated_given(
+    outcomes: Sequence[Outcome], names: Sequence[Mapping[str, str | None]], again: Again
+) -> dict[int, Outcome]:
+    """Make each run with a calculated default again with the argument given. Return those that are other runs, by place."""
+    found = {}
+    places = [place for place, given in enumerate(names) if given]
+    made = again([_giving(outcomes[place].scenario, names[place]) for place in places]) if places else []
+    for place, outcome in zip(places, made, strict=True):
+        try:
+            is_other = outcome.recording is not None and in_worker(partial(_differ, outcomes[place], outcome))
+        except Exception:
+            continue
+        if is_other:
+            found[place] = outcome._replace(bare=(ANOTHER, tuple(names[place])))
+    return found
+
+
+def _calculated(outcome: Outcome) -> dict[str, str | None]:
+    """The arguments of a run whose default is a substitution, with the values that they should have."""
+    if outcome.recording is None or not any(outcome.scenario.defaults.values()):
+        return {}
+    declared = described_defaults(outcome.recording)
+    return {
+        name: wanted
+        for name, wanted in outcome.scenario.defaults.items()
+        if wanted is not None and isinstance(declared.get(name), str) and not is_literal(str(declared[name]))
+    }
+
+
+def _differ(one: Outcome, other: Outcome) -> bool:
+    """Whether nodes had other parameters in one run than in the other, or published something else."""
+    return _what_happened(one) != _what_happened(other)
+
+
+def _what_happened(outcome: Outcome) -> tuple[list[Any], list[Any]]:
+    assert outcome.recording is not None
+    parameters = [(time_ns, node, name, value) for time_ns, node, name, value, _ in outcome.recording.parameter_rows]
+    topics = [row for row in outcome.recording.rows('topics') if row['topic'] not in NOT_COMPARED]
+    return parameters, [(row['topic'], row['type'], list(row['messages'])) for row in topics]
+
+
+def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str, dict[str, str | None]]]:
+    """For each run the arguments that it has to be given, and why it could not do without them ('' where it could); if there are
+    none, the arguments whose default is calculated.
+    """
     recorded = [outcome.recording for outcome in outcomes if outcome.recording is not None]
     if not recorded:
-        return [({}, '') for _ in outcomes]
+        return [({}, '', {}) for _ in outcomes]
     known = described_defaults(recorded[0])
     given = [_to_give(outcome, known) if outcome.scenario.defaults else {} for outcome in outcomes]
-    return [(names, _why(outcome) if names else '') for names, outcome in zip(given, outcomes, strict=True)]
+    return [
+        (names, _why(outcome), {}) if names else ({}, '', _calculated(outcome))
+        for names, outcome in zip(given, outcomes, strict=True)
+    ]
 
 
 def _why(outcome: Outcome) -> str:

@@ -83,8 +83,8 @@ CASES = {
         CIRCLE.replace("'1.0'", "PythonExpression(['0.5 + 0.7'])").replace(
             'import LaunchConfiguration', 'import LaunchConfiguration, PythonExpression'
         ),
-        5.0,
-        ['default_is_one_metre', 'radius_is_passed', 'circle_is_driven'],
+        11.0,
+        ['default_is_one_metre'],
     ),
     'a default that never counts': (
         CIRCLE.replace(

@@ -65,7 +65,8 @@ def require_default(
     argument = require_argument(run, name, default or '...')
     seen = written_text(argument.default or '')
     bare = [scenario for scenario in run if name in run.scenario(scenario).defaults]
-    is_shown = shows is not None and bare and not is_literal(argument.default or '')
+    is_given = any(name in names for _, names in run.bare.values())  # the runs without it were other runs
+    is_shown = shows is not None and bare and not is_literal(argument.default or '') and not is_given
     if default is not None and not is_same_value(seen, default) and not is_shown:
         raise Mismatch(
             f'the default value of "{name}"', default, seen, where=_place(argument), try_=f"write default_value='{default}'"

@@ -1,4 +1,4 @@
-"""Real submissions, run and graded: unusual right answers get all points, near misses and claims do not."""
+"""Real submissions, run and graded: unusual right answers get all points, near misses and claims do not, small faults cost what they break."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from edugrade.results import Report
 from edugrade.submission import Submission
 from near_misses import WRONG, WRONG_PACKAGES
 from right import RIGHT, RIGHT_PACKAGES
+from small_faults import FAULTS
 
 pytestmark = pytest.mark.whole  # ninety submissions that are run
 
@@ -23,6 +24,11 @@ def written(folder: Path) -> Iterator[tuple[str, Path]]:
     launch_files = RIGHT | {name: (case[0], '', case[2]) for name, case in WRONG.items()}
     for number, (name, (exercise, ending, text)) in enumerate(launch_files.items()):
         file = folder / str(number) / f'{exercise}.launch.{ending or "py"}'
+        file.parent.mkdir()
+        file.write_text(text)
+        yield name, file
+    for name, (exercise, _, text) in FAULTS.items():
+        file = folder / name.replace(': ', '-').replace(' ', '_') / f'{exercise}.launch.{"xml" if text.startswith("<") else "py"}'
         file.parent.mkdir()
         file.write_text(text)
         yield name, file
@@ -45,6 +51,7 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Report]:
 def test_there_are_enough_of_both_for_every_exercise() -> None:
     exercises = {'circle', 'static_frame', 'follow', 'carrot', 'broken_follow', 'large_project'}
     assert len(ALL_RIGHT) >= 40 and {name.partition(':')[0] for name in ALL_RIGHT} == exercises
+    assert len(FAULTS) >= 30 and len({case[0] for case in FAULTS.values()}) >= 15
     assert len(ALL_WRONG) >= 40 and {name.partition(':')[0] for name in ALL_WRONG} == exercises
 
 
@@ -64,3 +71,10 @@ def test_a_near_miss_does_not(graded: dict[str, Report], name: str) -> None:
     assert (result.earned, result.status in ('failed', 'not_run')) == (0, True), result
     assert report.earned is not None and report.earned < 12
     assert report.results[0].status == 'passed', report.results[0].reason
+
+
+@pytest.mark.parametrize('name', FAULTS)
+def test_a_small_fault_costs_what_it_breaks(graded: dict[str, Report], name: str) -> None:
+    results = graded[name].results
+    lost = [result.name for result in results if result.points and result.earned != result.points]
+    assert tuple(lost) == FAULTS[name][1], [f'{result.name}: {result.status} {result.reason} {result.seen}' for result in results]
