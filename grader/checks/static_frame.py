@@ -106,10 +106,7 @@ def frames_are_static(run: Evidence) -> None:
         for child in ('laser', 'camera'):
             if child not in sent:
                 raise Missing(
-                    f'the frame {child}',
-                    expected='sent once, on /tf_static',
-                    where=run.source.place,
-                    try_=f'use {PUBLISHER}',
+                    f'the frame {child}', expected='sent once, on /tf_static', where=run.source.place, try_=f'use {PUBLISHER}'
                 )
         moving = [child for child in ('laser', 'camera') if not all(item.frame.is_static for item in sent[child])]
         if moving:
