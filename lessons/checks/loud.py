@@ -39,6 +39,7 @@ def the_word_is_a_parameter(run: Evidence) -> None:
 
 RUBRIC = Rubric(
     title='A loud package',
+    decoys=0.7,  # the student's own program may publish the word in any way; the parameter is worth the rest
     of='my_ws/src/my_robot/launch/loud.launch.py',
     scenarios=lambda random: [Scenario('run', {}, 2.0)],
     checks=[hello_speaks, it_says_it_loud, the_word_is_a_parameter],

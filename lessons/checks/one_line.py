@@ -42,6 +42,7 @@ def it_is_one_line(run: Evidence) -> None:
 
 RUBRIC = Rubric(
     title='One line for four',
+    decoys=1.0,  # the student's own program may publish the same frame in any way
     of='my_ws/src/learning_tf2_py/launch/turtle_tf2_demo.launch.py',
     scenarios=lambda random: [Scenario('run', {}, 6.8)],
     checks=[the_frame_is_where_it_was, it_is_one_line],

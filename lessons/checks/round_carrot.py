@@ -74,6 +74,7 @@ def it_goes_round_once_in_ten_seconds(run: Evidence) -> None:
 
 RUBRIC = Rubric(
     title='A carrot that moves in a circle',
+    decoys=1.0,  # the student's own program may publish the same frames in any way
     of='my_ws/src/learning_tf2_py/launch/turtle_tf2_dynamic_frame_demo.launch.py',
     scenarios=lambda random: [Scenario('run', {}, 14.0)],
     checks=[carrot_is_there, it_is_two_metres_away, it_moves_smoothly, it_goes_round_once_in_ten_seconds],

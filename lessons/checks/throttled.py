@@ -21,6 +21,7 @@ def it_is_said_every_two_seconds(run: Evidence) -> None:
 
 RUBRIC = Rubric(
     title='Not ten times a second',
+    decoys=1.0,  # the student's own program may log the same lines in any way
     of='my_ws/src/learning_tf2_py/launch/turtle_tf2_demo.launch.py',
     scenarios=lambda random: [Scenario('run', {'target_frame': 'nobody'}, 7.5)],
     checks=[it_is_said_every_two_seconds],

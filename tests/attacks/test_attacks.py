@@ -21,7 +21,7 @@ pytestmark = pytest.mark.attacks
 ROOT = Path(__file__).resolve().parents[2]
 CIRCLE = (ROOT / 'solutions' / 'circle.launch.py').read_text()
 LAZY = CIRCLE.replace(RADIUS, '')
-DESERVED = 6
+DESERVED = 5
 """Points of the circle whose node is not told the radius."""
 ALL = 12
 HONEST = [f'{place}-honest' for place in ('a', 'k-middle', 'r-middle', 'z')]

@@ -1,6 +1,6 @@
 """Launch files that reach into their own process for marks: they find only the confined peer, and gain nothing.
 
-Each is a circle whose node is not told the radius (which leaves 6 of 12 points), and does something more.
+Each is a circle whose node is not told the radius (which leaves 5 of 12 points: the default has no effect), and does something more.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from edugrade.submission import Submission
 
 CIRCLE = (Path(__file__).parents[2] / 'solutions' / 'circle.launch.py').read_text()
 LAZY = CIRCLE.replace("        parameters=[{'radius': LaunchConfiguration('circle_radius')}],\n", '')
-HONEST = 6
+HONEST = 5
 
 PEER = """
 import gc, json, posix, struct

@@ -32,7 +32,7 @@ def decoys(submission: Submission, recording: Recording, folder: str) -> Iterato
     ============ ==========================================================================================
     names        nodes of the same names with the same parameters and endpoints, in one program, silent
     replay       the same nodes publish and print what was recorded in the first run
-    swapped      the solution's own actions, each of whose nodes runs an idle program under its name
+    swapped      the solution's own actions; each Node and each command `python3 ...` runs an idle program
     own programs a package whose own programs print and publish what was recorded in the first run
     ============ ==========================================================================================
 
@@ -144,15 +144,18 @@ def _launch_file(submission: Submission, target: str) -> str:
 def _replace_programs(target: str, package: str, recording: Recording) -> bool:
     """Put a player into each module of a package that one of its programs runs. Whether there was one."""
     own = sorted((process.executable or '', process.name) for process in recording.processes if process.package == package)
+    written = False
     for executable, names in groupby(own, key=lambda pair: pair[0]):
         plays = _fitting(recording, True, frozenset(name for _, name in names))
         for path in _modules(target, package, executable):
             _written(path, PLAYER.format(plan=plays))
-    return bool(own)
+            written = True
+    return written
 
 
 def _modules(target: str, package: str, executable: str) -> Iterator[str]:
-    """The files of the modules that the entry point of this name runs, as setup.py names them."""
+    """The files of the modules that the entry point of this name runs: as setup.py names them, else the file of that name."""
+    is_named = False
     try:
         with open(os.path.join(target, 'setup.py'), encoding='utf-8') as file:
             lines = [line.split('=') for line in file.read().replace('"', "'").split("'") if '=' in line and ':' in line]
@@ -160,4 +163,8 @@ def _modules(target: str, package: str, executable: str) -> Iterator[str]:
         return
     for name, *rest in lines:
         if name.strip() == executable:
+            is_named = True
             yield os.path.join(target, *rest[0].partition(':')[0].strip().split('.')) + '.py'
+    usual = os.path.join(target, package, f'{executable}.py')
+    if not is_named and os.path.isfile(usual):
+        yield usual

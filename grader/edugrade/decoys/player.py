@@ -95,15 +95,21 @@ SWAPPED = """
 
 
 def _swap_nodes():
+    from launch.actions import ExecuteProcess
     from launch_ros.actions import Node
 
-    usual = Node.__init__
+    usual, command = Node.__init__, ExecuteProcess.__init__
+    idle = "import rclpy; rclpy.init(); rclpy.spin(rclpy.create_node('idle'))"
 
     def other(self, *, executable, package=None, **options):
         options.pop('arguments', None)
         usual(self, executable='add_two_ints_server', package='demo_nodes_py', **options)
 
-    Node.__init__ = other
+    def without_program(self, *, cmd, **options):
+        is_program = isinstance(cmd, (list, tuple)) and cmd and cmd[0] in ('python', 'python3')
+        command(self, cmd=['python3', '-c', idle] if is_program else cmd, **options)
+
+    Node.__init__, ExecuteProcess.__init__ = other, without_program
 
 
 _swap_nodes()
