@@ -295,10 +295,14 @@ def _nanoseconds(duration_s: float) -> int:
     return found
 
 
-def index_for(workspaces: Sequence[PathLike]) -> Index:
-    """An index of the workspaces over the packages of plug-ins, over the underlay."""
+def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
+    """An index of the workspaces over the packages of plug-ins, over the underlay.
+
+    :param near: of two packages with one name, the one that is nearer to this folder counts; default: the current folder.
+    """
     built, sources = install_folders(workspaces)
-    return Index([*built, underlay_prefix()], [*sources, *package_folders()], read_source=read_source)
+    near = os.getcwd() if near is None else near
+    return Index([*built, underlay_prefix()], [*sources, *package_folders()], read_source=read_source, near=near)
 
 
 def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -27,6 +28,7 @@ class Notes:
     def __init__(self) -> None:
         self.knows_view = False
         self._noted_pids: set[int] = set()
+        self._noted_packages: set[tuple[int, str]] = set()
 
     def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
         """What is to be said now in a terminal.
@@ -36,6 +38,7 @@ class Notes:
         """
         if not programs:
             return
+        yield from self.same_names(words, programs)
         names = [*words[3:4], *(each.spec.executable or '' for each in programs)]
         if not self.knows_view:
             for name in filter(VIEWS.__contains__, names):
@@ -50,3 +53,22 @@ class Notes:
                     f'type `ros2 run {READ_KEYS[name]} {name}` in a terminal of its own\n'
                 )
                 break
+
+    def same_names(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
+        """Name the package that is used and the other ones with its name: the nearest one to the terminal is used."""
+        command = programs[0]
+        packages = [
+            *(words[2:3] if words[:2] in (['ros2', 'run'], ['ros2', 'launch']) else []),
+            *(each.spec.package for each in programs),
+        ]
+        for package in filter(None, dict.fromkeys(packages)):
+            others = [
+                one.file
+                for one in command.index.warnings
+                if one.about == 'same name' and f'package {package!r} in' in one.sentence
+            ]
+            if others and (command.pid, package) not in self._noted_packages:
+                self._noted_packages.add((command.pid, package))
+                used = os.path.relpath(command.index.source_folder(package) or '', command.spec.cwd)
+                left = ', '.join(os.path.relpath(os.path.dirname(file), command.spec.cwd) for file in others)
+                yield f'note: several packages have the name {package}; this command uses {used}, not {left}\n'

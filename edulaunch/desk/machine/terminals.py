@@ -199,8 +199,10 @@ class Terminal:
         """Run the command inside the simulation."""
         host = self._terminals.session.host
         name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
-        workspaces = find_workspaces(cwd, env, _launch_file(words, cwd))
-        index = index_for(workspaces) if workspaces else host.index
+        file = _launch_file(words, cwd)
+        near = cwd if file is None else os.path.dirname(os.path.join(cwd, file))
+        workspaces = find_workspaces(cwd, env, file)
+        index = index_for(workspaces, near) if workspaces else host.index
         spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
         if not host.knows(spec):
             self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
@@ -214,6 +216,8 @@ class Terminal:
         streams.stdout.is_terminal, streams.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
         self.process = process
         self._terminals.open_ones.append(self)
+        if self._terminals_there[2] == '1':
+            self._connection.send(wire.ERRORS, ''.join(self._terminals.notes.same_names(words, [process])).encode())
 
     def show(self, stream: str, text: str) -> None:
         """Write in this terminal."""

@@ -69,6 +69,7 @@ class Index:
     :param workspaces: folders with source packages.
     :param read_source: reads their build files; an index without workspaces needs none.
     :param underlay: the built-in packages' prefix; None for an index without them.
+    :param near: of two packages with one name in one workspace, the one that is nearer to this folder counts.
     :ivar workspaces: the source workspaces, in order of search.
     """
 
@@ -79,20 +80,21 @@ class Index:
         *,
         read_source: SourceReader | None = None,
         underlay: str | None = underlay_prefix(),
+        near: str = '',
     ) -> None:
         self.read_source = read_source
         self._warnings: list[PackageWarning] = []
-        self.workspaces = [self._workspace(os.fspath(folder)) for folder in workspaces]
+        self.workspaces = [self._workspace(os.fspath(folder), near) for folder in workspaces]
         expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
         self._places: list[Place] = [*self.workspaces, *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay))]
         self._underlay = underlay
         if underlay is not None:
             self._places.append(Underlay(underlay))
 
-    def _workspace(self, folder: str) -> Workspace:
+    def _workspace(self, folder: str, near: str) -> Workspace:
         if self.read_source is None:
             raise TypeError('an Index of source workspaces needs read_source')
-        return Workspace(folder, self.read_source, self._warnings)
+        return Workspace(folder, self.read_source, self._warnings, near)
 
     @property
     def warnings(self) -> tuple[PackageWarning, ...]:

@@ -175,10 +175,12 @@ class Workspace:
     :param folder: the workspace, its `src/`, or a single package.
     :param read_source: reads the build file of a package.
     :param warnings: the list to which everything is added that a build would reject.
+    :param near: of two packages with one name, the one that is nearer to this folder counts.
     """
 
-    def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning]) -> None:
+    def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning], near: str = '') -> None:
         self.folder = os.path.abspath(folder)
+        self._near = os.path.realpath(near) if near else ''
         self._read_source = read_source
         self._image = Image(self.folder)
         self.path = self._image.path
@@ -252,11 +254,16 @@ class Workspace:
     def _manifests(self) -> dict[str, Manifest]:
         if self._found is None:
             self._found = {}
-            for folder in find_packages(self.folder, self._warnings):
+            for folder in sorted(find_packages(self.folder, self._warnings), key=self._distance):
                 manifest = read_manifest(folder, self._warnings)
                 if manifest is not None:
                     self._note(self._found, manifest)
         return self._found
+
+    def _distance(self, folder: str) -> int:
+        """Return how many folders lead up from `near` to the first one that also has the package in it."""
+        shared = os.path.commonpath([self._near, os.path.realpath(folder)]) if self._near else ''
+        return self._near.count(os.sep) - shared.rstrip(os.sep).count(os.sep)
 
     def _note(self, found: dict[str, Manifest], manifest: Manifest) -> None:
         first = found.setdefault(manifest.name, manifest)

@@ -58,3 +58,14 @@ def test_a_package_that_is_not_there_is_looked_for_below_the_folder_of_the_termi
     make_package(desk.folder / 'one' / 'level' / 'deeper', {})
     told = desk.said('run mine anything')
     assert told.startswith("Package 'mine' not found\n") and 'one/level/deeper' in told
+
+
+def test_of_two_packages_with_one_name_the_nearest_to_the_terminal_is_used_and_named(desk: Desk) -> None:
+    for week in ('week2', 'week3'):
+        make_package(desk.folder / 'src' / week, {'says': f"def main():\n    print('{week}')\n"})
+        (desk.folder / 'src' / week / 'src' / 'mine').rename(desk.folder / 'src' / week / 'mine')
+    desk.folder = desk.folder / 'src' / 'week3'
+    assert (
+        desk.said('run mine says')
+        == 'note: several packages have the name mine; this command uses mine, not ../week2/mine\nweek3\n'
+    )

@@ -266,3 +266,11 @@ def test_source_workspaces_need_a_reader_of_their_build_files(tmp_path: Path) ->
     (tmp_path / 'package.xml').write_text('<package><name>robo</name></package>', encoding='utf-8')
     assert Index(workspaces=[tmp_path], read_source=reader).executables('robo') == []
     assert read == ['robo']
+
+
+def test_of_two_packages_with_one_name_the_nearer_one_counts(workspace: Any) -> None:
+    for week in ('week2', 'week3'):
+        workspace.python_package('alpha', SETUP.format('alpha'), launch__a='', folder=f'src/{week}/alpha')
+    for near, used in {'src/week3': 'week3', 'src/week3/alpha': 'week3', 'src': 'week2', '../elsewhere': 'week2'}.items():
+        index = Index((), [workspace.path], read_source=read_source, near=str(workspace.path / near))
+        assert index.source_folder('alpha') == str(workspace.path / 'src' / used / 'alpha')
