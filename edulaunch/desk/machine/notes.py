@@ -62,13 +62,10 @@ class Notes:
             *(each.spec.package for each in programs),
         ]
         for package in filter(None, dict.fromkeys(packages)):
-            others = [
-                one.file
-                for one in command.index.warnings
-                if one.about == 'same name' and f'package {package!r} in' in one.sentence
-            ]
-            if others and (command.pid, package) not in self._noted_packages:
+            used = command.index.source_folder(package)
+            here = [one.file for one in command.index.warnings if one.about == 'same name' and f'{package!r} in' in one.sentence]
+            if used is not None and here and (command.pid, package) not in self._noted_packages:
                 self._noted_packages.add((command.pid, package))
-                used = os.path.relpath(command.index.source_folder(package) or '', command.spec.cwd)
-                left = ', '.join(os.path.relpath(os.path.dirname(file), command.spec.cwd) for file in others)
+                left = ', '.join(os.path.relpath(os.path.dirname(file), command.spec.cwd) for file in here)
+                used = os.path.relpath(used, command.spec.cwd)
                 yield f'note: several packages have the name {package}; this command uses {used}, not {left}\n'
