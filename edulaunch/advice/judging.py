@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.outlines import students_python
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
 from edulaunch.advice.run_sources import Script, launch_scripts
+from edulaunch.advice.runs import INTERRUPTS
 from edulaunch.errors import EdulaunchError
 from edulaunch.ros.collector_pause import collector_paused
 
@@ -64,9 +65,6 @@ LONELY = frozenset(
     + ('messages.nobody-publishes', 'messages.other-topic', 'time.no-clock')
 )
 """Say that somebody is missing."""
-
-
-INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
 
 
 def _without_consequences(findings: list[Finding], recording: Recording) -> list[Finding]:

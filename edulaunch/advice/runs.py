@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 Place = tuple[str | None, int | None]
 NOWHERE: Place = (None, None)
 _ORIGIN = re.compile(r'(.+) line (\d+)')
+INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
+"""How a program ends by Ctrl-C: no mistake of its own."""
 ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
 """Topics that every node has, or that rules of their own look at."""
 

@@ -298,7 +298,7 @@ def _nanoseconds(duration_s: float) -> int:
 def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
     """An index of the workspaces over the packages of plug-ins, over the underlay.
 
-    :param near: of two packages with one name, the one that is nearer to this folder counts; default: the current folder.
+    :param near: of two packages with one name, the one that is nearer to this folder counts. None means the current folder.
     """
     built, sources = install_folders(workspaces)
     near = os.getcwd() if near is None else near

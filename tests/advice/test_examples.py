@@ -10,6 +10,8 @@ from tests.advice.harness import EXAMPLES, WITHOUT, findings, told_text
 
 RULES = [name for name in all_rules() if name not in WITHOUT]
 
+pytestmark = pytest.mark.filterwarnings('ignore::UserWarning')  # a student's program warns and goes on
+
 
 @pytest.mark.parametrize('rule', RULES)
 def test_a_rule_speaks_first_on_its_failing_example(rule: str) -> None:

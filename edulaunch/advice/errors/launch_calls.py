@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import class_named, keywords_of
 from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.advice.run_sources import script_of
 from edulaunch.engine.nearest import nearest
 
 OLD_KEYWORDS = {
@@ -114,6 +116,7 @@ NOT_A_TEXT = about(
     do=(
         'put it into a list: {as_list}=[...]',
         'write it with its point: {argument}={as_float}',
+        'put the pair into a list: remappings=[{one_pair}]',
         "write each remapping as a pair in round brackets: ('{pair}', 'to')",
         'give it one of these: {expected}',
     ),
@@ -136,9 +139,19 @@ def wrong_type(failure: Failure) -> Iterator[Finding]:
         given=given,
         as_list=argument if is_list else None,
         as_float=f'{value}.0' if given == 'int' and 'float' in expected else None,
+        one_pair=_one_pair(failure) if argument == 'remap_rule' else None,
         pair='from' if argument == 'remap_rule' else None,
         expected=re.findall(r"<class '(?:[\w.]+\.)?(\w+)'>", expected),
     )
+
+
+def _one_pair(failure: Failure) -> str | None:
+    """Return the only pair of `remappings=('from', 'to')`, as it is written."""
+    for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
+        if isinstance(node, ast.keyword) and node.arg == 'remappings' and isinstance(node.value, ast.Tuple):
+            is_pair = [type(word) for word in node.value.elts[:1]] == [ast.Constant]
+            return ast.unparse(node.value) if is_pair else None
+    return None
 
 
 NO_PAIRS = about(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 
@@ -46,6 +47,21 @@ def test_description(failure: Failure) -> Iterator[Finding]:
     """The function that every launch test has."""
     if failure.facts.get('about') == 'launch.test-description':
         yield report(failure)
+
+
+@rule(
+    'launch.other-source',
+    what='{name} is a launch file in {language}, and PythonLaunchDescriptionSource reads Python',
+    do='write AnyLaunchDescriptionSource(...): it reads launch files in Python, XML and YAML',
+    level='error',
+    lesson='01_first_launch',
+    hides=('launch.fails',),
+)
+def other_source(failure: Failure) -> Iterator[Finding]:
+    """A file that is included as Python."""
+    name, ending = os.path.basename(failure.file or ''), os.path.splitext(failure.file or '')[1]
+    if failure.type == 'SyntaxError' and failure.process is None and ending in ('.xml', '.yaml', '.yml'):
+        yield report(failure, name=name, language='XML' if ending == '.xml' else 'YAML')
 
 
 @rule(
@@ -155,6 +171,7 @@ NO_EXECUTABLE = about(
     'packages.no-executable',
     what='{package} has no executable {executable}',
     do=(
+        'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
         'try it where the package is built: {unread} of its CMakeLists.txt may install it, and edulaunch does not read that',
         'choose one of these: {known}',

@@ -248,8 +248,14 @@ PARAMETER_VALUE = about(
 )
 LIST_OF_ONE_TYPE = about(
     'launch.list-of-one-type',
-    what='the values of this list are of different types',
-    do='write all numbers of a list with a point, or all without',
+    what=(
+        'the values of the list in line {at} of {parameter_file} are of different types',
+        'the values of this list are of different types',
+    ),
+    do=(
+        "write a number in place of '{word}', or quotes around every value",
+        'write all numbers of a list with a point, or all without',
+    ),
 )
 NO_VALUE = about('launch.no-value', what='this parameter has no value', do='leave the line out, or write "" for an empty text')
 PARAMETER_RULE = about(
@@ -265,12 +271,21 @@ REMAP_RULE = about(
 
 @rule(
     'launch.yaml',
-    what=('line {at} of the YAML file cannot be read: {problem}', 'the YAML file cannot be read: {problem}'),
-    do=('indent with spaces: YAML takes no {tab}', 'look at that line and the one above it: indentation, colons, quotes'),
+    what=(
+        'line {at} of {parameter_file} cannot be read: {problem}',
+        'line {at} of the YAML file cannot be read: {problem}',
+        'the YAML file cannot be read: {problem}',
+    ),
+    do=(
+        'indent with spaces: YAML takes no {tab}',
+        'write /{star} for every node: a name that begins with * needs quotes in YAML',
+        'look at that line and the one above it: indentation, colons, quotes',
+    ),
     level='error',
 )
 def yaml(failure: Failure) -> Iterator[Finding]:
     """A parameter file that is no YAML."""
     if failure.facts.get('about') == 'launch.yaml':
         has_tab = 'cannot start any token' in str(failure.facts.get('problem'))
-        yield report(failure, tab='tab' if has_tab else None)
+        has_star = 'did not find expected alphabetic' in str(failure.facts.get('problem'))
+        yield report(failure, tab='tab' if has_tab else None, star='**' if has_star else None)

@@ -24,6 +24,7 @@ FIELD_VALUE = about(
     ),
     do=(
         'write {write}',
+        'turn it into a message: self.get_clock().now().{convert}()',
         'set its fields ({fields}), or assign a {wanted}(...)',
         'give it {size} values',
         'write a decimal point: the comma made {commas} values of it',

@@ -13,7 +13,7 @@ from edulaunch.advice.run_sources import name_of_call, script_of
 LESSON = '14_services'
 
 
-def _calls_on_line(failure: Failure) -> list[ast.Call]:
+def calls_on_line(failure: Failure) -> list[ast.Call]:
     """The calls of the student's line, the outer ones first."""
     tree = script_of(failure.file)
     nodes = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
@@ -34,7 +34,7 @@ def type_as_text(failure: Failure) -> Iterator[Finding]:
     """`create_subscription('Pose', ...)`, or the topic in the first place."""
     if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
         return
-    for call in _calls_on_line(failure):
+    for call in calls_on_line(failure):
         given = [*call.args, *[ast.Constant(None)] * 2][:2]
         if name_of_call(call).startswith('create_') and isinstance(given[0], ast.Constant) and isinstance(given[0].value, str):
             second = ast.unparse(given[1]) if isinstance(given[1], (ast.Name, ast.Attribute)) else None
@@ -54,7 +54,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
     """`create_timer(self.tick, 1.0)`."""
     if not re.match(r"float\(\) argument must be a string or a real number, not '(method|function)'", failure.message):
         return
-    for call in _calls_on_line(failure):
+    for call in calls_on_line(failure):
         if name_of_call(call) == 'create_timer' and len(call.args) > 1:
             yield report(failure, first=ast.unparse(call.args[0]), second=ast.unparse(call.args[1]))
             return
@@ -70,7 +70,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
 def service_class(failure: Failure) -> Iterator[Finding]:
     """`client.call_async(Spawn())`."""
     if failure.message == 'Service classes can not be instantiated':
-        made = [call.func for call in _calls_on_line(failure) if isinstance(call.func, ast.Name)]
+        made = [call.func for call in calls_on_line(failure) if isinstance(call.func, ast.Name)]
         yield report(failure, service=next((one.id for one in made if one.id[:1].isupper()), 'the service class'))
 
 

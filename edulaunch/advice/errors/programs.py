@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.advice.run_sources import script_of
 
 NO_INIT = about(
     'programs.no-init',
@@ -178,9 +180,11 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def called_too_early(failure: Failure) -> Iterator[Finding]:
-    """`create_subscription(String, 'chatter', self.heard(), 10)`. ROS 2's own functions were meant to be called."""
+    """`create_subscription(String, 'chatter', self.heard(), 10)`: a method of the student's own."""
     match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
-    if match is not None and failure.process is not None and not match[1].startswith(('__', 'create_')):
+    tree = script_of(failure.file) if match is not None and failure.process is not None else None
+    own = [node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)] if tree is not None else []
+    if match is not None and match[1] in own and not match[1].startswith('__'):
         yield report(failure, method=match[1], argument=match[2])
 
 

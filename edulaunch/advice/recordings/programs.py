@@ -74,8 +74,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
-            error=_short(f'{error["type"]}: {error["message"]}') if error else None,
-            **_last_words(said),
+            **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(said)},
         )
     yield from _outside(recording)
 
@@ -89,7 +88,9 @@ def _outside(recording: Recording) -> Iterator[Finding]:
         name, code = end['name'], int(end['code'])
         if name not in ours and code not in ENDED_WELL:
             said = [line.removeprefix(f'[{name}] ') for line in lines if line.startswith(f'[{name}] ')]
-            yield found('process', name, file=recording.launch.file, code=code, at=None, error=None, **_last_words(said))
+            yield found(
+                'process', name, file=recording.launch.file, code=code, **{'at': None, 'error': None, **_last_words(said)}
+            )
 
 
 def _last_words(said: list[str]) -> dict[str, Any]:
@@ -99,7 +100,8 @@ def _last_words(said: list[str]) -> dict[str, Any]:
     if not said:
         return {}
     if said[-1].startswith(HELP):
-        return {'help': said[-1].removeprefix(HELP)}
+        message = {'error': _short(said[-2])} if said[:-1] else {}
+        return {'help': said[-1].removeprefix(HELP), **message}
     return {'said': _short(next((line for line in reversed(said) if '[ERROR]' in line or '[FATAL]' in line), said[-1]))}
 
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import ends_by_name, node_place, own_nodes, speaker
+from edulaunch.advice.runs import INTERRUPTS, ends_by_name, node_place, own_nodes, speaker
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -249,10 +249,12 @@ AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z
 def slow_commands(recording: Recording) -> Iterator[Finding]:
     """A student's node alone sends, with a speed, and at least every second gap is longer than a second."""
     own = own_nodes(recording)
+    dead = {process.name for process in recording.processes if process.exception and process.exception['type'] not in INTERRUPTS}
+    failed = {node.name for node in recording.nodes if node.process in dead}
     for turtle, rows in commands(recording).items():
         nodes = {row[1] for row in rows}
         moving = [row[0] for row in rows if any(row[2])]
-        if len(nodes) != 1 or not nodes <= own or not moving or len(moving) < len(rows):
+        if len(nodes) != 1 or not nodes <= own or nodes & failed or not moving or len(moving) < len(rows):
             continue
         gaps = sorted(later - before for before, later in zip(moving, moving[1:], strict=False))
         over = recording.duration_s - moving[-1] / 1e9

@@ -172,7 +172,8 @@ def _read_sequence(reader: _Reader) -> list[Any]:
         if items and type(item) is not type(items[0]):
             kind = sequence_type_name(item)
             reason = f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line_of(event)}"
-            raise with_facts(ParameterFileError(reason), 'launch.list-of-one-type')
+            word = next((value for value in (item, items[0]) if isinstance(value, str)), None)
+            raise with_facts(ParameterFileError(reason), 'launch.list-of-one-type', word=word, at=line_of(event))
         items.append(item)
     return items
 

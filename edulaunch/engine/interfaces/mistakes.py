@@ -75,6 +75,8 @@ def _several(field_type: FieldType, message: type[Message] | None, name: str, va
 
 def _one(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
     kind = field_type.kind
+    if message is not None and hasattr(value, 'to_msg'):
+        return {'convert': 'to_msg'}
     if message is not None:
         return {'fields': [f'{name}.{field}' for field in message._FIELDS]}
     if kind is None or isinstance(value, kind.python):

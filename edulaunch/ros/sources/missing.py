@@ -132,6 +132,7 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
         'executable': executable,
         'near': near,
         'known': [] if near else names,
+        'launch_file': executable if re.search(r'[._]launch\.(py|xml|yaml)$', executable) else None,
         **_unread(index, package, executable),
     }
 

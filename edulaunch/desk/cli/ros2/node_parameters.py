@@ -118,7 +118,12 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
                 return
             cli_node.pause(node, LOOK_EVERY_S)
         known = names.node_names(node, arguments.include_hidden_nodes)
-        raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or 'see `ros2 node list`'))
+        names_here = (
+            f'there is no node {name}; the nodes are: {", ".join(known[:12])}'
+            if known
+            else f'no node is running, so start {name} first'
+        )
+        raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or names_here))
 
 
 def python_value(value: Any) -> Any:

@@ -6,7 +6,7 @@ at the end of a record.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -83,6 +83,13 @@ def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
     """A node is spun until the client of another one, which nobody spins, gets its answer."""
     data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
     _keep('other node spun', {**data, **student_line()})
+
+
+def note_no_result(callback: Callable[..., Any]) -> None:
+    """Record a callback for changed parameters that returned no SetParametersResult."""
+    code = getattr(callback, '__code__', None)
+    place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
+    _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
 
 
 def _keep(kind: str, data: dict[str, Any]) -> None:

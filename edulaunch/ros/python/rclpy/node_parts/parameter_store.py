@@ -11,6 +11,7 @@ from edulaunch.engine.graph.parameters import float_range_problem, integer_range
 from edulaunch.engine.graph.ros_arguments import Override
 from rclpy.constants import S_TO_NS
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException, ParameterNotDeclaredException
+from rclpy.impl.facts import note_no_result
 from rclpy.impl.refusals import after_shutdown, student_level
 from rclpy.node_parts.core import core_of
 from rclpy.parameter import Parameter, ParameterType
@@ -113,6 +114,7 @@ class ParameterStore:
         for callback in self.on_callbacks:
             result = callback(parameters)
             if getattr(result, 'successful', None) is None:  # most often a forgotten return
+                note_no_result(callback)
                 warn('Callback returned an invalid type, it should return SetParameterResult.', stacklevel=student_level())
                 return _result('Callback returned an invalid type')
             if not result.successful:

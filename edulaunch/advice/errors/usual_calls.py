@@ -1,0 +1,145 @@
+"""Usual slips in programs that Python reports in words of its own: brackets, argument lists, futures, constructors."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import report
+from edulaunch.advice.errors.node_calls import calls_on_line
+from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.advice.run_sources import name_of_call, script_of
+
+FORMS = (
+    (r'.*\.(lookup_transform)\(\) missing', 'lookup_transform(target_frame, source_frame, Time())'),
+    (r'.*\.(can_transform)\(\) missing', 'can_transform(target_frame, source_frame, Time())'),
+    (r'.*\.(call_async)\(\) missing', 'client.call_async(request)'),
+    (r'(spin_until_future_complete)\(\) missing', 'rclpy.spin_until_future_complete(node, future)'),
+    (r'(TransformBroadcaster)\.__init__\(\) missing', 'TransformBroadcaster(self)'),
+    (r'(StaticTransformBroadcaster)\.__init__\(\) missing', 'StaticTransformBroadcaster(self)'),
+    (r'(TransformListener)\.__init__\(\) missing', 'TransformListener(self.buffer, self)'),
+    (r'RcutilsLogger\.(debug|info|warning|warn|error|fatal)\(\) takes 2 positional', "get_logger().{}(f'speed: {{speed}}')"),
+    (r"'Buffer' object has no attribute '(?:create_|get_|destroy_|declare_)", 'TransformListener(self.buffer, self)'),
+    (r'parameter must be instance of type', "set_parameters([Parameter('speed', value=0.4)])"),
+    (r'incompatible function arguments: a name must be a str, not (?:method|function)', 'create_service(Type, name, callback)'),
+)
+"""The beginning of Python's message, with the name of what was called, and how the call is written."""
+
+
+@rule('programs.wrong-call', what='{call}() gets other arguments than it takes', do='write it as: {form}', level='error')
+def wrong_call(failure: Failure) -> Iterator[Finding]:
+    """A call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
+    if failure.process is None:
+        return
+    for pattern, form in FORMS:
+        match = re.match(pattern, failure.message)
+        if match is not None:
+            name = match[1] if match.groups() else form.partition('(')[0]
+            yield report(failure, call=name, form=form.format(name))
+            return
+
+
+@rule(
+    'programs.brackets-missing',
+    what=(
+        '{called} has no brackets here, so Python does not call it',
+        '{klass} is the class itself, and an object of it is needed',
+    ),
+    do=('write {called}()', 'make an object of it, with brackets: {klass}()'),
+    level='error',
+)
+def brackets_missing(failure: Failure) -> Iterator[Finding]:
+    """`self.get_logger.info(...)`, `Twist.linear.x = 0.2`, `lookup_transform('a', 'b', Time)`."""
+    match = re.match(r"'(function|method|property)' object has no attribute '(\w+)'", failure.message)
+    compared = re.match(r"'[<>]=?' not supported between instances of ('property'|.* and 'property')", failure.message)
+    tree = script_of(failure.file) if failure.process is not None and (match or compared) else None
+    nodes = [] if tree is None else [node for node in ast.walk(tree) if getattr(node, 'lineno', 0) == failure.line]
+    if match is not None and match[1] != 'property':
+        holders = [node.value for node in nodes if isinstance(node, ast.Attribute) and node.attr == match[2]]
+        for holder in holders[:1]:
+            yield report(failure, called=ast.unparse(holder))
+        return
+    given = [word for call in nodes if isinstance(call, ast.Call) for word in call.args]
+    owners = [node.value for node in nodes if isinstance(node, ast.Attribute)] if match is not None else given
+    classes = [node.id for node in owners if isinstance(node, ast.Name) and node.id[:1].isupper()]
+    for name in classes[:1]:
+        yield report(failure, klass=name)
+
+
+@rule(
+    'programs.future-no-answer',
+    what='{future} is a future: the answer with its {attribute} is in future.result()',
+    do='write {future}.result().{attribute}, after the answer has come',
+    lesson='14_services',
+    level='error',
+)
+def future_no_answer(failure: Failure) -> Iterator[Finding]:
+    """`future.sum`."""
+    match = re.match(r"'Future' object has no attribute '(\w+)'", failure.message)
+    tree = script_of(failure.file) if failure.process is not None and match is not None else None
+    if match is None or tree is None:
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and node.attr == match[1] and node.lineno == failure.line:
+            yield report(failure, future=ast.unparse(node.value), attribute=match[1])
+            return
+
+
+@rule(
+    'programs.init-misspelt',
+    what='Python never calls {method}() of {klass}: a constructor is called __init__',
+    do='write def __init__(self), with two underscores on each side',
+    level='error',
+)
+def init_misspelt(failure: Failure) -> Iterator[Finding]:
+    """`def _init_(self):`, so that the node's own constructor is called without a name."""
+    tree = script_of(failure.file) if failure.message.startswith('Node.__init__() missing 1 required') else None
+    for klass in [] if tree is None else ast.walk(tree):
+        names = [node.name for node in klass.body if isinstance(node, ast.FunctionDef)] if isinstance(klass, ast.ClassDef) else []
+        if '__init__' not in names:
+            for name in names:
+                if re.fullmatch(r'_{0,3}(init|int|inti)_{0,3}', name):
+                    yield report(failure, method=name, klass=klass.name)  # type: ignore[attr-defined]
+
+
+@rule(
+    'messages.fields-by-name',
+    what='{type}() takes its fields by name',
+    do=('write {type}(data=...)', 'write the name of each field, as in {type}(x=1.0, y=2.0)'),
+    level='error',
+)
+def fields_by_name(failure: Failure) -> Iterator[Finding]:
+    """`String('hello')`, of a class that the file imports from a package of messages."""
+    match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but \d+ were given', failure.message)
+    tree = script_of(failure.file) if failure.process is not None and match is not None else None
+    if match is None or tree is None:
+        return
+    for node in ast.walk(tree):
+        home = (node.module or '') if isinstance(node, ast.ImportFrom) else ''
+        if home.endswith(('.msg', '.srv')) and any(match[1] in (name.name, name.asname) for name in node.names):  # type: ignore[attr-defined]
+            yield report(failure, type=match[1], data='data' if home == 'std_msgs.msg' else None)
+            return
+
+
+@rule(
+    'programs.parameter-no-value',
+    what="the parameter '{parameter}' has no value: it is declared without a default, and nothing sets it",
+    do="give declare_parameter('{parameter}') a second argument, or set the parameter in the launch file",
+    lesson='03_parameters',
+    level='error',
+    hides=('messages.field-value',),
+)
+def parameter_no_value(failure: Failure) -> Iterator[Finding]:
+    """The value None of such a parameter ends up in a message."""
+    is_none = failure.facts.get('about') == 'messages.field-value' and failure.facts.get('given') == 'None'
+    tree = script_of(failure.file) if is_none and any(map(_reads_parameter, calls_on_line(failure))) else None
+    for call in [] if tree is None else ast.walk(tree):
+        words = [*call.args, *call.keywords] if isinstance(call, ast.Call) and name_of_call(call) == 'declare_parameter' else []
+        if len(words) == 1 and isinstance(words[0], ast.Constant):
+            yield report(failure, parameter=words[0].value)
+            return
+
+
+def _reads_parameter(call: ast.Call) -> bool:
+    return name_of_call(call) == 'get_parameter'

@@ -1,0 +1,96 @@
+"""Words of command lines, and lines of programs, that Python and ROS 2 accept without a word and that do nothing."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import program_scripts
+from edulaunch.advice.runs import fact_place
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+FEWEST = 5
+"""Words of one letter: nobody gives a program so many."""
+ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
+
+
+@rule(
+    'launch.arguments-of-letters',
+    what="arguments is one string, '{text}', and {process} gets each letter of it as a word",
+    why='arguments= expects a list: Python takes a string for a list of letters',
+    do='write a list: arguments=[{words}]',
+    lesson='08_static_broadcaster',
+    level='error',
+    hides=('programs.died',),
+)
+def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
+    """Of a Node: `arguments='--x 1 --frame-id world'`."""
+    for process in recording.processes:
+        words = process.argv[1 : process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv[1:]
+        if process.package and len(words) >= FEWEST and all(len(word) == 1 for word in words):
+            text = ''.join(words)
+            entries = ', '.join(map(repr, text.split()))
+            yield found('process', process.name, file=process.file, line=process.line, text=text[:80], words=entries)
+
+
+@rule(
+    'programs.no-ros-args',
+    what="{process} gets '{flag} {value}' without --ros-args in front of it, so ROS 2 does not read it",
+    why='ROS 2 reads only what follows --ros-args; everything else is left to the program',
+    do='write --ros-args {flag} {value}',
+    lesson='02_names',
+    level='error',
+    confidence='asked',
+    hides=('messages.nobody-listens', 'messages.nobody-publishes', 'messages.other-topic'),
+)
+def no_ros_args(recording: Recording) -> Iterator[Finding]:
+    """Of a program with a node."""
+    with_node = {node.process for node in recording.nodes}
+    for process in recording.processes:
+        words = process.argv[: process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv
+        if process.name in with_node and os.path.basename(process.argv[0]) != 'ros2':
+            for flag, value in zip(words[1:], words[2:], strict=False):
+                if flag in ROS_FLAGS and (':=' in value or flag == '--params-file'):
+                    yield found('process', process.name, file=process.file, line=process.line, flag=flag, value=value)
+                    break
+
+
+@rule(
+    'programs.main-misspelt',
+    what="__name__ is compared with '{word}' here, so main() is never called and the program ends at once",
+    why="Python sets __name__ to '__main__' in the file that it runs",
+    do="write if __name__ == '__main__':",
+    level='error',
+)
+def main_misspelt(recording: Recording) -> Iterator[Finding]:
+    """Of a file that a command runs: `if __name__ == 'main':`."""
+    run = {os.path.basename(word) for process in recording.own_processes for word in process.argv[:2]}
+    for file, tree in program_scripts(recording):
+        tests = [node.test for node in tree.body if isinstance(node, ast.If) and os.path.basename(file) in run]
+        for test in tests:
+            match = re.fullmatch(r"__name__ == '(\w+)'", ast.unparse(test))
+            if match is not None and match[1] != '__main__' and 'main' in match[1].lower():
+                yield found('file', os.path.basename(file), file=file, line=test.lineno, word=match[1])
+
+
+@rule(
+    'programs.parameter-callback',
+    what='{callback}() returned no SetParametersResult, so the parameter keeps its old value',
+    why='rclpy asks each callback of add_on_set_parameters_callback() whether a change is allowed',
+    do='end {callback}() with: return SetParametersResult(successful=True)',
+    lesson='03_parameters',
+    level='error',
+    hides=('programs.parameter-refused',),
+)
+def parameter_callback(recording: Recording) -> Iterator[Finding]:
+    """A callback that returned None, True or False."""
+    for fact in recording.facts:
+        if fact.kind == 'no parameter result':
+            file, line = fact_place(recording, fact)
+            yield found('process', fact.process or '', file=file, line=line, callback=fact.data['callback'])

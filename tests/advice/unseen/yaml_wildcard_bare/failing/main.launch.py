@@ -1,0 +1,12 @@
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+HERE = Path(__file__).parent
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[str(HERE / 'sim.yaml')]),
+    ])
