@@ -87,8 +87,8 @@ def use_the_tabs(desk: Desk) -> None:
         return root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] > 240; }"""
     )
     desk.open('plot')
-    page.get_by_label('add a field to the plot').select_option('/turtle1/pose x')
-    desk.until('.key', '/turtle1/pose x')
+    page.get_by_label('add a field to the plot').select_option('/turtle1/pose.x')
+    desk.until('.key', '/turtle1/pose.x')
     desk.open('log')
     page.get_by_placeholder('word').fill('turtle2')
     desk.until('.log td', 'Spawning turtle [turtle2]')

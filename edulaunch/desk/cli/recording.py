@@ -110,6 +110,7 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--what', choices=PICTURES, help='what the picture shows (default: turtles, or else nodes and topics)')
     parser.add_argument('--at', type=float, metavar='SECONDS', help='when (default: the end of the run)')
     parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side of the page')
+    parser.add_argument('--with', dest='other', metavar='OTHER', help='a recording that the page plots over this one')
     parser.add_argument('--open', action='store_true', help='show it in a browser')
 
 
@@ -124,7 +125,8 @@ def show(arguments: argparse.Namespace) -> int:
     written = []
     try:
         if arguments.html is not None or arguments.png is None:
-            written.append(write_page(recording, arguments.html or f'{stem}.html', arguments.tab))
+            other = Recording.load(arguments.other, trusted=arguments.trusted) if arguments.other else None
+            written.append(write_page(recording, arguments.html or f'{stem}.html', arguments.tab, other))
         if arguments.png is not None:
             written.append(write_picture(recording, arguments.png or f'{stem}.png', arguments.what, arguments.at))
     except OSError as error:
@@ -136,14 +138,14 @@ def show(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def write_page(recording: Recording, path: str, tab: str = 'graph') -> str:
+def write_page(recording: Recording, path: str, tab: str = 'graph', other: Recording | None = None) -> str:
     """Write the page that plays a recording in any browser, without a network; returns the path."""
     from edulaunch.desk.view.page import recorded_page
     from edulaunch.desk.view.replay import timeline_of
 
     name = os.path.basename(recording.launch.file or '') or 'recording'
     with open(path, 'w', encoding='utf-8') as file:
-        file.write(recorded_page(timeline_of(recording), name, tab))
+        file.write(recorded_page(timeline_of(recording, other), name, tab))
     return path
 
 

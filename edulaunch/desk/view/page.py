@@ -21,6 +21,8 @@ FILES = (
     'layout.js',
     'graph.js',
     'charts.js',
+    'series.js',
+    'plot.js',
     'tables.js',
     'launch.js',
     'desk.js',

@@ -33,11 +33,15 @@ SCHEME = (
 MOVING = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
 
 
-def timeline_of(recording: Recording) -> dict[str, Any]:
-    """All of a recording as one timeline delta, with what the rules say of it."""
+def timeline_of(recording: Recording, other: Recording | None = None) -> dict[str, Any]:
+    """Return all of a recording as one timeline delta, with what the rules report.
+
+    :param other: another run, which the page plots over this one.
+    """
     timeline = Timeline(RecordingSource(recording))
     timeline.mark(marks_of(recording))
-    return timeline.delta()
+    delta = timeline.delta()
+    return delta if other is None else {**delta, 'other': Timeline(RecordingSource(other)).delta()}
 
 
 class RecordingSource:
@@ -150,11 +154,11 @@ class Replay:
     :raises NothingToDraw: when nothing moved in the recording.
     """
 
-    def __init__(self, recording: Recording) -> None:
+    def __init__(self, recording: Recording, other: Recording | None = None) -> None:
         self._worlds: list[World] = read_worlds(recording)
         self._title = os.path.basename(recording.launch.file or '') or 'replay'
         self.duration_s = recording.duration_s
-        self.timeline: dict[str, Any] = timeline_of(recording)
+        self.timeline: dict[str, Any] = timeline_of(recording, other)
 
     @property
     def caption(self) -> str:

@@ -65,6 +65,9 @@ class Views:
         """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""
         return view('parameter_table')(self, node, every=every)
 
-    def replay(self) -> Any:
-        """Everything of the run over time, with a slider; see :class:`edulaunch.desk.view.replay.Replay`."""
-        return view('replay')(self)
+    def replay(self, other: Any = None) -> Any:
+        """Everything of the run over time, with a slider; see :class:`edulaunch.desk.view.replay.Replay`.
+
+        :param other: another recording, which the tab *Plot* draws over this one.
+        """
+        return view('replay')(self, other)

@@ -51,3 +51,10 @@ def test_a_saved_page_is_the_player(walk: Any, tmp_path: Path) -> None:
     replay = walk(0.0, 1.0).replay()
     replay.save(tmp_path / 'walk.html')
     assert (tmp_path / 'walk.html').read_text(encoding='utf-8') == replay.page()
+
+
+def test_another_run_goes_with_the_page() -> None:
+    runs = [edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=seconds) for seconds in (1, 2)]
+    delta = runs[0].replay(runs[1]).timeline
+    assert (delta['now'], delta['other']['now']) == (1_000_000, 2_000_000)
+    assert 'other' not in runs[0].replay().timeline

@@ -155,7 +155,7 @@ class Desk {
 
   /* What a machine says: a timeline delta, its state, output of the terminal, or a sentence. */
   hear(message) {
-    if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
+    if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].restart(); this.follow = true; }
     if (message.delta) this.store.apply(message.delta);
     if (message.machine) Object.assign(this.machine, message.machine);
     if (message.pane !== undefined) this.views.terminal[0].hear(message);
@@ -183,7 +183,7 @@ class Desk {
     this.views.graph[0].unused.checked = true;
     this.open('graph');
   }
-  load(delta, seen) { this.store.apply(delta); if (delta.planned) this.showPlan(); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
+  load(delta, seen) { this.store.apply(delta); if (delta.planned) this.showPlan(); if (delta.other) this.views.plot[0].over(delta.other); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
 
   toggle() {
     if (this.live) { if (this.follow) this.send({ op: this.machine.running ? 'pause' : 'play' }); else { this.playing = !this.playing; } }
