@@ -189,7 +189,7 @@ class Replay:
             f'src="data:image/svg+xml;base64,{picture}">'
             f'<iframe title="{alternative}" sandbox="allow-scripts" '
             f'style="position:absolute;inset:0;width:100%;height:100%;border:0" '
-            f'srcdoc="{html.escape(self.page(small=False))}"></iframe></div>'
+            f'srcdoc="{_in_quotes(self.page(small=False))}"></iframe></div>'
         )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
@@ -199,6 +199,11 @@ class Replay:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the desk as an HTML file that any browser plays, without a network."""
         Path(path).write_text(self.page(), encoding='utf-8')
+
+
+def _in_quotes(text: str) -> str:
+    """Return a text as the value of an attribute in double quotes. The other signs need no escape there: a page has thousands."""
+    return text.replace('&', '&amp;').replace('"', '&quot;')
 
 
 views.register(replay=Replay)
