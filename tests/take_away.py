@@ -60,6 +60,9 @@ EXTRAS = {
         ('edulaunch/extras/editor', 'tests/extras/editor'),
         {('edulaunch', 'lsp', '--stdio'): 'editor', ('edulaunch', 'course', 'template', 'vscode', '.'): 'editor'},
     ),
+    'foxglove': Extra(
+        ('edulaunch/extras/foxglove', 'tests/extras/foxglove'), {('edulaunch', 'view', '--foxglove'): 'foxglove'}
+    ),
     'testing': Extra(
         (
             *(f'edulaunch/extras/{name}' for name in ('testing', 'pytest_plugin', 'launch_test.py')),
@@ -104,7 +107,7 @@ def _without(house: Path, extras: Sequence[Extra], name: str) -> list[str]:
     with _taken_away(house, extras):
         wrong = [f'{name}: {problem}' for call, plugin in words.items() for problem in _refusal(house, call, plugin)]
         after = _helps(house)
-        ours = {' '.join(call[:2]) for call in words if call[1] != 'launch' and call[2] != 'template'}
+        ours = {' '.join(call[:2]) for call in words if call[1] not in ('launch', 'view') and call[2] != 'template'}
         wrong += [f'{name}: {word} is not in --help even before' for word in sorted(ours - before)]
         wrong += [f'{name}: {word} is still in --help' for word in sorted(ours & after)]
         wrong += [f'{name}: {word} went from --help, too' for word in sorted(before - after - ours)]

@@ -53,10 +53,11 @@ class Plugin(NamedTuple):
     :ivar needs: modules of other plug-ins without which it is not there.
     :ivar verbs: verbs of `edulaunch`.
     :ivar grading: verbs of `edugrade`.
-    :ivar options: options of a command, `launch` or `ros2 launch`: a module with `add_options(parser)` and what the command
-        calls: `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`.
+    :ivar options: options of a command, `launch`, `ros2 launch` or `view`: a module with `add_options(parser)` and what the
+        command calls: `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`, and
+        `view(arguments)` for `view`, which returns what to serve in place of the page.
     :ivar services: what answers inside the machine: the module that makes it. `edulaunch.desk.machine.network` says what the
-        service `network` has.
+        service `network` has. Of any other one, `peer(machine, connection)` returns who talks on a connection.
     :ivar packages: folders with ROS packages in source form, which are found behind those of the student.
     :ivar rules: modules with rules of advice, by what they look at: one of `edulaunch.advice.rule.KINDS`.
     :ivar templates: files for a course, for `edulaunch course template NAME`: `module:function`. It is called in the folder of
@@ -96,6 +97,7 @@ SOURCES = {
     'edulaunch launch --network': Source('network', _NETWORK),
     'edulaunch launch --real': Source('network', _NETWORK),
     'edulaunch lsp': Source('editor', _EDITOR),
+    'edulaunch view --foxglove': Source('foxglove', _EDULAUNCH),
     'edulaunch network': Source('network', _NETWORK),
     'ros2 launch --network': Source('network', _NETWORK),
     'edulaunch.check': Source('grader', _EDULAUNCH),

@@ -9,7 +9,7 @@ import pytest
 from edulaunch.desk.cli.plugin_options import add_plugin_options, plugins_of
 from edulaunch.runtime import plugins
 
-OURS = ('classes', 'comparing', 'course', 'editor', 'grader', 'network')
+OURS = ('classes', 'comparing', 'course', 'editor', 'foxglove', 'grader', 'network')
 
 
 def test_every_word_of_our_own_plug_ins_can_be_named_when_it_is_missing() -> None:
@@ -18,7 +18,7 @@ def test_every_word_of_our_own_plug_ins_can_be_named_when_it_is_missing() -> Non
     words |= {f'edugrade {word}' for plugin in ours.values() for word in plugin.grading}
     words |= {f'edulaunch course template {name}' for plugin in ours.values() for name in plugin.templates}
     words |= {f'edulaunch.{name}' for plugin in ours.values() for name in plugin.functions}
-    words |= {'edulaunch launch --network', 'edulaunch launch --real', 'ros2 launch --network'}
+    words |= {'edulaunch launch --network', 'edulaunch launch --real', 'ros2 launch --network', 'edulaunch view --foxglove'}
     assert words == set(plugins.SOURCES)
     assert {source.plugin for source in plugins.SOURCES.values()} == set(ours)
 

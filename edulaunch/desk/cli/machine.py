@@ -45,6 +45,7 @@ def view_verb(arguments: argparse.Namespace) -> int:
     """
     import asyncio
 
+    from edulaunch.desk.cli.plugin_options import plugins_of
     from edulaunch.desk.machine.place import UnsafePlace, folder
     from edulaunch.desk.machine.web import serve, show, tell
 
@@ -58,8 +59,11 @@ def view_verb(arguments: argparse.Namespace) -> int:
         if not arguments.no_browser:
             show(address)
 
+    of_plugins = (options.view(arguments) for options in plugins_of(arguments))
+    served = next((one for one in of_plugins if one is not None), None)
+
     async def page() -> None:
-        serving = asyncio.ensure_future(serve(_connect, port=arguments.port, tab=arguments.tab, opened=opened))
+        serving = asyncio.ensure_future(served or serve(connected, port=arguments.port, tab=arguments.tab, opened=opened))
         if arguments.until_eof:  # whoever started us ends, or is killed
             asyncio.get_running_loop().add_reader(0, serving.cancel)
         with suppress(asyncio.CancelledError):
@@ -74,8 +78,11 @@ def view_verb(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _connect() -> tuple[socket.socket, bytes]:
-    """A new connection to the machine, which starts if it has to."""
+def connected(*words: str) -> tuple[socket.socket, bytes]:
+    """A new connection to the machine, which starts if it has to, and the first frame to say on it.
+
+    :param words: what it is for: 'view', or 'serve' and the name of a plug-in's service.
+    """
     from edulaunch.desk.machine.client import hello
     from edulaunch.desk.machine.place import domain
     from edulaunch.desk.machine.starting import connect
@@ -85,4 +92,4 @@ def _connect() -> tuple[socket.socket, bytes]:
         raise OSError('the machine does not answer')
     client, address = found
     client.setblocking(False)
-    return client, hello(address.token, ['machine', 'view'], keyboard=False)
+    return client, hello(address.token, ['machine', *(words or ('view',))], keyboard=False)

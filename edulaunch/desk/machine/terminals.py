@@ -24,10 +24,11 @@ from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime import plugins
 from edulaunch.runtime.session import Session, index_for, machine_environment
 
 if TYPE_CHECKING:
-    from edulaunch.desk.machine.connection import Connection
+    from edulaunch.desk.machine.connection import Connection, Peer
     from edulaunch.desk.machine.live_page import LivePage
 
 FASTEST, SLOWEST = 100.0, 0.01
@@ -145,8 +146,8 @@ class Terminals:
         network = self.machine.network
         return network.where() if network is not None and network.is_on else None
 
-    def open(self, connection: Connection, fields: list[str]) -> Terminal | LivePage:
-        """A terminal for what somebody said first.
+    def open(self, connection: Connection, fields: list[str]) -> Peer:
+        """A terminal, a live page or a plug-in's peer for what somebody said first.
 
         :raises ValueError, IndexError: when that is not what a terminal says.
         """
@@ -165,6 +166,9 @@ class Terminals:
             self.pages.append(page)
             self.notes.knows_view = True
             return page
+        if words[:2] == ['machine', 'serve'] and (service := plugins.service(words[2])) is not None:
+            peer: Peer = service.peer(self.machine, connection)
+            return peer
         self._count += 1
         env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
         terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)

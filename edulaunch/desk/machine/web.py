@@ -14,6 +14,7 @@ import sys
 import webbrowser
 from collections.abc import Callable
 from contextlib import suppress
+from typing import Any
 
 from tornado.httpserver import HTTPServer
 from tornado.iostream import IOStream, StreamClosedError
@@ -27,9 +28,11 @@ LONGEST_WORDS = 1 << 16
 """Bytes of one message from the page."""
 Connect = Callable[[], tuple[socket.socket, bytes]]
 """Gives a connected socket of the machine, and the first frame to say on it."""
+Paths = list[tuple[str, type[RequestHandler]]]
+"""Patterns of paths, each with its handler."""
 
 
-class _Guarded(RequestHandler):
+class Guarded(RequestHandler):
     """Only the page with the token, and only by the address that we gave out: a name that leads to the loopback is refused."""
 
     def prepare(self) -> None:
@@ -39,7 +42,7 @@ class _Guarded(RequestHandler):
             raise HTTPError(404)
 
 
-class _Page(_Guarded):
+class _Page(Guarded):
     def get(self, token: str) -> None:
         self.set_header('Cache-Control', 'no-store')
         self.set_header('Referrer-Policy', 'no-referrer')
@@ -48,7 +51,7 @@ class _Page(_Guarded):
         self.write(live_page('edulaunch', self.application.settings['tab']))
 
 
-class _Socket(_Guarded, WebSocketHandler):
+class _Socket(Guarded, WebSocketHandler):
     """Passes words of the page on to the machine, and what the machine says back."""
 
     def check_origin(self, origin: str) -> bool:
@@ -98,19 +101,30 @@ async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: 
     :param opened: called with the address of the page once it is there.
     :raises OSError: when the port is taken.
     """
+    paths: Paths = [(r'/([\w-]+)/', _Page), (r'/([\w-]+)/socket', _Socket)]
+    await serve_paths(paths, port=port, opened=opened, tab=tab, connect=connect, websocket_max_message_size=LONGEST_WORDS)
+
+
+async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object] | None, **settings: Any) -> None:
+    """Serve guarded handlers on the loopback until cancelled.
+
+    :param paths: the first group of each is the token.
+    :param settings: for the handlers.
+    :raises OSError: when the port is taken.
+    """
     token = secrets.token_urlsafe(24)
     listener = socket.socket(socket.AF_INET)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    listener.bind(('127.0.0.1', port))
+    try:
+        listener.bind(('127.0.0.1', port))
+    except (OSError, OverflowError):
+        listener.close()
+        raise
     listener.listen()
     listener.setblocking(False)
     number = listener.getsockname()[1]
     hosts = {f'127.0.0.1:{number}', f'localhost:{number}'}
-    paths = [(r'/([\w-]+)/', _Page), (r'/([\w-]+)/socket', _Socket)]
-    application = Application(
-        paths, token=token, hosts=hosts, tab=tab, connect=connect, websocket_max_message_size=LONGEST_WORDS, log_function=_quiet
-    )
-    server = HTTPServer(application)
+    server = HTTPServer(Application(paths, token=token, hosts=hosts, log_function=_quiet, **settings))
     server.add_socket(listener)
     try:
         if opened is not None:

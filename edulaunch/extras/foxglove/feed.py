@@ -1,0 +1,107 @@
+"""What a conversation with a client needs to know: a feed is a machine that runs, or a recording that plays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple, Protocol
+
+from edulaunch.extras.foxglove.protocol import Playback, Value
+from edulaunch.extras.foxglove.said import Graph
+
+Key = tuple[str, str]
+"""Topic and type."""
+Row = tuple[int, Any]
+"""Time in ns since 1970, and wire tuple."""
+
+
+class Refused(Exception):
+    """A feed cannot do what a client asks for. The text is for the user of the client."""
+
+
+class Topic(NamedTuple):
+    """A topic that somebody publishes, or a service; `registry` has its type."""
+
+    name: str
+    type: str
+    cls: Any
+    registry: Any
+
+
+class Feed(Protocol):
+    """What is served.
+
+    :ivar name: of the server, as clients show it.
+    :ivar capabilities: what clients may ask for, in the words of the protocol.
+    """
+
+    name: str
+    capabilities: tuple[str, ...]
+
+    def session(self) -> str:
+        """A text that is another one when everything begins anew."""
+
+    def details(self) -> dict[str, Any]:
+        """What the server's first message says besides."""
+
+    def advance(self) -> list[bytes]:
+        """Time passes; returns what a client has to know about how it passes."""
+
+    def now_ns(self) -> int:
+        """The time of now, in ns since 1970."""
+
+    def version(self) -> object:
+        """Another value whenever topics, services or the graph may have changed."""
+
+    def topics(self) -> Sequence[Topic]:
+        """What is published now."""
+
+    def services(self) -> Sequence[Topic]:
+        """What is served now."""
+
+    def graph(self) -> Graph:
+        """Who publishes, subscribes and serves: nodes by name under 'published', 'subscribed' and 'served'."""
+
+    def end(self, key: Key) -> int:
+        """The place of the next message of a topic."""
+
+    def kept(self, key: Key) -> list[Row]:
+        """What somebody gets who comes now: the last messages of a latched topic."""
+
+    def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:
+        """The messages since a place, at most the last `most`; the place of the next one; how many were left out."""
+
+    def parameters(self) -> dict[str, Any]:
+        """The values of now, by '/node.parameter'."""
+
+    def parameter_version(self) -> object:
+        """Another value whenever a parameter may have changed."""
+
+    def set(self, values: Sequence[tuple[str, Value, str | None]], answer: Callable[[str], object]) -> None:
+        """Set parameters; `answer` is called with what went wrong, '' for nothing, when all of them are set.
+
+        :raises Refused: when that is not possible.
+        """
+
+    def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
+        """A new publisher. Returns what publishes CDR bytes, which raises Refused for bytes of another type.
+
+        :raises Refused: when that is not possible.
+        """
+
+    def retire(self, publish: Callable[[bytes], object]) -> None:
+        """A publisher leaves."""
+
+    def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
+        """Ask a service; `answer` is called with its response, or with the text of what went wrong.
+
+        :raises Refused: when that is not possible.
+        """
+
+    def play(self, request: Playback) -> tuple[bytes, bool]:
+        """Play, pause or seek; returns the state, and whether the place is another one.
+
+        :raises Refused: when that is not possible.
+        """
+
+    def close(self) -> None:
+        """The client is gone."""

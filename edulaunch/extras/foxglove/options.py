@@ -1,0 +1,78 @@
+"""`edulaunch view --foxglove`, and `edulaunch view RECORDING --foxglove`."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Coroutine
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.extras.foxglove.lines import Line
+    from edulaunch.extras.foxglove.server import Open
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The options of the verb `view`."""
+    parser.add_argument('recording', nargs='?', metavar='RECORDING', help='with --foxglove: play this recording')
+    parser.add_argument('--foxglove', action='store_true', help='serve Foxglove and Lichtblick in place of the page')
+    parser.add_argument('--trusted', action='store_true', help='with --foxglove: read the recording however large it is')
+    parser.add_argument(
+        '--origin',
+        action='append',
+        default=[],
+        metavar='URL',
+        help='with --foxglove: let in pages from here, such as http://localhost:8080',
+    )
+
+
+def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
+    """What to run in place of the page; None without the option.
+
+    :raises UnusableInput: for a recording without the option.
+    :raises RecordingError: when the recording cannot be read.
+    """
+    if not arguments.foxglove:
+        if arguments.recording is not None:
+            raise UnusableInput(
+                'view shows the machine, and no recording', help=f'edulaunch recording show {arguments.recording} --open'
+            )
+        return None
+    from edulaunch.extras.foxglove.server import serve
+
+    line = _machine() if arguments.recording is None else _player(arguments.recording, arguments.trusted)
+    ending = '  Ctrl-C ends it' + ('; the machine goes on\n' if arguments.recording is None else '\n')
+
+    def opened(address: str) -> None:
+        print(f'Foxglove and Lichtblick can connect to {address}\n{ending}', end='', flush=True)
+
+    return serve(line, port=arguments.port, origins=arguments.origin, opened=opened)
+
+
+def _machine() -> Open:
+    from edulaunch.desk.cli.machine import connected
+    from edulaunch.extras.foxglove.lines import MachineLine
+
+    async def line(subprotocol: str) -> Line:
+        return MachineLine(*connected('serve', 'foxglove'))
+
+    return line
+
+
+def _player(path: str, trusted: bool) -> Open:
+    from edulaunch.engine.recording import Recording
+    from edulaunch.extras.foxglove.conversation import Conversation
+    from edulaunch.extras.foxglove.lines import HereLine
+    from edulaunch.extras.foxglove.protocol import SDK
+    from edulaunch.extras.foxglove.recorded import RecordingFeed
+    from edulaunch.ros.sourcing import source
+
+    source()
+    recording = Recording.load(path, trusted=trusted)
+
+    async def line(subprotocol: str) -> Line:
+        return HereLine(Conversation(RecordingFeed(recording, os.path.basename(path), subprotocol == SDK)))
+
+    return line

@@ -1,0 +1,7 @@
+"""What this plug-in adds: `edulaunch view --foxglove`, and the machine's end of it."""
+
+from __future__ import annotations
+
+from edulaunch.runtime.plugins import Plugin
+
+PLUGIN = Plugin(options={'view': 'edulaunch.extras.foxglove.options'}, services={'foxglove': 'edulaunch.extras.foxglove.service'})

@@ -1,0 +1,298 @@
+"""What a client of the Foxglove WebSocket protocol may say. Everything is checked here: a sentence refuses what is wrong.
+
+A client is a stranger. Its messages have a limited size, its lists a limited length, and its numbers a limited range.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+from collections.abc import Callable
+from typing import Any, NamedTuple, NoReturn
+
+SDK, OLD = 'foxglove.sdk.v1', 'foxglove.websocket.v1'
+SUBPROTOCOLS = (SDK, OLD)
+LONGEST_MESSAGE = (1 << 20) - 64
+"""Bytes of one message of a client."""
+MOST_ITEMS = 1000
+"""Entries of one list."""
+LONGEST_TEXT = 512
+"""Letters of one name."""
+FASTEST = 100.0
+"""Times real time, at which a recording plays at most."""
+Value = bool | int | float | str | list[Any]
+
+
+class ProtocolError(ValueError):
+    """A message that a client may not send. The text is for the user of the client."""
+
+
+class Subscribe(NamedTuple):
+    """From now on send the messages of these channels: (subscription, channel)."""
+
+    pairs: tuple[tuple[int, int], ...]
+
+
+class Unsubscribe(NamedTuple):
+    """Send no more for these subscriptions."""
+
+    ids: tuple[int, ...]
+
+
+class ClientChannel(NamedTuple):
+    """A topic on which a client wants to publish."""
+
+    id: int
+    topic: str
+    encoding: str
+    type: str
+
+
+class Advertise(NamedTuple):
+    """The client wants to publish on these."""
+
+    channels: tuple[ClientChannel, ...]
+
+
+class Unadvertise(NamedTuple):
+    """The client does not want to publish on these any more."""
+
+    ids: tuple[int, ...]
+
+
+class Publish(NamedTuple):
+    """A message on a channel of the client."""
+
+    channel: int
+    data: bytes
+
+
+class Call(NamedTuple):
+    """A request to a service."""
+
+    service: int
+    number: int
+    encoding: str
+    data: bytes
+
+
+class GetParameters(NamedTuple):
+    """Asks for parameters; no names: for all."""
+
+    names: tuple[str, ...]
+    request: str | None
+
+
+class SetParameters(NamedTuple):
+    """Sets parameters: (name, value, type). The type is 'float64', 'float64_array', 'byte_array' or None."""
+
+    values: tuple[tuple[str, Value, str | None], ...]
+    request: str | None
+
+
+class WatchParameters(NamedTuple):
+    """Send these parameters when they change, or send them no more; no names: all."""
+
+    names: tuple[str, ...]
+    on: bool
+
+
+class WatchGraph(NamedTuple):
+    """Send who publishes, subscribes and serves, or send it no more."""
+
+    on: bool
+
+
+class Playback(NamedTuple):
+    """Play or pause a recording, at a speed, and go to a time first if there is one."""
+
+    plays: bool
+    speed: float
+    seek_ns: int | None
+    request: str
+
+
+class FetchAsset(NamedTuple):
+    """Asks for a file."""
+
+    uri: str
+    request: int
+
+
+Request = (
+    Subscribe
+    | Unsubscribe
+    | Advertise
+    | Unadvertise
+    | Publish
+    | Call
+    | GetParameters
+    | SetParameters
+    | WatchParameters
+    | WatchGraph
+    | Playback
+    | FetchAsset
+)
+
+
+def parse(message: str | bytes) -> Request:
+    """What a client says.
+
+    :raises ProtocolError: when it may not say that.
+    """
+    if len(message) > LONGEST_MESSAGE:
+        raise ProtocolError(f'a message may have at most {LONGEST_MESSAGE} bytes')
+    return _words(message) if isinstance(message, str) else _binary(message)
+
+
+# -- JSON
+
+
+def _words(text: str) -> Request:
+    try:
+        said = json.loads(text, parse_constant=_no_number)
+    except (ValueError, RecursionError):
+        raise ProtocolError('this text is not JSON') from None
+    op = said.get('op') if isinstance(said, dict) else None
+    read = _READERS.get(op) if isinstance(op, str) else None
+    if read is None:
+        raise ProtocolError(f'edulaunch does not know the operation {str(op)[:40]!r}')
+    return read(said)
+
+
+def _no_number(word: str) -> NoReturn:
+    raise ValueError(word)
+
+
+def _several(said: dict[str, Any], name: str) -> list[Any]:
+    found = said.get(name)
+    if not isinstance(found, list) or len(found) > MOST_ITEMS:
+        raise ProtocolError(f'{said["op"]}: {name!r} has to be a list of at most {MOST_ITEMS} entries')
+    return found
+
+
+def _objects(said: dict[str, Any], name: str) -> list[dict[str, Any]]:
+    found = _several(said, name)
+    if not all(isinstance(one, dict) for one in found):
+        raise ProtocolError(f'{said["op"]}: each entry of {name!r} has to be an object')
+    return [{**one, 'op': said['op']} for one in found]
+
+
+def _number(said: dict[str, Any], name: str) -> int:
+    return _checked_number(said['op'], name, said.get(name))
+
+
+def _checked_number(op: str, name: str, value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 32:
+        raise ProtocolError(f'{op}: {name!r} has to be a whole number of 32 bits')
+    return value
+
+
+def _numbers(said: dict[str, Any], name: str) -> tuple[int, ...]:
+    return tuple(_checked_number(said['op'], name, one) for one in _several(said, name))
+
+
+def _text(said: dict[str, Any], name: str) -> str:
+    return _checked_text(said['op'], name, said.get(name))
+
+
+def _checked_text(op: str, name: str, value: Any) -> str:
+    if not isinstance(value, str) or len(value) > LONGEST_TEXT:
+        raise ProtocolError(f'{op}: {name!r} has to be a text of at most {LONGEST_TEXT} letters')
+    return value
+
+
+def _texts(said: dict[str, Any], name: str) -> tuple[str, ...]:
+    return tuple(_checked_text(said['op'], name, one) for one in _several(said, name))
+
+
+def _optional_text(said: dict[str, Any], name: str) -> str | None:
+    return None if said.get(name) is None else _text(said, name)
+
+
+def _subscribe(said: dict[str, Any]) -> Subscribe:
+    return Subscribe(tuple((_number(one, 'id'), _number(one, 'channelId')) for one in _objects(said, 'subscriptions')))
+
+
+def _advertise(said: dict[str, Any]) -> Advertise:
+    channels = [
+        ClientChannel(_number(one, 'id'), *(_text(one, name) for name in ('topic', 'encoding', 'schemaName')))
+        for one in _objects(said, 'channels')
+    ]
+    return Advertise(tuple(channels))
+
+
+def _set_parameters(said: dict[str, Any]) -> SetParameters:
+    values = [(_text(one, 'name'), _value(one.get('value')), _optional_text(one, 'type')) for one in _objects(said, 'parameters')]
+    return SetParameters(tuple(values), _optional_text(said, 'id'))
+
+
+def _value(value: Any) -> Value:
+    """A value that a parameter can have."""
+    if isinstance(value, list):
+        if any(isinstance(one, list) for one in value):
+            raise ProtocolError('setParameters: a parameter of ROS 2 has no lists inside lists')
+        return [_value(one) for one in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        raise ProtocolError('setParameters: a number is too large')
+    if isinstance(value, (bool, int, float, str)):
+        return value
+    raise ProtocolError('setParameters: a value has to be a bool, a number, a text, or a list of them')
+
+
+_READERS: dict[str, Callable[[dict[str, Any]], Request]] = {
+    'subscribe': _subscribe,
+    'unsubscribe': lambda said: Unsubscribe(_numbers(said, 'subscriptionIds')),
+    'advertise': _advertise,
+    'unadvertise': lambda said: Unadvertise(_numbers(said, 'channelIds')),
+    'getParameters': lambda said: GetParameters(_texts(said, 'parameterNames'), _optional_text(said, 'id')),
+    'setParameters': _set_parameters,
+    'subscribeParameterUpdates': lambda said: WatchParameters(_texts(said, 'parameterNames'), True),
+    'unsubscribeParameterUpdates': lambda said: WatchParameters(_texts(said, 'parameterNames'), False),
+    'subscribeConnectionGraph': lambda said: WatchGraph(True),
+    'unsubscribeConnectionGraph': lambda said: WatchGraph(False),
+    'fetchAsset': lambda said: FetchAsset(_text(said, 'uri'), _number(said, 'requestId')),
+}
+
+
+# -- bytes
+
+
+def _binary(data: bytes) -> Request:
+    try:
+        return _BINARY[data[0]](data)
+    except (struct.error, UnicodeDecodeError, ValueError) as error:
+        if isinstance(error, ProtocolError):
+            raise
+        raise ProtocolError('a binary message is shorter than it says, or has a text that is not UTF-8') from None
+    except (IndexError, KeyError):
+        raise ProtocolError(f'edulaunch does not know binary messages of the kind {data[:1].hex() or "(nothing)"}') from None
+
+
+def _publish(data: bytes) -> Publish:
+    (channel,) = struct.unpack_from('<I', data, 1)
+    return Publish(channel, data[5:])
+
+
+def _call(data: bytes) -> Call:
+    service, number, length = struct.unpack_from('<III', data, 1)
+    return Call(service, number, _counted(data, 13, length), data[13 + length :])
+
+
+def _playback(data: bytes) -> Playback:
+    command, speed, has_seek, seek_ns, length = struct.unpack_from('<BfBQI', data, 1)
+    if command not in (0, 1):
+        raise ProtocolError('a recording can play (0) or pause (1)')
+    if not 0 < speed <= FASTEST:
+        raise ProtocolError(f'the speed of a recording has to be above 0 and at most {FASTEST:g}')
+    return Playback(command == 0, speed, seek_ns if has_seek else None, _counted(data, 19, length))
+
+
+def _counted(data: bytes, begin: int, length: int) -> str:
+    if begin + length > len(data):
+        raise ProtocolError('a binary message is shorter than it says')
+    return _checked_text('a binary message', 'text', data[begin : begin + length].decode())
+
+
+_BINARY: dict[int, Callable[[bytes], Request]] = {1: _publish, 2: _call, 3: _playback}

@@ -1,0 +1,184 @@
+"""A recording as the feed of one client: it plays, pauses and seeks for this client alone."""
+
+from __future__ import annotations
+
+import time as wall
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS
+from edulaunch.engine.recording import Recording
+from edulaunch.errors import RecordingError
+from edulaunch.extras.foxglove import said
+from edulaunch.extras.foxglove.feed import Key, Refused, Row, Topic
+from edulaunch.extras.foxglove.protocol import Playback, Value
+from edulaunch.extras.foxglove.said import Graph
+
+PARTS = {'publisher': 'published', 'subscription': 'subscribed', 'service': 'served'}
+NO_CHANGES = 'a recording cannot be changed'
+
+
+class RecordingFeed:
+    """Plays a recording from its beginning, at the speed of real time until the client asks for another one.
+
+    :param controls: whether the client can control how the recording plays.
+    :param clock: what tells real time, in seconds (for tests).
+    """
+
+    def __init__(
+        self, recording: Recording, name: str, controls: bool = True, clock: Callable[[], float] = wall.monotonic
+    ) -> None:
+        self.name = name
+        self.capabilities: tuple[str, ...] = ('connectionGraph', 'parameters', 'parametersSubscribe', 'time')
+        if controls:
+            self.capabilities += ('playbackControl',)
+        self._recording, self._clock = recording, clock
+        self._start_ns, self._length_ns = recording.start_ns, round(recording.duration_s * 1e9)
+        self._columns = {(one['topic'], one['type']): one for one in recording.rows('topics') if one['times']}
+        self._wires: dict[Key, Sequence[Any]] = {}
+        self._ends = recording.rows('endpoints')
+        self._nodes = {row[4]: row for row in recording.rows('nodes')}
+        times = {row[5] for row in self._ends} | {row[3] for row in self._nodes.values() if row[3] is not None}
+        self._changes = sorted(times)
+        self._parameter_times = [row[0] for row in recording.parameter_rows]
+        self._at_ns, self._speed, self._state = 0, 1.0, said.PLAYING
+        self._since = 0, clock()
+        self._told: int | None = None
+
+    def session(self) -> str:
+        return f'{self.name}-{id(self):x}'
+
+    def details(self) -> dict[str, Any]:
+        if 'playbackControl' not in self.capabilities:
+            return {}
+        ends = (self._start_ns, self._start_ns + self._length_ns)
+        first, last = ({'sec': time_ns // 10**9, 'nsec': time_ns % 10**9} for time_ns in ends)
+        return {'dataStartTime': first, 'dataEndTime': last}
+
+    # -- time
+
+    def now_ns(self) -> int:
+        return self._start_ns + self._at_ns
+
+    def advance(self) -> list[bytes]:
+        if self._state == said.PLAYING:
+            began_ns, began_s = self._since
+            self._at_ns = min(began_ns + round((self._clock() - began_s) * self._speed * 1e9), self._length_ns)
+            if self._at_ns == self._length_ns:
+                self._state = said.ENDED
+        if self._state == self._told or 'playbackControl' not in self.capabilities:
+            return []
+        self._told = self._state
+        return [said.playback(self._state, self.now_ns(), self._speed)]
+
+    def play(self, request: Playback) -> tuple[bytes, bool]:
+        self.advance()
+        seek_ns = request.seek_ns
+        if seek_ns is None and request.plays and self._state == said.ENDED:
+            seek_ns = self._start_ns  # once more from the beginning
+        if seek_ns is not None:
+            self._at_ns = min(max(seek_ns - self._start_ns, 0), self._length_ns)
+        self._speed = request.speed
+        self._since = self._at_ns, self._clock()
+        is_over = self._at_ns == self._length_ns
+        self._state = said.ENDED if is_over else said.PLAYING if request.plays else said.PAUSED
+        self._told = self._state
+        did_seek = seek_ns is not None
+        return said.playback(self._state, self.now_ns(), self._speed, did_seek, request.request), did_seek
+
+    # -- what there is
+
+    def version(self) -> object:
+        return bisect_right(self._changes, self._at_ns)
+
+    def topics(self) -> list[Topic]:
+        found = []
+        for name, kind in self._columns:
+            try:
+                found.append(Topic(name, kind, self._recording.message_class(kind), self._recording.registry))
+            except RecordingError:  # its type is not known here
+                continue
+        return found
+
+    def services(self) -> list[Topic]:
+        """Nobody answers in a recording."""
+        return []
+
+    def graph(self) -> Graph:
+        found: dict[str, dict[str, list[str]]] = {part: {} for part in PARTS.values()}
+        for kind, name, _, index, _, made_ns, _ in self._ends:
+            node = self._nodes.get(index)
+            if kind in PARTS and node is not None and made_ns <= self._at_ns and (node[3] is None or node[3] > self._at_ns):
+                nodes = found[PARTS[kind]].setdefault(name, [])
+                if node[0] not in nodes:
+                    nodes.append(node[0])
+        return found
+
+    # -- messages
+
+    def _wires_of(self, key: Key) -> Sequence[Any]:
+        """The messages of a topic, which are checked when somebody first asks for them."""
+        if key not in self._wires:
+            try:
+                self._wires[key] = [wire for _, wire in self._recording.wires(*key)]
+            except RecordingError as error:
+                raise Refused(str(error)) from None
+        return self._wires[key]
+
+    def end(self, key: Key) -> int:
+        return bisect_right(self._columns[key]['times'], self._at_ns)
+
+    def kept(self, key: Key) -> list[Row]:
+        """What a client sees that comes now: the last message of each publisher, and of a latched topic as many as it keeps."""
+        wires, column, end = self._wires_of(key), self._columns[key], self.end(key)
+        depths = {row[4]: _depth(row[6]) for row in self._ends if row[0] == 'publisher' and row[1] == key[0]}
+        taken: dict[int, int] = {}
+        places = []
+        for place in range(end - 1, -1, -1):
+            publisher = column['publishers'][place]
+            if taken.get(publisher, 0) < depths.get(publisher, 1):
+                taken[publisher] = taken.get(publisher, 0) + 1
+                places.append(place)
+            elif taken.keys() >= depths.keys():
+                break
+        return [(self._start_ns + column['times'][place], wires[place]) for place in reversed(places)]
+
+    def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:
+        end = self.end(key)
+        begin = max(first, end - most)
+        times, wires = self._columns[key]['times'], self._wires_of(key)
+        return [(self._start_ns + times[place], wires[place]) for place in range(begin, end)], end, max(begin - first, 0)
+
+    # -- parameters
+
+    def parameter_version(self) -> object:
+        return bisect_right(self._parameter_times, self._at_ns)
+
+    def parameters(self) -> dict[str, Any]:
+        rows = self._recording.parameter_rows[: bisect_right(self._parameter_times, self._at_ns)]
+        found = {f'{node}.{name}': value for _, node, name, value, _ in rows}
+        return {name: value for name, value in sorted(found.items()) if value is not None}
+
+    # -- what cannot be
+
+    def set(self, values: Sequence[tuple[str, Value, str | None]], answer: Callable[[str], object]) -> None:
+        answer(NO_CHANGES)
+
+    def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
+        raise Refused(NO_CHANGES)
+
+    def retire(self, publish: Callable[[bytes], object]) -> None:
+        """Nobody publishes here."""
+
+    def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
+        raise Refused(NO_CHANGES)
+
+    def close(self) -> None:
+        """Nothing has to be given back."""
+
+
+def _depth(policies: Sequence[Any]) -> int:
+    """How many messages a publisher keeps for those who come later; at least the last one is shown."""
+    qos = QoS(*policies)
+    return 1 if qos.durability != TRANSIENT_LOCAL else (qos.queue_length or 1000)

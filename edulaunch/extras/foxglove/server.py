@@ -1,0 +1,120 @@
+"""The web sockets: who may come in, and what goes back and forth between a client and a line.
+
+A client needs the token in the address, and the host name that the server gave out. A page in a browser needs an allowed origin,
+too. While a client does not read, the server asks the line for nothing. A message that is too long, or that no client may send,
+does not reach the machine.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+import traceback
+from collections.abc import Awaitable, Callable, Sequence
+
+from tornado.iostream import StreamClosedError
+from tornado.web import HTTPError
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
+
+from edulaunch.desk.machine.web import Guarded, serve_paths
+from edulaunch.extras.foxglove import protocol, said
+from edulaunch.extras.foxglove.lines import Line
+
+EVERY_S = 1 / 40
+"""Seconds between two turns of a client."""
+APP = 'https://app.foxglove.dev'
+TOO_MUCH = 'this client asks for more than it reads'
+PATH = r'/([\w-]+)/'
+Open = Callable[[str], Awaitable[Line]]
+"""Makes the line of a client that speaks a subprotocol."""
+
+
+class Client(Guarded, WebSocketHandler):
+    """One client."""
+
+    _line: Line | None = None
+    _talk: asyncio.Task[None] | None = None
+
+    def prepare(self) -> None:
+        super().prepare()
+        offered = [word.strip() for word in self.request.headers.get('Sec-WebSocket-Protocol', '').split(',')]
+        if not set(offered) & set(protocol.SUBPROTOCOLS):
+            raise HTTPError(400, reason=f'the subprotocol has to be {" or ".join(protocol.SUBPROTOCOLS)}')
+
+    def check_origin(self, origin: str) -> bool:
+        own = {f'http://{host}' for host in self.settings['hosts']}
+        if origin in self.settings['origins'] or origin in own:
+            return True
+        warning = f'warning: a page of {origin[:200]!r} wanted to connect\n  help: --origin lets in a page that you trust\n'
+        sys.stderr.write(warning)
+        return False
+
+    def select_subprotocol(self, subprotocols: list[str]) -> str | None:
+        return next(name for name in protocol.SUBPROTOCOLS if name in subprotocols)
+
+    async def open(self, *args: str, **kwargs: str) -> None:
+        try:
+            self._line = await self.settings['open'](self.selected_subprotocol)
+        except OSError as error:
+            self.close(1011, str(error)[:100])
+            return
+        self._talk = asyncio.create_task(self._tell())
+
+    async def _tell(self) -> None:
+        """Ask the line for a turn, as often as the client takes what it hears."""
+        assert self._line is not None
+        try:
+            while True:
+                for message in await self._line.turn():
+                    await self.write_message(message, binary=isinstance(message, bytes))
+                await asyncio.sleep(EVERY_S)
+        except (WebSocketClosedError, StreamClosedError):
+            self.close(1001, 'the machine has ended, or the client has gone')
+        except OSError as error:
+            self.close(1013, str(error)[:100])
+        except ValueError as error:
+            self.close(1008, str(error)[:100] or TOO_MUCH)
+        except Exception:  # a mistake of ours: the other clients go on
+            traceback.print_exc()
+            self.close(1011, 'edulaunch made a mistake')
+
+    async def on_message(self, message: str | bytes) -> None:
+        """Hand on what a client may say. The next message is not read before that."""
+        if self._line is None:
+            return
+        try:
+            try:
+                protocol.parse(message)
+            except protocol.ProtocolError as error:
+                await self.write_message(said.status(said.ERROR, str(error)))
+                return
+            await self._line.say(message)
+        except (WebSocketClosedError, StreamClosedError):
+            self.close()
+        except ValueError:
+            self.close(1008, TOO_MUCH)
+
+    def on_close(self) -> None:
+        if self._talk is not None:
+            self._talk.cancel()
+        if self._line is not None:
+            self._line.close()
+
+
+async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), opened: Callable[[str], object]) -> None:
+    """Serve clients until cancelled.
+
+    :param port: of the loopback; 0: any that is free.
+    :param origins: of pages that may connect besides Foxglove's.
+    :param opened: called with the address for clients once the server is there.
+    :raises OSError: when the port is taken.
+    """
+    await serve_paths(
+        [(PATH, Client)],
+        port=port,
+        opened=lambda address: opened(address.replace('http', 'ws', 1)),
+        open=open_line,
+        origins={APP, *origins},
+        websocket_max_message_size=protocol.LONGEST_MESSAGE,
+        websocket_ping_interval=20,
+    )

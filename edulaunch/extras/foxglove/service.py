@@ -1,0 +1,55 @@
+"""The machine's end of `edulaunch view --foxglove`: one conversation for each client. The server of web sockets is between.
+
+Nothing is said before the server asks for a turn. So a client that does not read costs the machine nothing.
+"""
+
+from __future__ import annotations
+
+from itertools import count
+
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.connection import Connection
+from edulaunch.desk.machine.live import LiveMachine
+from edulaunch.extras.foxglove.conversation import Conversation
+from edulaunch.extras.foxglove.lines import BYTES, END, TEXT, TURN, packed
+from edulaunch.extras.foxglove.live import LiveFeed
+
+MOST_CLIENTS = 16
+_numbers = count(1)
+_clients: list[Client] = []
+
+
+class Client:
+    """Takes the place of a terminal, and is fed the same frames."""
+
+    def __init__(self, machine: LiveMachine, connection: Connection) -> None:
+        self._connection = connection
+        self._conversation = Conversation(LiveFeed(machine, next(_numbers)))
+        _clients.append(self)
+
+    def take(self, kind: bytes, payload: bytes) -> None:
+        """What the client says, or the server's word that the client can hear something.
+
+        :raises ValueError: for a client that asks for more than it reads, and for a payload that is none.
+        """
+        if kind != wire.INPUT:
+            return
+        mark, data = payload[:1], payload[1:]
+        if mark == TURN:
+            heard = b''.join(map(packed, self._conversation.turn()))
+            self._connection.send(wire.OUTPUT, heard + END)
+        elif mark in (TEXT, BYTES):
+            self._conversation.take(data.decode() if mark == TEXT else data)
+
+    def hang_up(self) -> None:
+        """The client is gone."""
+        _clients.remove(self)
+        self._conversation.close()
+
+
+def peer(machine: LiveMachine, connection: Connection) -> Client:
+    """A client has come."""
+    if len(_clients) >= MOST_CLIENTS:
+        connection.send(wire.ERRORS, f'{MOST_CLIENTS} clients are connected already'.encode())
+        connection.end()
+    return Client(machine, connection)

@@ -1,0 +1,78 @@
+"""`edulaunch view --foxglove` as one types it: a client reads a turtle's pose with another library, and drives the turtle."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import signal
+import struct
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip('tornado')
+
+from edulaunch.desk.cli.main import main
+from tests.desk.machine.conftest import desk_in
+from tests.desk.machine.shells import Desk, Shell
+from tests.extras.foxglove.client import FoxgloveClient
+
+POSE, TWIST = '/turtle1/pose', '/turtle1/cmd_vel'
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Iterator[Desk]:
+    yield from desk_in(tmp_path)
+
+
+def view(desk: Desk, *words: str) -> tuple[Shell, str]:
+    """The command in a new terminal, and the address that it says."""
+    program = [sys.executable, '-m', 'edulaunch']
+    shell = Shell('view', *words, '--foxglove', cwd=desk.folder, env=desk.env, program=program)
+    desk.shells.append(shell)
+    address = re.search(r'ws://\S+/', shell.until('Ctrl-C ends it'))
+    assert address is not None
+    return shell, address[0]
+
+
+async def drive(url: str) -> tuple[Any, Any]:
+    """The first pose, and one after the turtle has gone east for a while, both as another library reads them."""
+    dynamic = pytest.importorskip('mcap_ros2._dynamic')
+    client = await FoxgloveClient.connect(url)
+    await client.subscribe(POSE, 1)
+    await client.until(lambda: client.data(1))
+    channel = client.channels[POSE]
+    read = dynamic.generate_dynamic(channel['schemaName'], channel['schema'])[channel['schemaName']]
+    await client.op('advertise', channels=[{'id': 9, 'topic': TWIST, 'encoding': 'cdr', 'schemaName': 'geometry_msgs/msg/Twist'}])
+    await client.publish(9, b'\x00\x01\x00\x00' + struct.pack('<6d', 1.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    await client.until(lambda: read(client.data(1)[-1][1]).x > 6.0)
+    await client.close()
+    return read(client.data(1)[0][1]), read(client.data(1)[-1][1])
+
+
+@pytest.mark.terminals
+def test_a_client_reads_the_pose_and_drives_the_turtle(desk: Desk) -> None:
+    turtle = desk.ros2('run turtlesim turtlesim_node')
+    turtle.until('Spawning turtle')
+    shell, url = view(desk)
+    before, after = asyncio.run(drive(url))
+    assert (round(before.x, 2), round(after.y, 2), after.linear_velocity) == (5.54, 5.54, 1.0)
+    shell.send(signal.SIGINT)
+    assert shell.end() == 0
+    assert 'Publisher' not in desk.said('topic list') and TWIST in desk.said('topic list')
+
+
+@pytest.mark.parametrize(
+    ('words', 'sentence'),
+    [
+        (['nothing.rec', '--foxglove'], "cannot read the recording 'nothing.rec'"),
+        (['nothing.rec', '--origin', 'http://x'], 'view shows the machine, and no recording'),
+        (['--foxglove', '--port', '99999'], 'cannot serve the page'),
+    ],
+)
+def test_what_cannot_be_served_is_said(words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['view', *words]) in (1, 2)
+    assert sentence in capsys.readouterr().err
