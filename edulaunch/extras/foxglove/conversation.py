@@ -1,6 +1,7 @@
-"""The server's end of one client: what it subscribed to, what it publishes, and what it has to hear.
+"""The server's end of one client: what it subscribed to, what it publishes, and what the server sends to it.
 
-A client that reads slowly is asked for less often. Old messages are left out then, and counted. What waits for it is limited.
+A client that reads slowly is asked for less often. Then the server leaves out old messages, and counts them.
+The queue of answers is limited.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ class TooMuch(ValueError):
 
 
 class Conversation:
-    """Takes what a client says, and tells in each turn what the client has to hear."""
+    """Takes the messages of a client, and gives in each turn the messages for the client."""
 
     def __init__(self, feed: Feed) -> None:
         self._feed = feed
@@ -110,7 +111,7 @@ class Conversation:
             self._begin()
 
     def _look(self) -> None:
-        """Tell which topics and services came or went."""
+        """Report which topics and services came or went."""
         version = self._feed.version()
         if version == self._version:
             return
@@ -129,7 +130,7 @@ class Conversation:
         tells: str,
         what: str,
     ) -> list[int]:
-        """Tell what came and what went; returns the numbers of what went."""
+        """Report what came and what went. Returns the numbers of what went."""
         gone = [number for number, topic in known.items() if topic not in here]
         for number in gone:
             del known[number]
@@ -218,7 +219,7 @@ class Conversation:
     # -- what the client says
 
     def take(self, message: Message) -> None:
-        """Do what the client asks for. What is not possible is answered with a sentence.
+        """Do what the client asks for. The answer to what is not possible is an error message.
 
         :raises TooMuch: when the client asks for more than it reads.
         """
@@ -331,7 +332,7 @@ class Conversation:
 
 
 def _schema(registry: Any, type_name: str) -> str | None:
-    """The text of a type and of all types in it; None for a type that nobody here knows."""
+    """The text of a type and of all types in it. None for an unknown type."""
     try:
         return definition(registry, type_name)
     except (InterfaceError, AssertionError):

@@ -19,7 +19,7 @@ class Refused(Exception):
 
 
 class Topic(NamedTuple):
-    """A topic that somebody publishes, or a service; `registry` has its type."""
+    """A topic with a publisher, or a service. `registry` has its type."""
 
     name: str
     type: str
@@ -38,7 +38,7 @@ class Feed(Protocol):
     capabilities: tuple[str, ...]
 
     def session(self) -> str:
-        """A text that is another one when everything begins anew."""
+        """A string that changes when a new session begins."""
 
     def details(self) -> dict[str, Any]:
         """What the server's first message says besides."""
@@ -65,10 +65,10 @@ class Feed(Protocol):
         """The place of the next message of a topic."""
 
     def kept(self, key: Key) -> list[Row]:
-        """What somebody gets who comes now: the last messages of a latched topic."""
+        """The messages for a late subscriber: the last ones of a latched topic."""
 
     def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:
-        """The messages since a place, at most the last `most`; the place of the next one; how many were left out."""
+        """At most the last `most` messages since a place, the place of the next one, and how many are missing."""
 
     def parameters(self) -> dict[str, Any]:
         """The values of now, by '/node.parameter'."""

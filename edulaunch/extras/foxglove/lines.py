@@ -33,7 +33,7 @@ class Line(Protocol):
         """The client says something."""
 
     async def turn(self) -> list[Message]:
-        """What the client has to hear."""
+        """The messages for the client."""
 
     def close(self) -> None:
         """The client is gone."""
@@ -60,7 +60,7 @@ class MachineLine:
         await self._send(TEXT + message.encode() if isinstance(message, str) else BYTES + message)
 
     async def turn(self) -> list[Message]:
-        """What the client has to hear.
+        """The messages for the client.
 
         :raises StreamClosedError: when the machine is gone.
         :raises OSError: with what the machine says when it takes no more clients.

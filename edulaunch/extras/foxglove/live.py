@@ -60,7 +60,7 @@ class LiveFeed:
         return self._session.sim.now_ns
 
     def advance(self) -> list[bytes]:
-        """Nobody has to tell the machine that time passes; services that do not answer are given up."""
+        """The machine has its own clock. This gives up requests that got no answer."""
         late = [call for call, (until_ns, _) in self._calls.items() if until_ns < self.now_ns()]
         for call in late:
             _, answer = self._calls.pop(call)
@@ -137,7 +137,7 @@ class LiveFeed:
             publisher.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """The class of a message: of whoever uses it here, or of the machine."""
+        """The class of a message type: of an endpoint that uses it, or of the machine."""
         for node in self._graph.nodes:
             for end in node.endpoints:
                 if end.type_name == type_name and hasattr(end.cls, 'from_wire'):
@@ -237,7 +237,7 @@ class LiveFeed:
 
 
 def _known(table: dict[str, list[Any]]) -> list[Topic]:
-    """The names of a table of the graph with each of their types; types that nobody here knows are left out."""
+    """The names of a table of the graph with each of their known types."""
     found: dict[Key, Topic] = {}
     for name, ends in table.items():
         for end in ends:
@@ -256,7 +256,7 @@ def _decoded(cls: Any, data: bytes, what: str) -> Any:
 
 
 def _typed(name: str, value: Value, kind: str | None, current: Any) -> dict[str, Any]:
-    """The fields of a ParameterValue. JSON does not tell 2 from 2.0, so the type of now counts."""
+    """The fields of a ParameterValue. In JSON, 2 can also mean 2.0. So the present type counts."""
     if kind == 'byte_array':
         raise Refused(f'{name}: byte arrays cannot be set')
     was = type_of_value(current)

@@ -78,7 +78,7 @@ class Call(NamedTuple):
 
 
 class GetParameters(NamedTuple):
-    """Asks for parameters; no names: for all."""
+    """Asks for some parameters, or for all without names."""
 
     names: tuple[str, ...]
     request: str | None
@@ -92,7 +92,7 @@ class SetParameters(NamedTuple):
 
 
 class WatchParameters(NamedTuple):
-    """Send these parameters when they change, or send them no more; no names: all."""
+    """Send these parameters when they change, or no longer. No names mean all parameters."""
 
     names: tuple[str, ...]
     on: bool

@@ -23,7 +23,7 @@ class RecordingFeed:
     """Plays a recording from its beginning, at the speed of real time until the client asks for another one.
 
     :param controls: whether the client can control how the recording plays.
-    :param clock: what tells real time, in seconds (for tests).
+    :param clock: gives real time, in seconds (for tests).
     """
 
     def __init__(
@@ -102,7 +102,7 @@ class RecordingFeed:
         return found
 
     def services(self) -> list[Topic]:
-        """Nobody answers in a recording."""
+        """No service answers in a recording."""
         return []
 
     def graph(self) -> Graph:
@@ -118,7 +118,7 @@ class RecordingFeed:
     # -- messages
 
     def _wires_of(self, key: Key) -> Sequence[Any]:
-        """The messages of a topic, which are checked when somebody first asks for them."""
+        """The messages of a topic. The first call checks them."""
         if key not in self._wires:
             try:
                 self._wires[key] = [wire for _, wire in self._recording.wires(*key)]
@@ -169,16 +169,16 @@ class RecordingFeed:
         raise Refused(NO_CHANGES)
 
     def retire(self, publish: Callable[[bytes], object]) -> None:
-        """Nobody publishes here."""
+        """A recording has no publisher of a client."""
 
     def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
         raise Refused(NO_CHANGES)
 
     def close(self) -> None:
-        """Nothing has to be given back."""
+        """A recording needs no clean-up."""
 
 
 def _depth(policies: Sequence[Any]) -> int:
-    """How many messages a publisher keeps for those who come later; at least the last one is shown."""
+    """How many messages a publisher keeps for late subscribers, at least one."""
     qos = QoS(*policies)
     return 1 if qos.durability != TRANSIENT_LOCAL else (qos.queue_length or 1000)

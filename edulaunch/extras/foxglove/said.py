@@ -1,4 +1,4 @@
-"""What a server of the Foxglove WebSocket protocol says: texts are JSON, and bytes are little-endian."""
+"""What a server of the Foxglove WebSocket protocol says. Strings are JSON, and bytes are little-endian."""
 
 from __future__ import annotations
 

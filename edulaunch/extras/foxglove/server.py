@@ -61,7 +61,7 @@ class Client(Guarded, WebSocketHandler):
         self._talk = asyncio.create_task(self._tell())
 
     async def _tell(self) -> None:
-        """Ask the line for a turn, as often as the client takes what it hears."""
+        """Ask the line for a turn whenever the client has taken the last one."""
         assert self._line is not None
         try:
             while True:
@@ -104,7 +104,7 @@ class Client(Guarded, WebSocketHandler):
 async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), opened: Callable[[str], object]) -> None:
     """Serve clients until cancelled.
 
-    :param port: of the loopback; 0: any that is free.
+    :param port: of the loopback, or 0 for any free one.
     :param origins: of pages that may connect besides Foxglove's.
     :param opened: called with the address for clients once the server is there.
     :raises OSError: when the port is taken.

@@ -1,6 +1,6 @@
 """The machine's end of `edulaunch view --foxglove`: one conversation for each client. The server of web sockets is between.
 
-Nothing is said before the server asks for a turn. So a client that does not read costs the machine nothing.
+The machine sends nothing before the server asks for a turn. So a client that does not read costs the machine nothing.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ class Client:
         _clients.append(self)
 
     def take(self, kind: bytes, payload: bytes) -> None:
-        """What the client says, or the server's word that the client can hear something.
+        """A message of the client, or the server's request for a turn.
 
-        :raises ValueError: for a client that asks for more than it reads, and for a payload that is none.
+        :raises ValueError: for a client that asks for more than it reads, and for an invalid payload.
         """
         if kind != wire.INPUT:
             return

@@ -82,5 +82,5 @@ class FoxgloveClient:
         return [text for text in self.texts if text['op'] == operation]
 
     async def publish(self, number: int, cdr: bytes) -> None:
-        """Publish on a channel of ours."""
+        """Publish on one of our channels."""
         await self.raw(struct.pack('<BI', 1, number) + cdr)

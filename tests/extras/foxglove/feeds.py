@@ -1,4 +1,4 @@
-"""Feeds for tests: what a conversation says, read as plain data; a machine without real time; an action at a time."""
+"""A conversation as plain data, and a machine without real time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What clients may say: every message is read, or refused with a sentence. Nothing else ever happens."""
+"""What clients may say: the parser reads each message, or refuses it with an error message. Nothing else ever happens."""
 
 from __future__ import annotations
 

@@ -40,6 +40,7 @@ class Kept:
         self.recording = recording
         self.clients: list[FoxgloveClient] = []
         self.is_broken = False
+        self.lines: list[Line] = []
         self.said: list[str | bytes] = []
         self.turns = 0
 
@@ -49,6 +50,8 @@ class Kept:
 
     async def open(self, subprotocol: str) -> Line:
         kept = self
+        if self.lines:
+            return self.lines.pop()
 
         class Counted(HereLine):
             async def say(self, message: str | bytes) -> None:
@@ -89,7 +92,7 @@ async def answer(url: str, subprotocols: list[str], **headers: str) -> str:
     except Exception as error:
         return str(error)
     chosen = client.selected_subprotocol
-    client.close()
+    await FoxgloveClient(client).close()
     return f'in {chosen}'
 
 
@@ -199,38 +202,43 @@ def test_a_mistake_of_ours_ends_the_client_and_not_the_server(recording: Recordi
     assert 'AssertionError: a mistake' in capsys.readouterr().err
 
 
-def test_a_client_that_does_not_read_is_asked_for_nothing(recording: Recording) -> None:
-    """The server waits for the client, and goes on where it was when the client reads again."""
+class Big:
+    """A line that has 4 MiB for its client in each turn."""
 
+    def __init__(self) -> None:
+        self.turns = 0
+        self.closed = asyncio.Event()
+
+    async def say(self, message: str | bytes) -> None:
+        """The test says nothing."""
+
+    async def turn(self) -> list[str | bytes]:
+        self.turns += 1
+        return [bytes(4 << 20)]
+
+    def close(self) -> None:
+        self.closed.set()
+
+
+def test_a_client_that_does_not_read_costs_no_turns_and_the_others_go_on(recording: Recording) -> None:
     async def body(url: str, kept: Kept) -> None:
-        big = 'x' * (4 << 20)
-
-        class Big:
-            async def turn(self) -> list[str | bytes]:
-                kept.turns += 1
-                return [f'{{"op":"big","text":"{big}"}}']
-
-            async def say(self, message: str | bytes) -> None:
-                kept.said.append(message)
-
-            def close(self) -> None:
-                kept.said.append('closed')
-
-        async def open_big(subprotocol: str) -> Line:
-            return Big()
-
-        address: asyncio.Future[str] = asyncio.get_running_loop().create_future()
-        server = asyncio.create_task(serve(open_big, opened=address.set_result))
-        lazy = await kept.connect(await address)
+        big, parts = Big(), urlsplit(url)
+        kept.lines.append(big)
+        reader, writer = await asyncio.open_connection(parts.hostname, parts.port, limit=1 << 16)
+        head = f'GET {parts.path} HTTP/1.1\r\nHost: {parts.netloc}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n'
+        head += (
+            f'Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: {SDK}\r\n\r\n'
+        )
+        writer.write(head.encode())
+        assert b' 101 ' in await reader.readline()
         good = await kept.connect(url)
-        await good.until(lambda: len([one for one in good.binary if one[0] == 2]) > 20)  # 20 turns of the other server
-        turns = kept.turns - len([one for one in good.binary if one[0] == 2])
-        assert turns < 10
-        await lazy.until(lambda: len(lazy.said('big')) > 2)
-        await lazy.close()
-        kept.clients.remove(lazy)
-        server.cancel()
-        with contextlib.suppress(asyncio.CancelledError):
-            await server
+        await good.subscribe(TOPIC, 1)
+        await good.until(lambda: kept.turns > 40)
+        waiting = big.turns
+        assert waiting < 8
+        await reader.readexactly(40 << 20)
+        assert big.turns > waiting
+        writer.close()
+        await big.closed.wait()
 
     with_server(recording, body)
