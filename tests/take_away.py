@@ -60,9 +60,7 @@ EXTRAS = {
         ('edulaunch/extras/editor', 'tests/extras/editor'),
         {('edulaunch', 'lsp', '--stdio'): 'editor', ('edulaunch', 'course', 'template', 'vscode', '.'): 'editor'},
     ),
-    'foxglove': Extra(
-        ('edulaunch/extras/foxglove', 'tests/extras/foxglove'), {('edulaunch', 'view', '--foxglove'): 'foxglove'}
-    ),
+    'foxglove': Extra(('edulaunch/extras/foxglove', 'tests/extras/foxglove'), {('edulaunch', 'view', '--foxglove'): 'foxglove'}),
     'testing': Extra(
         (
             *(f'edulaunch/extras/{name}' for name in ('testing', 'pytest_plugin', 'launch_test.py')),
