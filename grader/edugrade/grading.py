@@ -101,6 +101,25 @@ def grade(
             yield _report(item, runner, jobs.pop(), workspaces)  # nothing is kept of it here: recordings are large
 
 
+class WarmGrader:
+    """Grades one submission after the other with one runner, whose starter has the engine loaded. `close` ends it.
+
+    :param limits: of each run.
+    """
+
+    def __init__(self, limits: Limits | None = None) -> None:
+        self._runner = runner_here(limits)
+        self._runner.__enter__()
+
+    def report(self, work: Work, workspaces: Sequence[str] = ()) -> Report:
+        """The report of a piece of work."""
+        return _report(work, self._runner, self._runner.add(work.submission, work.scenarios, workspaces), workspaces)
+
+    def close(self) -> None:
+        """End the runner and its starter."""
+        self._runner.__exit__(None, None, None)
+
+
 def runner_here(
     limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
 ) -> Runner | InPlace:

@@ -1,14 +1,12 @@
 """Grades a class on many machines, by Dask: a submission travels as text, is graded there, and comes back as data.
 
-A worker that dies costs no mark: its submissions are given to another one. Workers need edulaunch of the same version.
+A worker that dies costs no mark: its submissions are given to another one. Workers need edulaunch of the same version. Each
+worker keeps a grader, so that it loads the engine once and not for each submission.
 """
 
 from __future__ import annotations
 
-import json
 import os
-import subprocess
-import sys
 import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
@@ -24,6 +22,7 @@ from ...grading import COPIED, Work, is_copied
 from ...results import BROKEN_GRADER
 from .entries import Entry
 from .store import Store
+from .warm import ask_warm
 from .work import Options, keep, keep_document, keep_page, refusal
 
 TRIES = 3  # of a submission under which workers die: then it is nobody's mark
@@ -88,6 +87,7 @@ def parcel(work: Work, options: Options) -> Parcel:
         'limit': options.limits.wall_s,
         'sandbox': options.limits.sandbox,
         'page': options.html is not None,
+        'replays': options.replays,
     }
 
 
@@ -115,7 +115,7 @@ def _files(folder: str) -> dict[str, bytes]:
 
 
 def grade_parcel(given: Parcel) -> dict[str, Any]:
-    """On the worker: unpack, run the command in a process of its own (which has limits of time for judging), read its report."""
+    """On the worker: unpack, and let the grader of this worker grade it."""
     if given['version'] != __version__:
         raise UnusableInput(f'this worker has edulaunch {__version__}, and not {given["version"]}')
     with tempfile.TemporaryDirectory(prefix='edugrade-parcel-', ignore_cleanup_errors=True) as temporary:
@@ -126,26 +126,15 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
         rubric = home / 'rubrics' / given['rubric'][0]
         rubric.parent.mkdir()
         rubric.write_bytes(given['rubric'][1])
-        (home / 'here').mkdir()
-        settings = {'rubric': rubric, 'json': home / 'report.json', 'html': home / 'page.html' if given['page'] else None}
-        settings |= {key: given[key] for key in ('seed', 'limit', 'sandbox', 'only')}
-        words = [word for key, value in settings.items() if value is not None for word in (f'--{key}', str(value))]
-        words += [
-            word for number in range(len(given['workspaces'])) for word in ('--workspace', str(home / 'workspaces' / str(number)))
-        ]
-        command = [sys.executable, '-m', 'edugrade', str(home / 'submission' / given['name'] / given['launch']), *words]
-        done = subprocess.run(
-            command, cwd=home / 'here', stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE_S + 10 * given['limit']
-        )
-        if not (home / 'report.json').exists():
-            output = done.stderr.decode('utf-8', 'replace').strip()[-2000:]
-            raise RuntimeError(f'edugrade ended with exit code {done.returncode} on the worker: {output}')
-        page = (home / 'page.html').read_text('utf-8') if (home / 'page.html').exists() else None
-        found = json.loads((home / 'report.json').read_text('utf-8'))
-    found['receipt']['secret'] = given['secret']
+        request = {key: given[key] for key in ('seed', 'limit', 'sandbox', 'only', 'page', 'replays')}
+        request['file'] = str(home / 'submission' / given['name'] / given['launch'])
+        request['rubric'] = str(rubric)
+        request['workspaces'] = [str(home / 'workspaces' / str(number)) for number in range(len(given['workspaces']))]
+        found = ask_warm(request, PATIENCE_S + 10 * given['limit'])
+    found['report']['receipt']['secret'] = given['secret']
     if given['variant'] is not None:
-        found['variant'] = given['variant']
-    return {'report': found, 'page': page}
+        found['report']['variant'] = given['variant']
+    return found
 
 
 def _put(folder: Path, files: dict[str, bytes]) -> None:
@@ -159,4 +148,5 @@ def _put(folder: Path, files: dict[str, bytes]) -> None:
 def _keep(store: Store, entry: Entry, came: dict[str, Any], options: Options) -> None:
     if options.html and came['page'] is not None and not options.only:
         keep_page(store.path(entry, '.html', options.html), came['page'])
+    store.took(entry, came['run_s'])
     keep_document(store, entry, came['report'], options)
