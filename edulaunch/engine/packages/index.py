@@ -227,15 +227,14 @@ class Index:
         """
         found: dict[str, str] = {}
         for place in self._places:
-            for name, path in place.modules().items():
-                if not (isinstance(place, Workspace) and name in _OWN_MODULES):
-                    found.setdefault(name, path)
+            for name, path in _modules(place).items():
+                found.setdefault(name, path)
         return found
 
     def python_roots(self) -> list[str]:
         """The folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
         places = [place for place in self._places if place.path != self._underlay]
-        return list(dict.fromkeys(os.path.dirname(path) for place in places for path in place.modules().values()))
+        return list(dict.fromkeys(os.path.dirname(path) for place in places for path in _modules(place).values()))
 
     def interface_roots(self) -> list[str]:
         """Share folders with msg/, srv/ or action/ files; the folder's name is the package."""
@@ -256,6 +255,12 @@ class Index:
 
     def _place(self, package: str) -> Place | None:
         return next((place for place in self._places if package in place.packages()), None)
+
+
+def _modules(place: Place) -> dict[str, str]:
+    """Return the modules of a place, without clones of ROS's own ones in a workspace."""
+    is_own = isinstance(place, Workspace)
+    return {name: path for name, path in place.modules().items() if not (is_own and name in _OWN_MODULES)}
 
 
 def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:

@@ -157,6 +157,7 @@ def test_a_launch_that_runs_in_another_terminal_is_named(desk: Desk) -> None:
 
 
 def test_of_many_findings_it_is_said_how_to_see_all(desk: Desk) -> None:
+    desk.ros2('multicast receive').until('Waiting')  # the machine stays between the launch and the next command
     items = [f"Node(package='demo_nodes_py', executable='talker', name='talker_{number // 2}')," for number in range(14)]
     write(desk, 'main.launch.py', *items, OWN)
     reported = launched(desk, 'main.launch.py')
