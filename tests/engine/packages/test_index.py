@@ -274,3 +274,18 @@ def test_of_two_packages_with_one_name_the_nearer_one_counts(workspace: Any) -> 
     for near, used in {'src/week3': 'week3', 'src/week3/alpha': 'week3', 'src': 'week2', '../elsewhere': 'week2'}.items():
         index = Index((), [workspace.path], read_source=read_source, near=str(workspace.path / near))
         assert index.source_folder('alpha') == str(workspace.path / 'src' / used / 'alpha')
+
+
+def test_a_clone_of_launch_does_not_hide_the_built_in_one(workspace: Any) -> None:
+    for name in ('launch', 'mine'):
+        workspace.python_package(name, SETUP.format(name), launch__a='', folder=f'src/{name}')
+        workspace.files({f'src/{name}/{name}/__init__.py': ''})
+    index = workspace.index()
+    assert [root for root in index.python_roots() if root.startswith(str(workspace.path))] == [str(workspace.path / 'src/mine')]
+    assert 'launch' not in index.python_modules()
+
+
+def test_a_clone_of_edulaunch_in_a_workspace_adds_no_packages(workspace: Any) -> None:
+    two_packages(workspace)
+    (workspace.path / 'src' / 'edulaunch').symlink_to(Path(__file__).parents[3])
+    assert [name for name in workspace.index().packages() if name not in Index().packages()] == ['alpha', 'beta']

@@ -3,12 +3,27 @@
 from __future__ import annotations
 
 from math import hypot
+from pathlib import Path
 from typing import Any
 
 import pytest
 from geometry_msgs.msg import Twist, TwistStamped, Vector3
 
 import edulaunch
+
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess, TimerAction
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    send = ['ros2', 'topic', 'pub', '--once', '/cmd_vel', 'geometry_msgs/msg/Twist', '{linear: {x: 0.1}}']
+    return LaunchDescription([
+        Node(package='turtlebot3_gazebo', executable='waffle_simulator'),
+        ExecuteProcess(cmd=['ros2', 'topic', 'type', '/cmd_vel'], output='screen'),
+        TimerAction(period=2.0, actions=[ExecuteProcess(cmd=send, output='screen')]),
+    ])
+"""
 
 
 def position(message: Any) -> tuple[float, float]:
@@ -32,9 +47,19 @@ def test_both_kinds_of_twist_drive_it_and_are_kept(stage: Any, message: Any, war
     stage.start('turtlebot3_gazebo', 'waffle_simulator')
     stage.until(500)
     stage.publish('/cmd_vel', message)
-    stage.until(10_600)
-    assert position(stage.messages('/odom')[-1])[0] == pytest.approx(1.01, abs=0.005)
+    stage.until(600)
+    stage.publish('/cmd_vel', message)
+    stage.until(10_700)
+    assert position(stage.messages('/odom')[-1])[0] == pytest.approx(1.015, abs=0.008)
     assert len(stage.texts()) == 1 + warnings
+
+
+def test_cmd_vel_has_one_type_until_a_program_publishes_the_other(tmp_path: Path) -> None:
+    (tmp_path / 'main.launch.py').write_text(LAUNCH)
+    recording = edulaunch.run(tmp_path / 'main.launch.py', duration_s=8.0, console=lambda *_: None)
+    shown = [row.text for row in recording.output if row.process == 'ros2-2']
+    assert ''.join(shown) == 'geometry_msgs/msg/TwistStamped\n'
+    assert position(recording.messages('/odom')[-1][1])[0] > 0.2, 'the only message of `--once` arrives'
 
 
 def test_param_circle_drives_a_circle_of_its_radius(stage: Any) -> None:

@@ -20,9 +20,8 @@ class WaffleSimulator(CppNode):
     """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
 
     TurtleBot3 takes TwistStamped since Jazzy and took Twist before; a real robot is set to one of them by
-    `enable_stamped_cmd_vel`. Both are understood here at once, so that a program of either time drives the
-    robot: with the parameter true (the default) a plain Twist is followed and warned about once, with false a
-    TwistStamped.
+    `enable_stamped_cmd_vel`, true by default. `cmd_vel` has that type alone until a program publishes the other
+    one there. Then the robot also subscribes to that type, and warns once, so that a program of either time drives it.
     """
 
     def __init__(self) -> None:
@@ -33,12 +32,26 @@ class WaffleSimulator(CppNode):
         core = core_of(self)
         core.takes_any_type = True
         kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
-        for kind, callback in kinds if core.takes_any_type else kinds[:1]:  # for real a program hears one type on a topic
-            self.create_subscription(kind, 'cmd_vel', callback, 10)
+        self._create_for(*kinds[0])
+        self._other: tuple[Any, Any] | None = kinds[1] if core.takes_any_type else None  # a real program has one type on a topic
+        self._publishers = 0
         self._odometry = self.create_publisher(Odometry, 'odom', 10)
         self._broadcaster = TransformBroadcaster(self)
         self._timer = self.create_timer(1.0 / ODOMETRY_HZ, self._on_timer)
         self.get_logger().info(f'Spawned waffle at x={x:.2f}, y={y:.2f}, yaw={yaw:.2f}')
+
+    def _create_for(self, kind: Any, callback: Any) -> None:
+        self.create_subscription(kind, 'cmd_vel', callback, 10)
+
+    def _look_for_other(self) -> None:
+        """Subscribe to the other type, too, as soon as a program publishes it."""
+        count = self.count_publishers('cmd_vel')
+        if self._other is not None and count != self._publishers:
+            self._publishers = count
+            types = {info.topic_type for info in self.get_publishers_info_by_topic('cmd_vel')}
+            if f'geometry_msgs/msg/{self._other[0].__name__}' in types:
+                self._create_for(*self._other)
+                self._other = None
 
     def _on_stamped(self, message: Any) -> None:
         self._drive(message.twist, 'TwistStamped', self._expects_stamped)
@@ -57,6 +70,7 @@ class WaffleSimulator(CppNode):
         self._robot.command(twist.linear.x, twist.angular.z, self.get_clock().now().nanoseconds)
 
     def _on_timer(self) -> None:
+        self._look_for_other()
         robot = self._robot
         now = self.get_clock().now()
         robot.advance_to(now.nanoseconds)
