@@ -20,6 +20,7 @@ else:
 KINDS_OF_CHANGE = {'Added', 'Changed', 'Deprecated', 'Removed', 'Fixed', 'Security'}
 TOP = {
     *(
+        'COLCON_IGNORE',
         '.ci',
         '.git-blame-ignore-revs',
         '.github',

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -162,6 +162,14 @@ class Reason(Tree):
         self.title, self.entries = rendered_reasons(data)
 
 
+def _name_sources(plan: dict[str, Any], source_path: Callable[[str], str]) -> None:
+    """Name the student's own files in a plan, not the links of a generated prefix."""
+    plan['file'] = source_path(plan['file'])
+    file, colon, line = ((plan['error'] or {}).get('origin') or '').rpartition(':')
+    if colon:
+        plan['error']['origin'] = f'{source_path(file)}:{line}'
+
+
 def explain(
     path_or_package: str | os.PathLike[str],
     file: str | None = None,
@@ -185,4 +193,5 @@ def explain(
         given = {name: str(value) for name, value in (arguments or {}).items()}
         host = session.host
         rehearsal = rehearse(path, given, session.index, host.env, assume_packages=assume_packages, command_set=host.command_set)
+        _name_sources(rehearsal.plan, session.index.source_path)
     return Explanation(rehearsal, where)

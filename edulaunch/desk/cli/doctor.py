@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 SECONDS = 20.0
 _ABSENT = re.compile(r"package '([\w-]+)' not found")
+NOT_PYTHON = 'packages.not-python'
+"""Says less than what a dry run finds at the same place."""
 OF_FOLDER_S = 8.0
 """Simulated seconds of each launch file of a folder."""
 MOST_LAUNCHED = 12
@@ -132,10 +134,16 @@ def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> 
         path = find_launch_file(session.index, first, file)
         rehearsal = _rehearsed(session, path, given)
         if rehearsal.plan['error'] is not None:
-            return judge_plan(rehearsal)
+            return _in_sources(session, judge_plan(rehearsal))
         session.launch(path, None, given)
         session.run(SECONDS if arguments.seconds is None else arguments.seconds)
-        return in_order([*judge_plan(rehearsal), *judge(session.recording())])
+        return in_order(_in_sources(session, [*judge_plan(rehearsal), *judge(session.recording())]))
+
+
+def _in_sources(session: Session, findings: list[Finding]) -> list[Finding]:
+    """Return findings that name the student's own files, not the links of a generated prefix."""
+    source_path = session.index.source_path
+    return [one if one.file is None else one._replace(file=source_path(one.file)) for one in findings]
 
 
 def _rehearsed(session: Session, path: str, given: dict[str, str]) -> Rehearsal:
@@ -166,7 +174,8 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
     if ran:
         seconds = OF_FOLDER_S if arguments.seconds is None else arguments.seconds
         notes.insert(0, f'launch files that were run, {seconds:g} simulated seconds each: {", ".join(ran)}')
-    return in_order(findings)
+    read = {(one.file, one.line) for one in findings if one.rule != NOT_PYTHON}
+    return in_order([one for one in findings if one.rule != NOT_PYTHON or (one.file, one.line) not in read])
 
 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:

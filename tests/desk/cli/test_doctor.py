@@ -115,3 +115,19 @@ def test_ros2_doctor_says_what_the_rules_find_behind_ros_own_checks(
     assert text.index('checks passed') < text.index('edulaunch has looked at') < text.index('1. two nodes are called /talker')
     recorded = [row.text for row in terminal.recording().output]
     assert not [text for text in recorded if 'two nodes' in text]
+
+
+def test_a_syntax_error_of_a_package_is_one_finding_with_the_path_of_the_source(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(EXAMPLES.parent / 'unseen' / 'script_dot' / 'healthy' / 'robo', tmp_path / 'src' / 'robo')
+    file = tmp_path / 'src' / 'robo' / 'launch' / 'robo.launch.py'
+    file.write_text(file.read_text().replace(', name=', ' name='))
+    monkeypatch.chdir(tmp_path)
+    for words in (['robo', 'robo.launch.py'], ['.'], [str(file)]):
+        assert main(['doctor', *words]) == 1
+        shown = capsys.readouterr().out
+        assert '1. a comma is missing' in shown and '2. ' not in shown
+        assert 'src/robo/launch/robo.launch.py:7\n' in shown
+    assert main(['explain', 'robo', 'robo.launch.py']) == 1
+    assert f'  at {file}:7\n' in capsys.readouterr().err
