@@ -28,6 +28,7 @@ def export_arguments(parser: argparse.ArgumentParser) -> None:
     _file_arguments(parser)
     form = parser.add_mutually_exclusive_group(required=True)
     form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='as a bag for `ros2 bag` (default: FILE_bag)')
+    form.add_argument('--mcap', metavar='OUT', nargs='?', const='', help='as one MCAP file (default: FILE.mcap)')
     form.add_argument('--csv', metavar='FOLDER', nargs='?', const='', help='one table for each topic (default: FILE_csv)')
     parser.add_argument('--topics', nargs='+', metavar='TOPIC', help='only these topics')
     parser.add_argument('--storage', choices=('mcap', 'sqlite3'), default='mcap', help='of the bag (default: mcap)')
@@ -36,12 +37,14 @@ def export_arguments(parser: argparse.ArgumentParser) -> None:
 def export(arguments: argparse.Namespace) -> int:
     """Write it, and print where it is; 0 when that went well.
 
-    :raises UnusableInput: when the folder is there already, or cannot be made.
+    :raises UnusableInput: when the folder or file is there already, or cannot be made.
+    :raises MissingExtra: for a bag without rosbags.
     """
     source()
     recording = Recording.load(arguments.file, trusted=arguments.trusted)
     stem = os.path.splitext(arguments.file)[0]
-    folder = (arguments.bag or f'{stem}_bag') if arguments.bag is not None else (arguments.csv or f'{stem}_csv')
+    given = {'_bag': arguments.bag, '.mcap': arguments.mcap, '_csv': arguments.csv}
+    folder = next(out or f'{stem}{ending}' for ending, out in given.items() if out is not None)
     if os.path.exists(folder):
         raise UnusableInput(f'{folder} is there already', help='name a new folder, or remove it')
     names = [name for name, topic in recording.topics.items() if topic.count]
@@ -52,6 +55,8 @@ def export(arguments: argparse.Namespace) -> int:
     try:
         if arguments.bag is not None:
             _write_bag(recording, folder, arguments.storage, chosen)
+        elif arguments.mcap is not None:
+            _write_mcap(recording, folder, chosen)
         else:
             _write_tables(recording, folder, chosen)
     except OSError as error:
@@ -62,6 +67,9 @@ def export(arguments: argparse.Namespace) -> int:
 
 def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]) -> None:
     """The messages at the times when they were published; of a topic with several types those of the first."""
+    from edulaunch.desk.cli.ros2.bag import require_rosbags
+
+    require_rosbags()
     from edulaunch.desk.cli.ros2.bag_record import write_bag
 
     topics = [
@@ -73,6 +81,16 @@ def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]
         for time_ns, wire in recording.wires(topic.name, topic.cls.TYPE)
     ]
     write_bag(folder, storage, topics, sorted(messages, key=lambda message: message[0]), recording.registry)
+
+
+def _write_mcap(recording: Recording, path: str, names: list[str]) -> None:
+    """The file of such a bag alone, with an index. Its bytes do not depend on its name."""
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory(dir=os.path.dirname(path) or '.') as place:
+        folder = os.path.join(place, 'recording')
+        _write_bag(recording, folder, 'mcap', names)
+        os.replace(os.path.join(folder, 'recording.mcap'), path)
 
 
 def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:

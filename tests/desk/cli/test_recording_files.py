@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from edulaunch.desk.cli.main import main
+from edulaunch.engine.recording import Recording
+from edulaunch.ros.serialization.cdr import encode
 
 
 @pytest.fixture(scope='module')
@@ -49,6 +51,50 @@ def test_the_messages_become_a_bag(drive: Path, capsys: pytest.CaptureFixture[st
     assert {after - before for before, after in zip(times, times[1:], strict=False)} == {250_000_000}
     assert main(['recording', 'export', str(drive), '--bag', str(folder)]) == 2
     assert 'is there already' in capsys.readouterr().err
+
+
+def test_one_mcap_file_is_read_by_two_other_libraries(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each message has the time and the CDR bytes of the recording; an index lets a reader begin anywhere."""
+    from mcap.reader import SeekingReader, make_reader
+    from mcap_ros2.decoder import DecoderFactory
+    from rosbags.highlevel import AnyReader
+
+    path = drive.with_suffix('.mcap')
+    assert main(['recording', 'export', str(drive), '--mcap']) == 0
+    assert capsys.readouterr().out == f'{path}\n'
+    recording = Recording.load(drive)
+    wanted = [
+        (topic, recording.start_ns + time_ns, encode(recording.message_class(record.type), wire))
+        for topic, record in recording.topics.items()
+        for time_ns, wire in recording.wires(topic, record.type)
+    ]
+    with path.open('rb') as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        assert isinstance(reader, SeekingReader)
+        rows = list(reader.iter_decoded_messages())
+        found = [(channel.topic, message.log_time, message.data) for _, channel, message, _ in rows]
+        speeds = {decoded.linear.x for _, channel, _, decoded in rows if channel.topic == '/turtle1/cmd_vel'}
+        late = [one.log_time for _, _, one in reader.iter_messages(['/turtle1/pose'], starting_at=recording.start_ns + 10**9)]
+    assert sorted(found) == sorted(wanted) and speeds == {2.0}
+    assert late == [time_ns for topic, time_ns, _ in wanted if topic == '/turtle1/pose' and time_ns >= recording.start_ns + 10**9]
+    with AnyReader([path]) as other:
+        assert sorted((connection.topic, time_ns, data) for connection, time_ns, data in other.messages()) == sorted(wanted)
+
+
+def test_the_same_recording_gives_the_same_mcap_file(drive: Path) -> None:
+    paths = [drive.parent / name for name in ('one.mcap', 'folder/another.mcap')]
+    paths[1].parent.mkdir()
+    for path in paths:
+        assert main(['recording', 'export', str(drive), '--mcap', str(path)]) == 0
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+    assert [path.name for path in paths[1].parent.iterdir()] == ['another.mcap']
+
+
+def test_an_mcap_file_that_is_there_or_has_no_folder(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['recording', 'export', str(drive), '--mcap', str(drive)]) == 2
+    assert main(['recording', 'export', str(drive), '--mcap', str(drive.parent / 'nowhere' / 'x.mcap')]) == 2
+    first, _, second = capsys.readouterr().err.partition('error: ')[2].partition('error: ')
+    assert 'is there already' in first and 'x.mcap cannot be written: No such file or directory' in second
 
 
 def test_each_topic_becomes_a_table(drive: Path) -> None:
