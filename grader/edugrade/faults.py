@@ -15,6 +15,7 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
+from edulaunch.desk.commands import LOADING_FAULTS
 from edulaunch.errors import how_to_install
 
 if TYPE_CHECKING:
@@ -87,8 +88,10 @@ def raise_fault(error: BaseException) -> None:
 
 
 def looks_like_one(outcome: Outcome) -> bool:
-    """Whether what a run came to may be due to the computer: by the numbers of the errors that it tells of."""
-    return any(int(number) in OF_THE_COMPUTER for number in _NUMBER.findall(_text_of(outcome)))
+    """Whether what a run came to may be due to the computer: by the numbers and the texts of the errors that it reports."""
+    text = _text_of(outcome)
+    numbers = {int(number) for number in _NUMBER.findall(text)}
+    return bool(numbers & OF_THE_COMPUTER) or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
 
 
 def _text_of(outcome: Outcome) -> str:

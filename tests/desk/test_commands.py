@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.desk.commands import INTERRUPTED
+from edulaunch.desk.commands import INTERRUPTED, run_quietly
 
 pytestmark = [pytest.mark.processes, pytest.mark.skipif(os.name == 'nt', reason='no such signals there')]
 START = "import sys; from edulaunch.desk.commands import run_quietly; sys.exit(run_quietly('slow', 'main'))"
@@ -35,3 +35,17 @@ def test_ctrl_c_is_silent(tmp_path: Path, text: str, code: int) -> None:
 def test_the_code_of_a_command_is_kept(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, '-m', 'edulaunch', 'lanch'], capture_output=True, text=True)
     assert done.returncode == 2 and "did you mean 'launch'" in done.stderr
+
+
+def test_a_computer_without_memory_for_a_module_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / 'without_memory.py').write_text("raise ImportError('math.so: failed to map segment from shared object')")
+    (tmp_path / 'damaged.py').write_text("raise ImportError('no such name')")
+    assert run_quietly('without_memory', 'main', broken=3) == 3
+    assert capsys.readouterr().err == (
+        'error: this computer has no memory or descriptors left: math.so: failed to map segment from shared object\n'
+    )
+    with pytest.raises(ImportError, match='no such name'):
+        run_quietly('damaged', 'main')

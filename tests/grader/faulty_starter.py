@@ -1,11 +1,13 @@
-"""The starter of runs, on a computer of which one call fails: the so many-eth since the last look, in whichever process that is.
+"""The starter of runs, on a computer on which one call fails, in whichever process that is.
 
-The file that the environment of the test names has four numbers: how many calls from now the fault comes (0: never), its number, and
-how many calls there were. It is shared with everything that the starter forks.
+The file that the test names has three numbers: how many calls from now the fault comes (0: never), its number, and how many calls
+there were. It is shared with everything that the starter forks. The number `LOADING` makes the loading of an extension module fail,
+as it does when memory cannot be mapped; all other numbers make a function of `os`, `socket` or `open` fail.
 """
 
 from __future__ import annotations
 
+import _imp
 import builtins
 import io
 import mmap
@@ -18,10 +20,13 @@ from collections.abc import Callable
 from typing import Any
 
 FORM = '=qqq'
+LOADING = -1
 CALLS = {
     os: ('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
     socket: ('socketpair', 'send_fds'),
 }
+
+_create_dynamic: Callable[..., Any] = _imp.create_dynamic
 
 
 def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., Any]:
@@ -29,8 +34,12 @@ def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., An
 
     def call(*arguments: Any, **options: Any) -> Any:
         left, number, count = struct.unpack(FORM, memory[:24])
+        if (number == LOADING) != (function is _create_dynamic):
+            return function(*arguments, **options)
         memory[:24] = struct.pack(FORM, max(0, left - 1), number, count + 1)
         if left == 1:
+            if number == LOADING:
+                raise ImportError('a.so: failed to map segment from shared object')
             raise OSError(number, os.strerror(number))
         return function(*arguments, **options)
 
@@ -44,6 +53,7 @@ def main(starter: str, shared: str) -> None:
     for module, names in CALLS.items():
         for name in names:
             setattr(module, name, failing(getattr(module, name), memory))
+    _imp.create_dynamic = failing(_create_dynamic, memory)
     builtins.open = io.open = failing(io.open, memory)
     runpy.run_path(starter, run_name='__main__')
 

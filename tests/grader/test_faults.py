@@ -42,6 +42,8 @@ def test_errors_of_the_computer_have_sentences_and_others_have_none() -> None:
 def test_only_numbers_of_such_errors_are_looked_into() -> None:
     scenario = Scenario('s')
     assert looks_like_one(Outcome(scenario, 'unusable', text='OSError: [Errno 28] No space left on device'))
+    assert looks_like_one(Outcome(scenario, 'unusable', text='ImportError: math.so: failed to map segment from shared object'))
+    assert looks_like_one(Outcome(scenario, 'unusable', text="RuntimeError: can't start new thread"))
     assert not looks_like_one(Outcome(scenario, 'unusable', text='FileNotFoundError: [Errno 2] No such file'))
     assert not looks_like_one(Outcome(scenario, 'stopped', text='it did not finish'))
 
@@ -119,6 +121,22 @@ def test_each_call_of_a_run_fails_once(shared: Shared, sandbox: str) -> None:
             what = f'call {turn} of {calls} fails with {errno.errorcode[number]}: {found.kind} {found.text}'
             assert found.kind in ('recorded', 'broke'), what
             assert found.recording is None or happened(found.recording) == happened(right.recording), what
+
+
+@pytest.mark.processes
+def test_each_extension_module_that_the_starter_loads_fails_once(shared: Shared) -> None:
+    submission = Submission(str(ROOT / 'solutions' / 'circle.launch.py'))
+    shared.arm(0, faulty_starter.LOADING)
+    with Runner(Limits(), processors=1) as runner:
+        right = graded(runner, submission)
+    calls = shared.count
+    assert right.recording is not None and calls > 20
+    for turn in range(1, calls + 1, STEP):
+        shared.arm(turn, faulty_starter.LOADING)
+        with Runner(Limits(), processors=1) as runner:
+            found = graded(runner, submission)
+        what = f'module {turn} of {calls}: {found.kind} {found.text}'
+        assert found.recording is not None and happened(found.recording) == happened(right.recording), what
 
 
 class Faulty:

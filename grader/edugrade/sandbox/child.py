@@ -21,21 +21,26 @@ RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory h
 
 
 def warm_up() -> None:
-    """Load what nearly every run needs, by launching something small that came with edulaunch."""
-    try:
-        from edulaunch.runtime.session import Session
+    """Load what nearly every run needs, by launching something small that came with edulaunch.
 
-        with Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
-            session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
-            session.run(WARM_UP_S)
-            session.recording().to_bytes()
-        import edulaunch.runtime.link.confined
-        import edulaunch.runtime.link.trusted  # noqa: F401
-    except Exception:
-        return  # the runs meet the same, and say so
+    :raises RuntimeError: when that launch fails, as it does when memory runs out while a module loads. A run that was forked from
+        here would fail too, and its student would lose the mark.
+    """
+    from edulaunch.runtime.session import Session
+
+    with Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
+        launch = session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+        session.run(WARM_UP_S)
+        recording = session.recording()
+        recording.to_bytes()
+        if launch.process.returncode is not None or any(process.returncode is not None for process in recording.processes):
+            raise RuntimeError('the first launch of this process failed')
     import gc
     import tempfile
     import traceback  # noqa: F401  (for _broke)
+
+    import edulaunch.runtime.link.confined
+    import edulaunch.runtime.link.trusted  # noqa: F401
 
     tempfile.tempdir = None  # each run has its own
     gc.collect()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -102,7 +103,7 @@ class TransformListener:
     def __del__(self) -> None:
         if getattr(self, 'executor', None) is not None:
             self.executor.shutdown()
-        if getattr(self, 'tf_sub', None) is not None:
+        if getattr(self, 'tf_sub', None) is not None and not sys.is_finalizing():
             _note_dropped(self.node, getattr(self, '_line', {}))
         self.unregister()
 

@@ -1,0 +1,12 @@
+"""The command `edugrade` as a shell starts it."""
+
+from __future__ import annotations
+
+from edulaunch.desk.commands import run_quietly
+
+NOT_GRADED = 3
+
+
+def edugrade() -> int:
+    """The command `edugrade`; returns its exit code, 3 when this computer cannot even load it."""
+    return run_quietly('edugrade.cli', 'main', broken=NOT_GRADED)
