@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edulaunch.desk.commands import run_quietly
+from edulaunch.runtime.quiet_start import run_quietly
 
 NOT_GRADED = 3
 

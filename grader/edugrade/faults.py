@@ -15,8 +15,8 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
-from edulaunch.desk.commands import LOADING_FAULTS
 from edulaunch.errors import how_to_install
+from edulaunch.runtime.quiet_start import LOADING_FAULTS
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording

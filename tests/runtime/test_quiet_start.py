@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.desk.commands import INTERRUPTED, run_quietly
+from edulaunch.runtime.quiet_start import INTERRUPTED, run_quietly
 
 pytestmark = [pytest.mark.processes, pytest.mark.skipif(os.name == 'nt', reason='no such signals there')]
-START = "import sys; from edulaunch.desk.commands import run_quietly; sys.exit(run_quietly('slow', 'main'))"
+START = "import sys; from edulaunch.runtime.quiet_start import run_quietly; sys.exit(run_quietly('slow', 'main'))"
 WAITS = "print('now', flush=True); time.sleep(600)"
 
 

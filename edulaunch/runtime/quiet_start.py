@@ -1,0 +1,36 @@
+"""Load the module of a command and run it: Ctrl-C meanwhile, and a computer without memory, give no traceback."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable
+from importlib import import_module
+
+INTERRUPTED = 130
+UNUSABLE = 2
+LOADING_FAULTS = ('failed to map segment', 'Cannot allocate memory', 'Too many open files', "can't start new thread")
+"""What the texts of errors say that come while a module loads, when this computer has run out of something."""
+
+
+def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:
+    """Load a command and run it. While it loads, Ctrl-C ends the process at once and without a traceback.
+
+    :param broken: the exit code when the command cannot be loaded, because this computer has no memory or descriptors left.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if before is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    try:
+        command: Callable[[], int] = getattr(import_module(module), name)
+    except (ImportError, MemoryError, OSError) as error:
+        if not isinstance(error, MemoryError) and not any(text in str(error) for text in LOADING_FAULTS):
+            raise
+        print(f'error: this computer has no memory or descriptors left: {error}', file=sys.stderr)
+        return broken
+    try:
+        if before is signal.default_int_handler:
+            signal.signal(signal.SIGINT, before)
+        return command()
+    except KeyboardInterrupt:
+        return INTERRUPTED
