@@ -20,7 +20,7 @@ def test_the_message_names_the_package_and_the_line_that_installs_it() -> None:
     error = MissingExtra('ros2 bag', 'rosbags', 'bags')
     assert (
         str(error)
-        == "ros2 bag needs rosbags, which is not installed\n  help: in the folder of edulaunch's setup.sh, type: pip install '.[bags]'"
+        == "ros2 bag needs rosbags, which is not installed\n  help: run this in the folder of edulaunch's setup.sh: pip install '.[bags]'"
     )
 
 

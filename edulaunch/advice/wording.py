@@ -58,7 +58,7 @@ def warning_lines(
     lines = [f'{words.sign}: {words}' for words in (rendered(finding, reader) for finding in findings[:most])]
     if len(findings) > most:
         count = len(findings) - most
-        more = reader.says('and {count} more; to see all of them: {command}') if shown_by else reader.says('and {count} more')
+        more = reader.says('and {count} more; show all of them with {command}') if shown_by else reader.says('and {count} more')
         lines.append(more.format(count=count, command=shown_by))
     return lines
 
@@ -152,7 +152,7 @@ FORMAT = 1
 def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
     """The lines for people, the worst first."""
     if not findings:
-        yield reader.says('nothing wrong was found')
+        yield reader.says('no problems found')
     for number, finding in enumerate(findings, 1):
         words = rendered(finding, reader)
         margin = ' ' * len(f'{number}. ')

@@ -211,7 +211,7 @@ def _place(report: dict[str, Any]) -> Place | None:
     return Place(file, line) if isinstance(file, str) and isinstance(line, int) else None
 
 
-_LOOK = 'look at this line, and at the one before it'
+_LOOK = 'check this line and the line before it'
 _ENDLESS = 'look for a loop that does not end: a launch file only says what to start'
 _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls of os._exit() and sys.exit()'
 

@@ -53,7 +53,7 @@ def test_a_rule_that_fails_is_told_and_the_others_are_heard(monkeypatch: pytest.
     error = TypeError("Expected <class 'std_msgs.msg._string.String'>, got <class 'str'>")
     findings = judge_failure(error)
     assert [one.rule for one in findings] == ['messages.published-no-message', 'programs.rule-failed']
-    assert "a rule of edulaunch, 'launch.broken', could not look at this: KeyError: 'x'" in rendered(findings[1], ENGLISH).what
+    assert "the rule 'launch.broken' of edulaunch failed: KeyError: 'x'" in rendered(findings[1], ENGLISH).what
 
 
 def test_a_death_that_another_rule_explains_is_not_told_beside_it() -> None:
@@ -75,8 +75,8 @@ def test_lines_are_few_and_say_how_many_more_there_are() -> None:
     lines = warning_lines(findings, ENGLISH)
     assert len(lines) == 6 and lines[-1] == 'and 3 more'
     assert lines[0].splitlines() == [
-        'warning: two nodes are called /n0: one of a, one of b',
-        "  help: give one of them another name, for instance name='n_2' in the launch file, or another namespace",
+        'warning: two nodes have the name /n0: one in a, and one in b',
+        "  help: rename one of them, for example with name='n_2' in the launch file, or use another namespace",
     ]
 
 

@@ -19,38 +19,38 @@ IMPORTS = (
 )
 
 MISTAKES = {
-    'from launch.actions import IfCondition': 'launch.actions has no IfCondition; write: from launch.conditions import IfCondition',
-    'from launch.actions import DeclareLaunchArgumnt': 'launch.actions has no DeclareLaunchArgumnt; write: from launch.actions import DeclareLaunchArgument',
-    'from nav2_common.launch import RewrittenYaml': 'the module nav2_common (Navigation 2) is not part of edulaunch; try this launch file on a machine that has nav2_common',
-    'import qqq_zzz.parts': 'there is no module qqq_zzz; go to the workspace with this module, or name that with --workspace DIR',
-    'from launch.action_s import LogInfo': 'there is no module launch.action_s; write: from launch.actions import ...',
-    'import launch\nx = launch.actions.LogInf': 'launch.actions has no LogInf; write: from launch.actions import LogInfo',
-    'from .other import x': 'a launch file belongs to no package, so an import with a leading dot finds nothing; put the shared code into your Python package, and write: from my_package.module import ...',
-    'x = RegisterEventHandlr': 'the name RegisterEventHandlr is not known here; write RegisterEventHandler, and add the line: from launch.actions import RegisterEventHandler',
-    'x = PythonLaunchDescriptionSource': 'the name PythonLaunchDescriptionSource is not known here; add the line: from launch.launch_description_sources import PythonLaunchDescriptionSource',
-    'x = os.getcwd()': 'the name os is not known here; add the line: import os',
-    'x = true': 'the name true is not known here; write True',
-    "x = DeclareLaunchArgument('a', default_value=3)": "default_value=3 is of type int, and texts and substitutions are expected; write default_value='3'",
-    "x = DeclareLaunchArgument('a', default_value=True)": "default_value=True is of type bool, and texts and substitutions are expected; write default_value='true'",
+    'from launch.actions import IfCondition': 'launch.actions does not contain IfCondition; write: from launch.conditions import IfCondition',
+    'from launch.actions import DeclareLaunchArgumnt': 'launch.actions does not contain DeclareLaunchArgumnt; write: from launch.actions import DeclareLaunchArgument',
+    'from nav2_common.launch import RewrittenYaml': 'the module nav2_common (Navigation 2) is not part of edulaunch; run this launch file on a machine where nav2_common is installed',
+    'import qqq_zzz.parts': 'the module qqq_zzz does not exist; change to the workspace that contains this module, or name it with --workspace DIR',
+    'from launch.action_s import LogInfo': 'the module launch.action_s does not exist; write: from launch.actions import ...',
+    'import launch\nx = launch.actions.LogInf': 'launch.actions does not contain LogInf; write: from launch.actions import LogInfo',
+    'from .other import x': 'a launch file is not part of a package, so Python cannot resolve an import with a leading dot; put the shared code into your Python package, and write: from my_package.module import ...',
+    'x = RegisterEventHandlr': 'the name RegisterEventHandlr is not defined; write RegisterEventHandler, and add this line: from launch.actions import RegisterEventHandler',
+    'x = PythonLaunchDescriptionSource': 'the name PythonLaunchDescriptionSource is not defined; add this line: from launch.launch_description_sources import PythonLaunchDescriptionSource',
+    'x = os.getcwd()': 'the name os is not defined; add this line: import os',
+    'x = true': 'the name true is not defined; write True',
+    "x = DeclareLaunchArgument('a', default_value=3)": "default_value=3 is of type int, but launch expects strings and substitutions here; write default_value='3'",
+    "x = DeclareLaunchArgument('a', default_value=True)": "default_value=True is of type bool, but launch expects strings and substitutions here; write default_value='true'",
     "x = DeclareLaunchArgument('a', default='3')": 'DeclareLaunchArgument has no argument default=; write default_value=',
     "x = ExecuteProcess(cmd=['ls'], outptu='screen')": 'ExecuteProcess has no argument outptu=; write output=',
-    "from launch_ros.actions import Node\nx = Node(package='a', executable='b', parameters={'a': 1})": 'parameters= cannot be of type dict; put it into a list: parameters=[...]',
+    "from launch_ros.actions import Node\nx = Node(package='a', executable='b', parameters={'a': 1})": 'the value of parameters= cannot be of type dict; put the value into a list: parameters=[...]',
     "from launch_ros.actions import Node\nx = Node(package='a', executable='b', node_name='c')": 'Node has no argument node_name=; write name=',
-    "from launch.launch_description_sources import PythonLaunchDescriptionSource\nx = IncludeLaunchDescription(PythonLaunchDescriptionSource('a.launch.py', launch_arguments=[]))": 'PythonLaunchDescriptionSource has no argument launch_arguments=; choose one of these: launch_file_path=',
-    "x = LogInfo('hello')": 'LogInfo got its arguments without names; write the name: LogInfo(msg=...)',
-    "x = LogInfo(msg=['a', 3])": "a value of type int stands where a text is expected; write '3'",
-    "import pathlib\nfrom launch_ros.actions import SetParametersFromFile\nx = SetParametersFromFile(filename=pathlib.Path('a.yaml'))": 'a value of type PosixPath stands where a text is expected; write filename=str(...), so that the path becomes a text',
-    "import pathlib\nx = LogInfo(msg=['in ', pathlib.Path('a')])": 'a value of type PosixPath stands where a text is expected; write str(...), so that the path becomes a text',
-    'x = TimerAction(period=2, actions=[])': 'period= cannot be of type int; write it with its point: period=2.0',
-    "x = SetLaunchConfiguration('a', valeu='1')": 'SetLaunchConfiguration needs value=; write value= where you wrote valeu=',
-    'x = GroupAction(actons=[])': 'GroupAction needs actions=; write actions= where you wrote actons=',
-    "from launch_ros.actions import Node\nx = Node(package='a', executabel='b')": 'Node needs executable=; write executable= where you wrote executabel=',
-    "from launch_ros.actions import PushRosNamespace\nx = PushRosNamespace(namespce='a')": 'PushROSNamespace needs namespace=; write namespace= where you wrote namespce=',
-    "from launch_ros.actions import SetRemap\nx = SetRemap('a')": 'SetRemap needs dst=; add dst=...',
-    "from launch_ros.actions import LifecycleNode\nx = LifecycleNode(package='a', executable='b', name='n')": 'LifecycleNode needs namespace=; add namespace=...',
-    "x = TimerAction(period=2.0, actions=LogInfo(msg='a'))": 'actions= cannot be of type launch.actions.log_info.LogInfo; put it into a list: actions=[...]',
-    "x = LaunchDescription(LogInfo(msg='a'))": 'a list is expected where a LogInfo stands; put it into square brackets: [LogInfo(...)]',
-    "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'Python takes LogInfo(...) and the brackets behind it for one call; put a comma behind LogInfo(...)',
+    "from launch.launch_description_sources import PythonLaunchDescriptionSource\nx = IncludeLaunchDescription(PythonLaunchDescriptionSource('a.launch.py', launch_arguments=[]))": 'PythonLaunchDescriptionSource has no argument launch_arguments=; use one of these arguments: launch_file_path=',
+    "x = LogInfo('hello')": 'LogInfo does not accept these arguments without names; write the name of the argument: LogInfo(msg=...)',
+    "x = LogInfo(msg=['a', 3])": "launch expects a string here, and this value is of type int; write '3'",
+    "import pathlib\nfrom launch_ros.actions import SetParametersFromFile\nx = SetParametersFromFile(filename=pathlib.Path('a.yaml'))": 'launch expects a string here, and this value is of type PosixPath; write filename=str(...) to convert the path to a string',
+    "import pathlib\nx = LogInfo(msg=['in ', pathlib.Path('a')])": 'launch expects a string here, and this value is of type PosixPath; write str(...) to convert the path to a string',
+    'x = TimerAction(period=2, actions=[])': 'the value of period= cannot be of type int; write the number with a decimal point: period=2.0',
+    "x = SetLaunchConfiguration('a', valeu='1')": 'SetLaunchConfiguration needs the argument value=; replace valeu= with value=',
+    'x = GroupAction(actons=[])': 'GroupAction needs the argument actions=; replace actons= with actions=',
+    "from launch_ros.actions import Node\nx = Node(package='a', executabel='b')": 'Node needs the argument executable=; replace executabel= with executable=',
+    "from launch_ros.actions import PushRosNamespace\nx = PushRosNamespace(namespce='a')": 'PushROSNamespace needs the argument namespace=; replace namespce= with namespace=',
+    "from launch_ros.actions import SetRemap\nx = SetRemap('a')": 'SetRemap needs the argument dst=; add dst=...',
+    "from launch_ros.actions import LifecycleNode\nx = LifecycleNode(package='a', executable='b', name='n')": 'LifecycleNode needs the argument namespace=; add namespace=...',
+    "x = TimerAction(period=2.0, actions=LogInfo(msg='a'))": 'the value of actions= cannot be of type launch.actions.log_info.LogInfo; put the value into a list: actions=[...]',
+    "x = LaunchDescription(LogInfo(msg='a'))": 'launch expects a list here, not a single LogInfo; put it into square brackets: [LogInfo(...)]',
+    "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'a comma is missing after LogInfo(...), so Python reads the brackets that follow as a call; put a comma after LogInfo(...)',
     'x = 1': 'this launch file has no function generate_launch_description(); write: def generate_launch_description(): return LaunchDescription([...])',
 }
 
@@ -77,7 +77,7 @@ def test_a_module_beside_the_launch_file_is_not_found(tmp_path: Path) -> None:
     (tmp_path / 'shared_nodes.py').touch()
     path = tmp_path / 'wrong.launch.py'
     path.write_text('import shared_nodes\n')
-    assert str(help_of(failure_data(error_of(path)))).startswith('shared_nodes.py lies beside the launch file, and')
+    assert str(help_of(failure_data(error_of(path)))).startswith('shared_nodes.py is next to the launch file, but')
 
 
 def test_syntax_errors_have_their_line(tmp_path: Path) -> None:
@@ -87,15 +87,15 @@ def test_syntax_errors_have_their_line(tmp_path: Path) -> None:
 
 
 VISITED = {
-    "LogInfo(msg=LaunchConfiguration('robot_nam'))": "  help: @:9 (LogInfo): there is no launch configuration 'robot_nam'; write 'robot_name', if that is the one you mean",
-    "LogInfo(msg=LaunchConfiguration('zzz'))": "  help: @:9 (LogInfo): there is no launch configuration 'zzz'; put DeclareLaunchArgument('zzz', default_value='...') before its use",
-    "LogInfo(msg='a', condition=IfCondition('yes'))": '  help: @:9 (LogInfo): this condition is neither true nor false; give it true, 1, false or 0; compare texts with EqualsSubstitution(left, right)',
-    "LogInfo(msg=PythonExpression(['abc', ' == \"abc\"']))": "  help: @:9 (LogInfo): the text abc stands bare in a PythonExpression, so Python takes it for a name; put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'abc'\"]",
-    "IncludeLaunchDescription(__file__, launch_arguments={'name': '1', 'other': '2'})": "  help: @:9 (IncludeLaunchDescription): launch_arguments takes (name, value) pairs, and got something else; write {'name': 'value'}.items()",
-    "OpaqueFunction(function=lambda context: LogInfo(msg='a'))": '  help: @:9 (OpaqueFunction): a list is expected where a LogInfo stands; put it into square brackets: [LogInfo(...)]',
-    "LogInfo(msg='a', condition=LaunchConfiguration('x'))": '  help: @:9 (LogInfo): condition= is a LaunchConfiguration, and a condition is expected; put IfCondition(...) or UnlessCondition(...) around it',
-    "ExecuteProcess(cmd=['ls'], on_exit='shutdown')": '  help: @:9 (ExecuteProcess): what an event handler is to do is no action; give it an action or a list of actions, such as on_exit=[Shutdown()]',
-    "'text'": '  help: among the actions stands a str; give only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
+    "LogInfo(msg=LaunchConfiguration('robot_nam'))": "  help: @:9 (LogInfo): the launch configuration 'robot_nam' does not exist; write 'robot_name' if you mean that one",
+    "LogInfo(msg=LaunchConfiguration('zzz'))": "  help: @:9 (LogInfo): the launch configuration 'zzz' does not exist; write DeclareLaunchArgument('zzz', default_value='...') before this use",
+    "LogInfo(msg='a', condition=IfCondition('yes'))": '  help: @:9 (LogInfo): this condition is neither true nor false; use true, 1, false or 0, and compare strings with EqualsSubstitution(left, right)',
+    "LogInfo(msg=PythonExpression(['abc', ' == \"abc\"']))": "  help: @:9 (LogInfo): the string abc has no quotes in a PythonExpression, so Python reads it as a name; put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'abc'\"]",
+    "IncludeLaunchDescription(__file__, launch_arguments={'name': '1', 'other': '2'})": "  help: @:9 (IncludeLaunchDescription): launch_arguments needs (name, value) pairs, and this value has a different form; write {'name': 'value'}.items()",
+    "OpaqueFunction(function=lambda context: LogInfo(msg='a'))": '  help: @:9 (OpaqueFunction): launch expects a list here, not a single LogInfo; put it into square brackets: [LogInfo(...)]',
+    "LogInfo(msg='a', condition=LaunchConfiguration('x'))": '  help: @:9 (LogInfo): condition= needs a condition, and its value is a LaunchConfiguration; write IfCondition(...) or UnlessCondition(...) around the value',
+    "ExecuteProcess(cmd=['ls'], on_exit='shutdown')": '  help: @:9 (ExecuteProcess): this event handler received something that is not an action; pass an action or a list of actions, such as on_exit=[Shutdown()]',
+    "'text'": '  help: the list of actions contains a str; list only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
 }
 
 
@@ -130,7 +130,7 @@ def test_an_argument_of_a_group_that_is_over_is_explained(tmp_path: Path) -> Non
         f'{IMPORTS}def generate_launch_description():\n    part = __file__.replace("wrong", "part")\n'
         "    return LaunchDescription([GroupAction([IncludeLaunchDescription(part)]), LogInfo(msg=LaunchConfiguration('robot'))])\n"
     )
-    assert "'robot' was set inside a GroupAction that is over by now; give the group scoped=False" in said(path)[-1]
+    assert "'robot' was set inside a GroupAction that has already ended; give the group scoped=False" in said(path)[-1]
 
 
 def test_of_an_error_that_nobody_knows_the_place_is_told(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ def test_a_finding_is_a_mark_on_its_node_without_a_path_of_this_machine() -> Non
     recording = edulaunch.run(EXAMPLES / 'programs.same-name' / 'failing.launch.py', duration_s=1.0, console=lambda *_: None)
     (mark,) = timeline_of(recording)['advice']
     assert (mark['rule'], mark['subject'], mark['time']) == ('programs.same-name', {'node': '/talker'}, 0)
-    assert mark['text'].startswith('two nodes are called /talker') and '(failing.launch.py:9, at 0.00 s)' in mark['text']
+    assert mark['text'].startswith('two nodes have the name /talker') and '(failing.launch.py:9, at 0.00 s)' in mark['text']
     assert '/talker_2' not in mark['text'] and str(EXAMPLES) not in mark['text']
 
 

@@ -208,4 +208,4 @@ def test_a_package_that_this_computer_lacks_gives_no_mark(
 
     assert missing_for(Ran) is None  # type: ignore[arg-type]
     monkeypatch.setattr('edugrade.faults.find_spec', lambda name: None if name == module else find_spec(name))
-    assert missing_for(Ran) == (sentence, f"in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'")  # type: ignore[arg-type]
+    assert missing_for(Ran) == (sentence, f"run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'")  # type: ignore[arg-type]

@@ -31,7 +31,7 @@ def test_a_node_that_dies_is_told_with_its_line(walk: Begin, capsys: pytest.Capt
     student.edit(LISTENER, 'goal.x, goal.y', 'goal.x, goal.yy')
     edulaunch.run('learning_tf2_py', 'turtle_tf2_demo.launch.py', workspaces=[student.folder / 'my_ws'], duration_s=2.5)
     assert capsys.readouterr().err == (
-        'warning: a Vector3 has no field yy; its fields are: x, y, z (turtle_tf2_listener-6, '
+        'warning: Vector3 has no field yy; its fields are x, y, z (turtle_tf2_listener-6, '
         f'{student.folder / LISTENER}:20, at 1.00 s)\n  help: write y\n'
     )
 
@@ -40,8 +40,8 @@ def test_a_node_that_dies_is_told_with_its_line(walk: Begin, capsys: pytest.Capt
     'old, new, told',
     [
         ('ros__parameters', 'ros_parameters', 'help: write ros__parameters, with two underscores'),
-        ('    background_g', '   background_g', 'line 4 of the YAML file cannot be read: did not find expected key'),
-        ('background_g: 86', 'background_g 86', "line 5 of the YAML file cannot be read: could not find expected ':'"),
+        ('    background_g', '   background_g', 'line 4 of the YAML file is not valid: did not find expected key'),
+        ('background_g: 86', 'background_g 86', "line 5 of the YAML file is not valid: could not find expected ':'"),
         ('background_g: 86', 'background_g: lots', "parameter 'background_g' has invalid type"),
     ],
 )
@@ -84,15 +84,15 @@ def launch_file(folder: Path, *lines: str) -> Path:
     [
         (
             "return LaunchDescription([Node(package='turtlesim', excutable='draw_square')])",
-            'Node needs executable=; write executable= where you wrote excutable=',
+            'Node needs the argument executable=; replace excutable= with executable=',
         ),
         (
             'return LaunchDescription([GroupAction(GroupAction([]), GroupAction([]))])',
-            'GroupAction got its arguments without names; put them into one list: GroupAction([..., ...])',
+            'GroupAction does not accept these arguments without names; put the arguments into one list: GroupAction([..., ...])',
         ),
         (
             "return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
-            "the environment variable 'USR' is not set; write 'USER', if that is the one you mean",
+            "the environment variable 'USR' is not set; write 'USER' if you mean that one",
         ),
     ],
 )

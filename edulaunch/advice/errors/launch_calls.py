@@ -35,8 +35,8 @@ OLD_KEYWORDS = {
 
 @rule(
     'launch.keyword',
-    what=('{action} has no argument {keyword}=', '{action} has no argument {keyword}=; it has: {known}'),
-    do=('write {near}=', 'choose one of these: {known}'),
+    what=('{action} has no argument {keyword}=', '{action} has no argument {keyword}=; it accepts {known}'),
+    do=('write {near}=', 'use one of these arguments: {known}'),
     level='error',
     lesson='01_first_launch',
     edits=(('{keyword}=', '{near}='),),
@@ -57,8 +57,8 @@ def keyword(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.positional',
-    what='{action} got its arguments without names',
-    do=('write the name: {action}({first}=...)', 'put them into one list: {action}([..., ...])'),
+    what='{action} does not accept these arguments without names',
+    do=('write the name of the argument: {action}({first}=...)', 'put the arguments into one list: {action}([..., ...])'),
     level='error',
 )
 def positional(failure: Failure) -> Iterator[Finding]:
@@ -75,8 +75,8 @@ def positional(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.missing-keyword',
-    what='{action} needs {needed}=',
-    do=('write {needed}= where you wrote {near}=', 'add {needed}=...'),
+    what='{action} needs the argument {needed}=',
+    do=('replace {near}= with {needed}=', 'add {needed}=...'),
     level='error',
     lesson='01_first_launch',
     edits=(('{near}=', '{needed}='),),
@@ -94,17 +94,17 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
 NOT_A_TEXT = about(
     'launch.not-a-text',
     what=(
-        '{keyword}={value} is of type {given}, and texts and substitutions are expected',
-        'a value of type {given} stands where a text is expected',
+        '{keyword}={value} is of type {given}, but launch expects strings and substitutions here',
+        'launch expects a string here, and this value is of type {given}',
     ),
     do=(
         "write {keyword}='{as_text}'",
         "write '{as_text}'",
-        'write {keyword}=str(...), so that the path becomes a text',
-        'write {as_path}, so that the path becomes a text',
-        "give {joiner} one text or substitution for each part, and put what ends a part behind it: [{joiner}([...]), '.yaml']",
-        'take the inner brackets away: {nested}',
-        'write a text, or a substitution such as LaunchConfiguration(...)',
+        'write {keyword}=str(...) to convert the path to a string',
+        'write {as_path} to convert the path to a string',
+        "give {joiner} one string or substitution for each part, and add a file name ending after it: [{joiner}([...]), '.yaml']",
+        'remove the inner brackets: {nested}',
+        'write a string, or a substitution such as LaunchConfiguration(...)',
     ),
     edits=(('{keyword}={value}', "{keyword}='{as_text}'"),),
 )
@@ -112,13 +112,13 @@ NOT_A_TEXT = about(
 
 @rule(
     'launch.wrong-type',
-    what='{argument}= cannot be of type {given}',
+    what='the value of {argument}= cannot be of type {given}',
     do=(
-        'put it into a list: {as_list}=[...]',
-        'write it with its point: {argument}={as_float}',
+        'put the value into a list: {as_list}=[...]',
+        'write the number with a decimal point: {argument}={as_float}',
         'put the pair into a list: remappings=[{one_pair}]',
-        "write each remapping as a pair in round brackets: ('{pair}', 'to')",
-        'give it one of these: {expected}',
+        "write each remapping as a tuple: ('{pair}', 'to')",
+        'pass one of these: {expected}',
     ),
     level='error',
     lesson='01_first_launch',
@@ -156,14 +156,14 @@ def _one_pair(failure: Failure) -> str | None:
 
 NO_PAIRS = about(
     'launch.no-pairs',
-    what='launch_arguments takes (name, value) pairs, and got something else',
+    what='launch_arguments needs (name, value) pairs, and this value has a different form',
     do="write {'name': 'value'}.items()".replace('{', '{{').replace('}', '}}'),
 )
 
 
 @rule(
     'launch.not-a-list',
-    what='a list is expected where a {action} stands',
+    what='launch expects a list here, not a single {action}',
     do='put it into square brackets: [{action}(...)]',
     level='error',
 )
@@ -177,8 +177,8 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.missing-comma',
-    what='Python takes {item} and the brackets behind it for one call',
-    do='put a comma behind {item}',
+    what='a comma is missing after {item}, so Python reads the brackets that follow as a call',
+    do='put a comma after {item}',
     level='error',
     confidence='asked',
 )
@@ -194,8 +194,8 @@ def missing_comma(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.not-an-action',
-    what='among the actions stands {given}',
-    do='give only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
+    what='the list of actions contains {given}',
+    do='list only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
     level='error',
 )
 def not_an_action(failure: Failure) -> Iterator[Finding]:
@@ -207,8 +207,8 @@ def not_an_action(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.condition-object',
-    what='condition= is a {given}, and a condition is expected',
-    do='put IfCondition(...) or UnlessCondition(...) around it',
+    what='condition= needs a condition, and its value is a {given}',
+    do='write IfCondition(...) or UnlessCondition(...) around the value',
     level='error',
     lesson='01_first_launch',
 )
@@ -221,8 +221,8 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-event-actions',
-    what='what an event handler is to do is no action',
-    do='give it an action or a list of actions, such as on_exit=[Shutdown()]',
+    what='this event handler received something that is not an action',
+    do='pass an action or a list of actions, such as on_exit=[Shutdown()]',
     level='error',
 )
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
@@ -233,8 +233,8 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.value-too-early',
-    what='a {given} has no value yet while the launch file is read: it stands for one that comes later',
-    do="let it be computed then: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
+    what='a {given} has no value yet while Python reads the launch file',
+    do="let launch compute the result later: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
     level='error',
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
@@ -247,8 +247,8 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.default-no-choice',
-    what="the default '{default}' is none of the choices",
-    do="give a list of texts with the default among them: choices=['{default}', '...']",
+    what="the default '{default}' is not one of the choices",
+    do="write a list of strings that contains the default: choices=['{default}', '...']",
     level='error',
 )
 def default_no_choice(failure: Failure) -> Iterator[Finding]:
@@ -260,7 +260,7 @@ def default_no_choice(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.bool-wanted',
-    what='{value} stands where True or False is expected',
+    what='{value} is used where True or False is expected',
     do='write True or False, without quotes',
     level='error',
 )
@@ -273,8 +273,8 @@ def bool_wanted(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.number-wanted',
-    what="'{value}' is no number",
-    do='write the number alone, without a unit and without quotes: 2.0',
+    what="'{value}' is not a number",
+    do='write only the number, without a unit and without quotes: 2.0',
     level='error',
     hides=('launch.element',),
 )
@@ -287,8 +287,8 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.target-no-action',
-    what='an event handler watches an action, and something else was given',
-    do='give the action a variable, sim = Node(...), and write it without quotes: target_action=sim',
+    what='the target of this event handler is not an action',
+    do='store the action in a variable, sim = Node(...), and write the variable without quotes: target_action=sim',
     level='error',
 )
 def target_no_action(failure: Failure) -> Iterator[Finding]:

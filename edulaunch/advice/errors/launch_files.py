@@ -30,8 +30,8 @@ def no_generate(failure: Failure) -> Iterator[Finding]:
         yield report(failure)
 
 
-IS_TEST = 'this file describes a launch test: it has generate_test_description(), and no generate_launch_description()'
-NOT_STARTED = '`ros2 launch` starts launch files only'
+IS_TEST = 'this file describes a launch test: it has generate_test_description() but no generate_launch_description()'
+NOT_STARTED = '`ros2 launch` starts only launch files'
 RUN_TEST = 'run it with: launch_test {file}'
 
 
@@ -66,8 +66,8 @@ def other_source(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-return',
-    what='generate_launch_description() returned {returned}, not a launch description',
-    do='end it with: return LaunchDescription([...])',
+    what='generate_launch_description() returned {returned}, not a LaunchDescription',
+    do='end the function with: return LaunchDescription([...])',
     level='error',
     lesson='01_first_launch',
 )
@@ -80,11 +80,12 @@ def no_return(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-file',
-    what=('there is no folder {no_folder}', 'there is no file {wanted}'),
+    what=('the folder {no_folder} does not exist', 'the file {wanted} does not exist'),
     do=(
         "write '{near}'",
-        "find it by its package: PathJoinSubstitution([FindPackageShare('{package}'), ...]); is {package} built on this machine?",
-        'look at the path: a launch file needs whole paths, such as PathJoinSubstitution makes',
+        "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
+        '{package} is built on this machine',
+        'check the path: a launch file needs absolute paths, such as PathJoinSubstitution creates',
     ),
     level='error',
 )
@@ -98,43 +99,43 @@ def no_file(failure: Failure) -> Iterator[Finding]:
 
 ABSENT_FILE = about(
     'packages.absent-file',
-    what='the package {package} ({belongs_to}) is not part of edulaunch, so its files are not here',
-    do='leave this part out here, or put it under a condition',
+    what='the package {package} ({belongs_to}) is not part of edulaunch, so its files do not exist here',
+    do='leave this part out here, or give it a condition',
 )
 NOT_SEARCHED = about(
     'packages.not-searched',
-    what='the package {package} lies in {below}, which is not searched from here',
-    do='go there with cd, or name it with --workspace {below}',
+    what='the package {package} is in {below}, which is not searched from the current folder',
+    do='change to that workspace with cd, or name it with --workspace {below}',
 )
 UNKNOWN_PACKAGE = about(
     'packages.unknown',
-    what=('no package.xml below {searched} has the <name> {package}', 'there is no package {package}'),
+    what=('no package.xml below {searched} contains <name>{package}</name>', 'the package {package} does not exist'),
     do=(
-        'write {near}, if that is the package you mean',
-        'look at the <name> in the package.xml files below {searched}',
-        'go to its workspace with cd, or name that with --workspace DIR',
+        'write {near} if you mean that package',
+        'check the <name> in the package.xml files below {searched}',
+        'change to its workspace with cd, or name the workspace with --workspace DIR',
     ),
     edits=(('{package}', '{near}'),),
 )
 NO_MANIFEST = about(
     'packages.no-manifest',
-    what='there is a folder {folder}, but it has no package.xml, so it is no package',
-    do=('copy {template} to package.xml there', 'write a package.xml in it; `ros2 pkg create` makes one'),
+    what='the folder {folder} has no package.xml, so it is not a package',
+    do=('copy {template} to package.xml in that folder', 'add a package.xml to the folder; `ros2 pkg create` creates one'),
 )
 NOT_THIS_FOLDER = about(
     'packages.not-this-folder',
     what=(
-        'the folder {folder} is left out because of the file {ignored_by} in it',
-        'the package.xml in {folder} has another <name>',
+        'colcon ignores the folder {folder} because it contains the file {ignored_by}',
+        'the package.xml in {folder} has a different <name>',
     ),
-    do=('take the file {ignored_by} out', 'write the name of the folder into <name>'),
+    do=('delete the file {ignored_by}', 'write the name of the folder into <name>'),
 )
-BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='mend that line first')
+BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='fix that line first')
 NOT_INSTALLED = about(
     'packages.not-installed',
-    what='{source} is there, but the build does not install it',
+    what='{source} exists, but the build does not install it',
     do=(
-        'move it into the folder {beside}, as the files that are installed',
+        'move it into the folder {beside}, where the installed files are',
         "move it into the folder {move}, and add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) "
         'to data_files of setup.py',
         "add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
@@ -145,22 +146,22 @@ NOT_INSTALLED = about(
 )
 BUILT_BEFORE = about(
     'packages.built-before',
-    what='{package} is read from {prefix}, and what was written since its build is not in there',
-    do='build it again: colcon build --packages-select {package}',
+    what='edulaunch reads {package} from {prefix}, which does not contain your changes since the last build',
+    do='build the package again: colcon build --packages-select {package}',
 )
 MADE_BY_BUILD = about(
     'packages.made-by-build',
-    what='a build makes {made} from {template}, and edulaunch does not run CMake',
-    do='try this launch file where the package is built',
+    what='a build creates {made} from {template}, but edulaunch does not run CMake',
+    do='run this launch file where the package is built',
 )
 NO_SETUP_CFG = about(
     'packages.no-setup-cfg',
-    what='setup.cfg does not put executables into lib/{package}, where ROS 2 looks for them',
-    do='write into setup.cfg: [install] with install_scripts=$base/lib/{package}',
+    what='setup.cfg does not install executables into lib/{package}, where ROS 2 looks for them',
+    do='write this into setup.cfg: [install] with install_scripts=$base/lib/{package}',
 )
 NO_ENTRY_POINT = about(
     'packages.no-entry-point',
-    what='{source} is there, but {build_file} does not install it as a program',
+    what='{source} exists, but {build_file} does not install it as a program',
     do=(
         "add '{entry}' to console_scripts of setup.py",
         'add install(PROGRAMS {program} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt',
@@ -173,9 +174,9 @@ NO_EXECUTABLE = about(
     do=(
         'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
-        'try it where the package is built: {unread} of its CMakeLists.txt may install it, and edulaunch does not read that',
-        'choose one of these: {known}',
-        'name it in entry_points of setup.py, or install(PROGRAMS ...) in CMakeLists.txt',
+        'run it where the package is built; {unread} in its CMakeLists.txt may install it, and edulaunch cannot read that',
+        'use one of these arguments: {known}',
+        'add it to entry_points in setup.py, or to install(PROGRAMS ...) in CMakeLists.txt',
     ),
     lesson='01_first_launch',
     edits=(('{executable}', '{near}'),),
@@ -187,8 +188,8 @@ _NO_ATTRIBUTE = re.compile(r"(?:partially initialized )?module '(?P<module>[\w.]
 
 @rule(
     'launch.import-name',
-    what='{module} has no {missing}',
-    do=('write: {line}', 'look into the documentation of {module} for the name that you mean'),
+    what='{module} does not contain {missing}',
+    do=('write: {line}', 'look up the name that you mean in the documentation of {module}'),
     level='error',
     lesson='01_first_launch',
     edits=(('{missing}', '{near_here}'), ('from {module} import {missing}', '{line}', 'line')),
@@ -206,7 +207,7 @@ def import_name(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.relative-import',
-    what='a launch file belongs to no package, so an import with a leading dot finds nothing',
+    what='a launch file is not part of a package, so Python cannot resolve an import with a leading dot',
     do='put the shared code into your Python package, and write: from my_package.module import ...',
     level='error',
 )
@@ -220,15 +221,15 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
     'launch.no-module',
     what=(
         'the module {absent} ({belongs_to}) is not part of edulaunch',
-        "{file_beside} lies beside the launch file, and a launch file's own folder is not searched",
-        'there is no module {wanted_module}',
+        '{file_beside} is next to the launch file, but Python does not search the folder of a launch file',
+        'the module {wanted_module} does not exist',
     ),
     do=(
-        "in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'",
+        "run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'",
         'write: from {near} import ...',
         'move {file_beside} into your Python package, and import it from there',
-        'try this launch file on a machine that has {absent}',
-        'go to the workspace with this module, or name that with --workspace DIR',
+        'run this launch file on a machine where {absent} is installed',
+        'change to the workspace that contains this module, or name it with --workspace DIR',
     ),
     level='error',
     edits=(('{wanted_module}', '{near}'),),
@@ -267,15 +268,15 @@ def misspelt(module: str) -> str | None:
 @rule(
     'launch.unknown-name',
     what=(
-        'the text {bare} stands bare in a PythonExpression, so Python takes it for a name',
-        'the name {missing} is not known here',
+        'the string {bare} has no quotes in a PythonExpression, so Python reads it as a name',
+        'the name {missing} is not defined',
     ),
     do=(
         "put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == '{bare}'\"]",
         'write {python}',
-        'add the line: {line}',
-        'write {near}, and add the line: {near_line}',
-        'look whether it is spelled as where it is made',
+        'add this line: {line}',
+        'write {near}, and add this line: {near_line}',
+        'check that the name is spelled as in its definition',
     ),
     level='error',
     edits=(('{missing}', '{python}'), ('{missing}', '{near_bound}'), ('', '{line}', 'import')),
@@ -298,8 +299,8 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.expression',
-    what='Python cannot work out this PythonExpression: {expression}',
-    do='look at the quotes and spaces where its parts meet',
+    what='Python cannot evaluate this PythonExpression: {expression}',
+    do='check the quotes and spaces between the parts of the expression',
     level='error',
 )
 def expression(failure: Failure) -> Iterator[Finding]:

@@ -65,16 +65,16 @@ def _instead(failure: Failure, name: str) -> str | None:
 @rule(
     'launch.unknown-element',
     what=(
-        '{ros_1} is an element of ROS 1',
-        '{shown} stands here by itself, and belongs inside {inside}',
-        '{shown} is no launch element',
+        'ROS 1 had the element {ros_1}, but ROS 2 does not',
+        '{shown} must be inside {inside}, not on its own',
+        '{shown} is not an element of launch files',
     ),
     do=(
         'write {near}',
-        'put it inside {inside}, or write {for_all} for everything that follows',
-        'put it inside {inside}',
-        'take it out: ROS 2 has nothing like {ros_1}',
-        'choose another one, such as node, include, arg, group, let, log, timer or executable',
+        'move it into {inside}, or write {for_all} to apply it to everything that follows',
+        'move it into {inside}',
+        'remove it: ROS 2 has no equivalent of {ros_1}',
+        'use another element, such as node, include, arg, group, let, log, timer or executable',
     ),
     level='error',
 )
@@ -102,16 +102,16 @@ def unknown_element(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.unknown-attribute',
     what=(
-        "{shown} has no element '{as_attribute}': that is an attribute of it",
-        "{shown} has no attribute '{as_element}': that is an element inside it",
-        "{shown} knows no '{attribute}'",
+        "'{as_attribute}' is an attribute of {shown}, not an element inside it",
+        "'{as_element}' is an element inside {shown}, not an attribute",
+        "{shown} has no attribute or element '{attribute}'",
     ),
     do=(
         'write {markup}',
         "write '{near}'",
         'write it as an attribute: {as_attribute}="..."',
         'write it as an element inside {shown}',
-        'take it out, or look at the spelling',
+        'remove it, or correct its spelling',
     ),
     level='error',
     edits=(('{attribute}', '{near_name}'),),
@@ -137,7 +137,7 @@ def unknown_attribute(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.missing-attribute',
     what="{shown} needs '{needed}'",
-    do=("write '{needed}' where you wrote '{near}'", "add '{needed}'"),
+    do=("replace '{near}' with '{needed}'", "add '{needed}'"),
     level='error',
     edits=(('{near}', '{needed}'),),
 )
@@ -152,16 +152,16 @@ def missing_attribute(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.call',
     what=(
-        '$({call} ...) is of ROS 1; here it is {instead}',
-        '$({unknown} ...) is no substitution',
-        '$({call} ...) is not written as it has to be',
+        '$({call} ...) is a substitution of ROS 1; in ROS 2 it is {instead}',
+        '$({unknown} ...) is not a substitution of ROS 2',
+        'the syntax of $({call} ...) is not valid',
     ),
     do=(
         'write {instead}',
-        "put the whole expression into quotes: $({evaluated} '...')",
+        "put the whole expression in quotes: $({evaluated} '...')",
         'write $({near} ...)',
-        'look at the arguments of $({written} ...): one space before each, quotes where it has spaces',
-        'choose another one, such as $(var ...), $(env ...), $(find-pkg-share ...) or $(eval ...)',
+        'check the arguments of $({written} ...): write one space before each, and quotes around an argument with spaces',
+        'use another substitution, such as $(var ...), $(env ...), $(find-pkg-share ...) or $(eval ...)',
     ),
     level='error',
     edits=(('$({call} ', '$({ros_2} '), ('$({call}', '$({near}')),
@@ -180,62 +180,81 @@ def call(failure: Failure) -> Iterator[Finding]:
 
 CALL_SYNTAX = about(
     'launch.call-syntax',
-    what="'{text}' cannot be read: at column {column} comes something else than {expected_there}",
-    do='look there: brackets closed, one space before each argument, quotes in pairs',
+    what="launch cannot read '{text}': it expects {expected_there} at column {column}",
+    do='check that brackets are closed, that quotes come in pairs, and that one space precedes each argument',
 )
-OPEN_QUOTE = about('launch.open-quote', what="in '{text}' a quote is not closed", do='close it before a $(...) begins')
-ONLY_VALUE = about('launch.only-value', what="'{attribute}' cannot have this value", do='choose one of: {allowed}')
+OPEN_QUOTE = about('launch.open-quote', what="a quote in '{text}' is not closed", do='close the quote before a $(...) begins')
+ONLY_VALUE = about('launch.only-value', what="'{attribute}' does not accept this value", do='use one of these values: {allowed}')
 NUMBER_ONLY = about(
     'launch.number-only',
-    what="'{attribute}' is a number in ROS 2, so a $(...) is not evaluated there",
-    do='write the number itself, or this part in Python',
+    what="'{attribute}' must be a number, and ROS 2 does not evaluate a $(...) there",
+    do='write the number itself, or write this part of the launch file in Python',
 )
 PARAM_ELEMENT = about(
-    'launch.param-element', what='{shown} has neither a name nor a file', do="give it name and value, or from='a file'"
+    'launch.param-element', what='{shown} needs a name and a value, or a file', do="add name and value, or from='a file'"
 )
-ELEMENT = about('launch.element', what='the mistake is in {shown}', do='compare it with the page about launch files of ROS 2')
+ELEMENT = about('launch.element', what='{shown} contains a mistake', do="compare it with ROS 2's documentation on launch files")
 ROOT = about(
-    'launch.root', what="the outermost element is {shown}, not 'launch'", do='put everything into one element called launch'
+    'launch.root', what="the outermost element is {shown}, not 'launch'", do='put everything into one element named launch'
 )
 EMPTY_FILE = about(
-    'launch.empty-file', what='the launch file is empty', do="begin it with <launch>, or in YAML with 'launch:' and a list below"
+    'launch.empty-file',
+    what='this launch file is empty',
+    do=("start the file with <launch>, or in YAML with 'launch:' and a list below it"),
 )
-NOT_CLOSED = about('launch.not-closed', what='<{tag}> of line {opened} is not closed', do='write </{tag}> where it ends')
+NOT_CLOSED = about(
+    'launch.not-closed',
+    what='the element <{tag}> that starts in line {opened} is not closed',
+    do=('write </{tag}> where the element ends'),
+)
 UNREADABLE = about(
     'launch.unreadable',
-    what='the file cannot be read: {problem}',
-    do='look at that line and the one above it: brackets, quotes, indentation',
+    what='launch cannot read this file: {problem}',
+    do='check brackets, quotes and indentation in that line and in the line above',
 )
-YAML_TAB = about('launch.yaml-tab', what='a tab stands in the indentation', do='indent with spaces: YAML takes no tabs')
+YAML_TAB = about(
+    'launch.yaml-tab', what='this line is indented with a tab', do=('indent with spaces, because YAML does not allow tabs')
+)
 YAML_ROOT = about(
     'launch.yaml-root',
-    what=("at the left margin stand {at_margin}; only 'launch' may stand there", "the file does not begin with 'launch:'"),
-    do="begin the file with 'launch:' and put everything else below it",
+    what=(
+        "the top level of the file has {at_margin}, but only 'launch' is allowed there",
+        "the file does not begin with 'launch:'",
+    ),
+    do="start the file with 'launch:' and indent everything else below it",
 )
 YAML_CHILDREN = about(
     'launch.yaml-children',
-    what='{shown} has its actions without a list',
-    do=('begin each of them with a dash: - {first_element}: ...', "put them into a list below 'children:'"),
+    what='the actions in {shown} must be a list',
+    do=('start each action with a dash, as in `- {first_element}: ...`', "put the actions into a list below 'children:'"),
 )
-YAML_LIST = about('launch.yaml-list', what='{shown} needs a list', do='put a list below it, each item with a dash: - node: ...')
+YAML_LIST = about(
+    'launch.yaml-list',
+    what='{shown} must contain a list',
+    do=('write a list below it, and start each item with a dash, as in `- node: ...`'),
+)
 YAML_ITEM = about(
     'launch.yaml-item',
-    what=('{several} stand in one item of {shown}', 'an item of {shown} is no element'),
+    what=('one item of {shown} contains {several}', 'an item of {shown} is not an element'),
     do=(
-        'write a dash for each of {several}, and its keys two columns further',
-        "write the element's name with a colon, and below it what it has: - node: ...",
+        'write a dash for each of {several}, and indent the keys of each by two more columns',
+        'write the name of the element with a colon and its content below it, as in `- node: ...`',
     ),
 )
-YAML_DASHES = about('launch.yaml-dashes', what='the keys of {shown} stand in a list', do='take the dashes away: {key}: ...')
+YAML_DASHES = about(
+    'launch.yaml-dashes', what='the keys of {shown} are written as a list', do='remove the dashes, as in `{key}: ...`'
+)
 YAML_BARE = about(
-    'launch.yaml-bare', what="{shown} has a bare value, and needs the key '{key}'", do="write {element}: {{{key}: '{value}'}}"
+    'launch.yaml-bare', what="{shown} has a value without a key; the key is '{key}'", do="write {element}: {{{key}: '{value}'}}"
 )
 YAML_TYPE = about(
     'launch.yaml-type',
-    what="the value of '{key}' is of another type than {shown} takes",
-    do=('write {key}: {write}', 'look into the page about launch files for its type'),
+    what="the value of '{key}' has the wrong type for {shown}",
+    do=('write {key}: {write}', "look up the type in ROS 2's documentation on launch files"),
 )
-YAML_LIST_OF = about('launch.yaml-list-of', what="'{key}' of {shown} needs a list", do='begin each item with a dash: - {{...}}')
+YAML_LIST_OF = about(
+    'launch.yaml-list-of', what="'{key}' of {shown} must be a list", do=('start each item with a dash, as in `- {{...}}`')
+)
 YAML_NOTHING = about(
-    'launch.yaml-nothing', what='{shown} has nothing behind its colon', do='write {element}: {{}} when it has no keys'
+    'launch.yaml-nothing', what='{shown} has no value after its colon', do='write {element}: {{}} if the element has no keys'
 )

@@ -16,9 +16,9 @@ from edulaunch.engine.nearest import nearest
 
 @rule(
     'launch.command-failed',
-    what=("the command '{command}' fails: {said}", "the command '{command}' fails"),
-    why='a launch file that asks for the output of a command cannot go on without it',
-    do='run it in a terminal and mend what it reports: {command}',
+    what=("the command '{command}' failed: {said}", "the command '{command}' failed"),
+    why='this launch file needs the output of the command',
+    do='run the command in a terminal, and fix the problem that it reports: {command}',
     level='error',
     hides=('programs.died',),
 )
@@ -34,15 +34,16 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-configuration',
     what=(
-        "the launch configuration '{scoped}' was set inside a GroupAction that is over by now",
-        "there is no launch configuration '{configuration}'",
+        "the launch configuration '{scoped}' was set inside a GroupAction that has already ended",
+        "the launch configuration '{configuration}' does not exist",
     ),
-    why='events and timers come later than the group around them',
+    why='launch runs events and timers after the group around them has ended',
     do=(
-        "write '{near}', if that is the one you mean",
-        'give the group scoped=False, or take the value of {scoped} in an OpaqueFunction inside it',
-        'write <arg name="{xml}" default="..."/> before its use, or give it in the <include> of the file that includes this one',
-        "put DeclareLaunchArgument('{configuration}', default_value='...') before its use",
+        "write '{near}' if you mean that one",
+        'give the group scoped=False, or read {scoped} in an OpaqueFunction inside the group',
+        'write <arg name="{xml}" default="..."/> before this line, or pass the value in the <include> of the '
+        'file that includes this one',
+        "write DeclareLaunchArgument('{configuration}', default_value='...') before this use",
     ),
     lesson='01_first_launch',
     level='error',
@@ -57,8 +58,8 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-argument',
-    what=("the launch argument '{needed}' is needed, and '{near}' was given", "the launch argument '{needed}' is needed"),
-    do=('write {needed}:=... where you wrote {near}:=', 'pass {needed}:=..., or give its DeclareLaunchArgument a default_value'),
+    what=("the launch argument '{needed}' is required, but you passed '{near}'", "the launch argument '{needed}' is required"),
+    do=('replace {near}:= with {needed}:=', 'pass {needed}:=..., or give its DeclareLaunchArgument a default_value'),
     level='error',
     lesson='01_first_launch',
 )
@@ -73,10 +74,7 @@ def no_argument(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-variable',
     what="the environment variable '{variable}' is not set",
-    do=(
-        "write '{near}', if that is the one you mean",
-        "give it a default: EnvironmentVariable('{variable}', default_value='...')",
-    ),
+    do=("write '{near}' if you mean that one", "add a default: EnvironmentVariable('{variable}', default_value='...')"),
     level='error',
     edits=(('{variable}', '{near}', 'near'),),
 )
@@ -90,7 +88,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.condition-value',
     what='this condition is neither true nor false',
-    do='give it true, 1, false or 0; compare texts with EqualsSubstitution(left, right)',
+    do='use true, 1, false or 0, and compare strings with EqualsSubstitution(left, right)',
     level='error',
     lesson='01_first_launch',
 )
@@ -102,8 +100,8 @@ def condition_value(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.namespace',
-    what='this namespace cannot be one',
-    do="use letters, digits, '_' and '/' only, and begin no part of it with a digit",
+    what='this namespace is not valid',
+    do="use only letters, digits, '_' and '/', and do not start any part with a digit",
     level='error',
 )
 def namespace(failure: Failure) -> Iterator[Finding]:
@@ -114,8 +112,8 @@ def namespace(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.executed-twice',
-    what='one action object stands twice in the launch description, and it starts one process only',
-    do='make a new one for each use',
+    what='the launch description lists the same action object twice, but the object can start only one process',
+    do='create a new action object for each use',
     level='error',
 )
 def executed_twice(failure: Failure) -> Iterator[Finding]:
@@ -127,7 +125,7 @@ def executed_twice(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.too-deep',
     what='actions, includes or calls are nested without end',
-    do='look for one that leads to itself',
+    do='look for one that includes or calls itself',
     level='error',
 )
 def too_deep(failure: Failure) -> Iterator[Finding]:
@@ -138,13 +136,13 @@ def too_deep(failure: Failure) -> Iterator[Finding]:
 
 INCLUDE_RING = about(
     'launch.include-ring',
-    what='launch files include each other in a ring: {ring}',
-    do='take one of these includes out, or give it a condition that is false in the end',
+    what='launch files include each other in a circle: {ring}',
+    do='remove one of these includes, or give it a condition that becomes false',
 )
 EMPTY_PARAMETER_FILE = about(
     'launch.empty-parameter-file',
-    what='the parameter file {parameter_file} has nothing in it',
-    do='write the name of the node, below it ros__parameters, and below that the parameters',
+    what='the parameter file {parameter_file} is empty',
+    do='write the name of the node, then ros__parameters below it, and the parameters below that',
 )
 
 _JOINED = re.compile(
@@ -156,8 +154,8 @@ _JOINED = re.compile(
 
 @rule(
     'launch.joined-too-early',
-    what='{given} has no value yet while the launch file is read, so Python cannot make a text of it',
-    do="put the parts into a list, and launch joins them later: ['carrot_', {given}(...)]",
+    what='Python converts {given} to a string before it has a value',
+    do="pass a list such as ['carrot_', {given}(...)]; launch joins the parts when it runs",
     level='error',
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
@@ -174,12 +172,12 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-type',
-    what="parameter '{parameter}' was declared as {expected}, but its value is of type {given}",
+    what="the parameter '{parameter}' was declared as {expected}, but its value is of type {given}",
     do=(
-        'write it with its point: {as_double}',
-        'write it without a point: {as_integer}',
-        "put it in quotation marks: '{as_text}'",
-        'give it a value of type {expected}, or declare it with another default',
+        'write the value with a decimal point: {as_double}',
+        'write the value without a decimal point: {as_integer}',
+        "put the value in quotes: '{as_text}'",
+        'set a value of type {expected}, or declare the parameter with a default of another type',
     ),
     level='error',
 )
@@ -198,11 +196,11 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-undeclared',
-    what="the parameter '{parameter}' is used here, but was not declared",
-    why='a node knows only the parameters that it has declared, also those that a launch file sets',
+    what="the parameter '{parameter}' is used here, but the node has not declared it",
+    why='a node ignores a parameter of a launch file until it declares that parameter',
     do=(
-        "write '{near}', if that is the one you mean",
-        "declare it before: self.declare_parameter('{parameter}', ...), with a default value",
+        "write '{near}' if you mean that one",
+        "declare it first with a default value: self.declare_parameter('{parameter}', ...)",
     ),
     lesson='03_parameters',
     level='error',
@@ -217,34 +215,34 @@ def parameter_undeclared(failure: Failure) -> Iterator[Finding]:
 
 PARAMETER_FILE = about(
     'launch.parameter-file',
-    what='this parameter file has no node name, or no ros__parameters, above its values',
-    do='write the name of the node (or /**), below it ros__parameters, and below that the parameters',
+    what='the values in this parameter file have no node name or no ros__parameters above them',
+    do='write the name of the node (or /**), then ros__parameters below it, and the parameters below that',
 )
 PARAMETER_NO_SPACE = about(
     'launch.parameter-no-space',
-    what="line {at} of the parameter file is the text '{squeezed}': YAML needs a space behind the colon",
+    what="line {at} of the parameter file is read as the string '{squeezed}', because there is no space after the colon",
     do="write '{spaced}'",
     lesson='03_parameters',
     edits=(('{squeezed}', '{spaced}'),),
 )
 NO_PARAMETER_FILE = about(
     'launch.no-parameter-file',
-    what='there is no parameter file {wanted}',
-    do=("write '{near}'", 'write its path from the folder in which you type, or a whole one'),
+    what='the parameter file {wanted} does not exist',
+    do=("write '{near}'", 'write an absolute path, or a path relative to the folder in which you run the command'),
 )
 PARAMETER_FILE_ENCODING = about(
     'launch.parameter-file-encoding',
-    what='the parameter file {unreadable} is not UTF-8 text',
-    do='save it again with the encoding UTF-8',
+    what='the parameter file {unreadable} is not encoded in UTF-8',
+    do='save the file again in UTF-8',
 )
 PARAMETERS_KEY = about(
     'launch.parameters-key',
-    what="'{found}' is no word of parameter files",
+    what="'{found}' is not a key of parameter files",
     do='write ros__parameters, with two underscores',
     edits=(('{found}', 'ros__parameters'),),
 )
 PARAMETER_VALUE = about(
-    'launch.parameter-value', what='this value of a parameter cannot be read', do='write a value or a list of values'
+    'launch.parameter-value', what='ROS 2 cannot read this parameter value', do='write a single value or a list of values'
 )
 LIST_OF_ONE_TYPE = about(
     'launch.list-of-one-type',
@@ -254,32 +252,36 @@ LIST_OF_ONE_TYPE = about(
     ),
     do=(
         "write a number in place of '{word}', or quotes around every value",
-        'write all numbers of a list with a point, or all without',
+        'write all numbers of a list with a decimal point, or all without',
     ),
 )
-NO_VALUE = about('launch.no-value', what='this parameter has no value', do='leave the line out, or write "" for an empty text')
+NO_VALUE = about('launch.no-value', what='this parameter has no value', do='remove the line, or write "" for an empty string')
 PARAMETER_RULE = about(
-    'launch.parameter-rule', what="-p takes 'name:=value'", do='write it without spaces, such as background_r:=200'
+    'launch.parameter-rule',
+    what="-p needs an argument of the form 'name:=value'",
+    do='write it without spaces, as in background_r:=200',
 )
 LOG_LEVEL = about(
-    'launch.log-level', what='--log-level takes a level, or logger:=level', do='choose debug, info, warn, error or fatal'
+    'launch.log-level', what='--log-level needs a level, or logger:=level', do='use debug, info, warn, error or fatal'
 )
 REMAP_RULE = about(
-    'launch.remap-rule', what="-r takes 'from:=to'", do='write it without spaces, such as turtle1/cmd_vel:=cmd_vel'
+    'launch.remap-rule',
+    what="-r needs an argument of the form 'from:=to'",
+    do='write it without spaces, as in turtle1/cmd_vel:=cmd_vel',
 )
 
 
 @rule(
     'launch.yaml',
     what=(
-        'line {at} of {parameter_file} cannot be read: {problem}',
-        'line {at} of the YAML file cannot be read: {problem}',
-        'the YAML file cannot be read: {problem}',
+        'line {at} of {parameter_file} is not valid YAML: {problem}',
+        'line {at} of the YAML file is not valid: {problem}',
+        'the YAML file is not valid: {problem}',
     ),
     do=(
-        'indent with spaces: YAML takes no {tab}',
+        'indent with spaces, because YAML does not allow a {tab}',
         'write /{star} for every node: a name that begins with * needs quotes in YAML',
-        'look at that line and the one above it: indentation, colons, quotes',
+        'check indentation, colons and quotes in that line and in the line above',
     ),
     level='error',
 )

@@ -11,56 +11,60 @@ from edulaunch.engine.nearest import nearest_spelling
 
 FIELD = about(
     'messages.field',
-    what=('a {type} has no field {field}; its fields are: {fields}', 'a {type} has no field {field}; it has no fields at all'),
-    do=('write {near}', 'choose one of its fields; `ros2 interface show` shows them', 'take this out'),
+    what=('{type} has no field {field}; its fields are {fields}', '{type} has no field {field}, because it has no fields at all'),
+    do=('write {near}', 'use one of its fields; `ros2 interface show` prints them', 'remove this field'),
     edits=(('.{field}', '.{near}', 'near'),),
 )
 FIELD_VALUE = about(
     'messages.field-value',
     what=(
-        'the field {field} takes {size} values, and was given {count}',
-        'the field {field} was given {value}, which is outside its range',
-        'the field {field} is of type {wanted}, and was given {given}',
+        'the field {field} needs {size} values, but you set {count}',
+        'the value {value} of the field {field} is out of range',
+        'the field {field} is of type {wanted}, but the value is of type {given}',
     ),
     do=(
         'write {write}',
         'turn it into a message: self.get_clock().now().{convert}()',
         'set its fields ({fields}), or assign a {wanted}(...)',
-        'give it {size} values',
-        'write a decimal point: the comma made {commas} values of it',
-        'give it a value inside its range in place of {value}; `ros2 interface show` shows its type',
-        'give it a {wanted}',
+        'assign {size} values',
+        'write a decimal point, because the comma makes {commas} values of the number',
+        'replace {value} with a value in the range of the field; `ros2 interface show` prints its type',
+        'assign a value of type {wanted}',
     ),
 )
 CONSTANT = about(
     'messages.constant',
-    what='{constant} is a constant of {type}, which cannot be set',
-    do='give a variable of your own another value',
+    what='{constant} is a constant of {type}, so you cannot set it',
+    do='store the value in a variable of your program',
 )
 NO_INTERFACE = about(
     'messages.no-interface',
-    what='{module} has no {interface}',
-    do=('import it from {homes}', 'write {near}', 'choose another one: `ros2 interface package` lists them'),
+    what='{module} has no interface {interface}',
+    do=('import it from {homes}', 'write {near}', 'use another interface; `ros2 interface package` lists them'),
     edits=(('{interface}', '{near}', 'near'),),
 )
 CLASS_GIVEN = about(
-    'messages.class-given', what='{wanted} is a class; an object of it is needed', do='write {wanted}(), with its brackets'
+    'messages.class-given', what='{wanted} is a class, but an object is needed here', do='write {wanted}() with brackets'
 )
 OTHER_CLASS = about(
-    'messages.other-class', what='an object of {wanted} is needed, not of {given}', do='make one: {wanted}(), and set its fields'
+    'messages.other-class',
+    what='an object of class {wanted} is needed here, not of class {given}',
+    do=('create an object with {wanted}(), and set its fields'),
 )
 OTHER_BYTES = about(
     'messages.other-bytes',
-    what='these bytes are no {wanted}: {reason}',
-    do='read them with the class that they were written with',
+    what='these bytes are not a valid {wanted}: {reason}',
+    do='deserialize the bytes with the class that serialized them',
 )
 TWO_TYPES = about(
     'messages.two-types',
-    what="{node} of this program uses the {end} '{used_name}' with {used}, so {wanted} cannot go there",
-    do='use one type for it, or another name',
+    what=(
+        "{node} in this program already uses the {end} '{used_name}' with the type {used}, so the type {wanted} is not possible"
+    ),
+    do='use the same type for both, or a different name',
 )
 QOS_OVERRIDE = about(
-    'messages.qos-override', what="'{value}' is no value of the QoS policy {policy}", do='choose one of: {allowed}'
+    'messages.qos-override', what="'{value}' is not a value of the QoS policy {policy}", do='use one of these values: {allowed}'
 )
 
 _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got <class '(?:[\w.]+\.)?(?P<got>\w+)'>")
@@ -68,9 +72,9 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
 
 @rule(
     'messages.published-no-message',
-    what='publish() was given a {got}, but this publisher sends {wanted} messages',
-    why='a topic carries messages of one type; Python does not turn a {got} into one',
-    do='make a message, set its fields, and publish that: msg = {wanted}(), then publisher.publish(msg)',
+    what='publish() was called with a {got}, but this publisher sends {wanted} messages',
+    why='a topic has messages of one type, and Python does not convert a {got} to a message',
+    do='create a message with msg = {wanted}(), set its fields, and call publisher.publish(msg)',
     level='error',
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
@@ -104,8 +108,8 @@ _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split(
 
 @rule(
     'programs.unknown-name',
-    what='the name {missing} is not known here',
-    do=('add the line: {line}', 'look whether it is spelled as where it is made, and whether that is inside another function'),
+    what='the name {missing} is not defined',
+    do=('add this line: {line}', 'check the spelling of the name, and whether its definition is inside another function'),
     level='error',
     edits=(('', '{line}', 'import'), ('{missing}', '{near_bound}')),
 )
@@ -121,11 +125,11 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'time.no-number',
-    what=('{made}(...) takes its seconds by name', 'a {left} and a {right} cannot be reckoned with one another'),
+    what=('{made}(...) needs its seconds as a named argument', 'Python cannot add, subtract or compare a {left} and a {right}'),
     do=(
         'write {made}(seconds=...)',
-        'call the {callee}: write brackets behind its name, as in now()',
-        'write a Duration: now - Duration(seconds=0.5); the seconds of a Time as a number are time.nanoseconds / 1e9',
+        'call {callee}: write brackets after its name, as in now()',
+        'write a Duration, as in now - Duration(seconds=0.5); time.nanoseconds / 1e9 is a Time in seconds',
     ),
     level='error',
 )
@@ -147,8 +151,8 @@ def no_number(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.no-period',
-    what='create_timer() was given one thing, and takes two',
-    do='write the seconds, and then the function without brackets: self.create_timer(1.0, self.on_timer)',
+    what='create_timer() needs a period and a function, but it received only one argument',
+    do='pass the period in seconds, and then the function without brackets: self.create_timer(1.0, self.on_timer)',
     level='error',
 )
 def no_period(failure: Failure) -> Iterator[Finding]:

@@ -24,10 +24,10 @@ def _line(failure: Failure) -> str:
 @rule(
     'programs.no-variable',
     what="the environment variable '{variable}' is not set in this terminal",
-    why="os.environ['{variable}'] raises KeyError for a variable that is not there",
+    why="os.environ['{variable}'] raises KeyError if the variable is not set",
     do=(
-        'type: export {variable}={example}, and start it again; or give it a default: os.environ.get({quoted}, ...)',
-        'type: export {variable}=..., and start it again; or give it a default: os.environ.get({quoted}, ...)',
+        'run `export {variable}={example}` and start the program again, or use a default value: os.environ.get({quoted}, ...)',
+        'run `export {variable}=...` and start the program again, or use a default value: os.environ.get({quoted}, ...)',
     ),
     level='error',
     hides=('launch.fails',),
@@ -41,10 +41,10 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.result-too-early',
-    what='the answer is not there yet: result() of a future is None until it has come',
-    why='call_async() only sends the request; the answer is taken later, while the node is spun',
+    what='result() of this future returns None, because the reply has not arrived yet',
+    why='call_async() only sends the request; the node receives the reply later, while it spins',
     do=(
-        'wait for it in main(): rclpy.spin_until_future_complete(node, future); in a callback give it a function: '
+        'in main(), call rclpy.spin_until_future_complete(node, future); in a callback, call '
         'future.add_done_callback(self.on_answer)'
     ),
     lesson='14_services',
@@ -65,12 +65,12 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.path-too-early',
-    what='{given} is no path yet while the launch file is read, so os.path cannot join it',
+    what='{given} is not a path while Python reads the launch file, so os.path cannot join it',
     why='a substitution gets its value when launch starts the action',
     do=(
-        "join it later: PathJoinSubstitution([FindPackageShare('my_package'), 'file']); or get the path at once: "
+        "write PathJoinSubstitution([FindPackageShare('my_package'), 'file']), or get the path at once with "
         "get_package_share_directory('my_package')",
-        "join it later: PathJoinSubstitution([{given}(...), 'file'])",
+        "let launch join the path: PathJoinSubstitution([{given}(...), 'file'])",
     ),
     lesson='07_packages',
     level='error',
@@ -85,8 +85,8 @@ def path_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.condition-word',
-    what="the condition is the word '{word}' itself, not the launch argument of that name",
-    why='a condition takes the text that it is given; only a LaunchConfiguration stands for the value of an argument',
+    what="the condition tests the string '{word}', not the launch argument with that name",
+    why='a condition uses a string as it is; only a LaunchConfiguration returns the value of an argument',
     do="write {condition}(LaunchConfiguration('{word}'))",
     lesson='04_conditions',
     level='error',
@@ -106,8 +106,8 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.declared-after-use',
-    what="the launch argument '{configuration}' is declared in line {declared}, after its use",
-    why='launch does the actions of a list from the first to the last; the argument has no value before its declaration',
+    what="the launch argument '{configuration}' is used before its declaration in line {declared}",
+    why='launch executes the actions of a list in order, so the argument has no value before its declaration',
     do="move DeclareLaunchArgument('{configuration}', ...) to the beginning of the list",
     lesson='01_first_launch',
     level='error',
@@ -125,9 +125,9 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.set-in-group',
-    what="'{configuration}' is set inside a GroupAction, and the group has ended before this use",
-    why='what is set in a group counts inside of it only',
-    do='give the group scoped=False, or move what uses it into the group',
+    what="'{configuration}' is set inside a GroupAction, and the group ends before this use",
+    why='a value that a group sets is valid only inside that group',
+    do='give the group scoped=False, or move this use into the group',
     lesson='01_first_launch',
     level='error',
     hides=('launch.no-configuration', 'launch.declared-after-use'),
@@ -151,8 +151,8 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
 
 @rule(
     'launch.class-for-action',
-    what='{given} stands here without brackets: it is a class, not an action',
-    why='launch calls what it is given as a handler with the event and its context; the class cannot be called so',
+    what='{given} has no brackets, so it is a class and not an action',
+    why='launch calls a handler with the event and the context, and this class does not accept these arguments',
     do='write {keyword}={given}()',
     lesson='05_events',
     level='error',
@@ -176,8 +176,8 @@ CONVERTERS = {'geometry_msgs': 'tf2_geometry_msgs', 'sensor_msgs': 'tf2_sensor_m
 
 @rule(
     'tf.no-converter',
-    what='tf2 cannot transform a {kind_of} before {converter} is imported',
-    why='the import registers how messages of {package} are transformed; tf2 itself knows none',
+    what='tf2 cannot transform a {kind_of} until the program imports {converter}',
+    why='that import registers the conversions for messages of {package}; tf2 itself has none',
     do='write at the top of the program: import {converter}',
     lesson='09_broadcaster_and_listener',
     level='error',
@@ -201,7 +201,7 @@ ELSEWHERE = {
 
 @rule(
     'programs.other-module',
-    what='{part} is not a part of rclpy itself, but of {module}',
+    what='{part} is part of {module}, not of rclpy itself',
     do='write: from {module} import {part}',
     level='error',
 )

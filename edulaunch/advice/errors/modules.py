@@ -7,118 +7,115 @@ from edulaunch.advice.errors.about import about
 ABSENT_MODULE = about(
     'packages.absent-module',
     what='the module {module} ({belongs_to}) is not part of edulaunch',
-    why='on a robot it may be installed; here this program ends, and the others go on',
-    do='try this program on a machine that has it, or leave that part out here',
+    why='on a robot the module may be installed; here this program ends, and the others continue',
+    do='run this program on a machine where the module is installed, or leave that part out here',
 )
 ABSENT_PACKAGE = about(
     'packages.absent-package',
     what='the package {package} ({belongs_to}) is not part of edulaunch',
-    why='on a robot it may be installed; here this program ends, and the others go on',
-    do='leave it out here, or start it under a condition',
+    why='on a robot the module may be installed; here this program ends, and the others continue',
+    do='leave it out here, or give it a condition',
 )
 UNKNOWN_MODULE = about(
     'programs.unknown-module',
-    what='there is no module {module}',
-    do=(
-        'write {near}',
-        'go to its workspace, if it is yours; a Python package from elsewhere has to be installed in this environment',
-    ),
+    what='the module {module} does not exist',
+    do=('write {near}', 'change to its workspace if you wrote it, or install the Python package in this environment'),
     edits=(('{module}', '{near}', 'near'),),
 )
 UNKNOWN_INTERFACES = about(
     'messages.unknown-package',
-    what='there is no package {module} with interfaces',
-    do=('write {near}', 'put the package with these interfaces into the workspace'),
+    what='the interface package {module} does not exist',
+    do=('write {near}', 'add the package with these interfaces to the workspace'),
     edits=(('{module}', '{near}', 'near'),),
 )
 MODULE_PART = about(
     'programs.module-part',
     what=(
-        'there is no module {module}; the nearest name is {parent}.{near}',
-        'there is no module {module}; {parent} has: {known}',
-        'there is no module {module}; {parent} has no modules',
+        'the module {module} does not exist; the nearest name is {parent}.{near}',
+        'the module {module} does not exist; {parent} contains {known}',
+        'the module {module} does not exist, because {parent} contains no modules',
     ),
-    do=('write {parent}.{near}', 'look at the folder of {parent}, and name the file without .py'),
+    do=('write {parent}.{near}', 'look into the folder of {parent}, and write the name of the file without .py'),
     edits=(('{module}', '{parent}.{near}'),),
 )
 COMPILED = about(
     'programs.compiled-module',
-    what='the module {module} is compiled code ({compiled}); only Python runs here',
-    why='this program ends, and the others go on',
-    do='try this program where ROS 2 is installed',
+    what='the module {module} is compiled code ({compiled}), but edulaunch runs only Python',
+    why='this program ends, and the other programs continue',
+    do='run this program where ROS 2 is installed',
 )
 NATIVE = about(
     'programs.native',
-    what='this program is built from C++ ({built_from}); only Python programs run here',
-    why='this program ends, and the others go on',
-    do='try it where ROS 2 is installed, or write the node in Python',
+    what='this program is built from C++ ({built_from}), but edulaunch runs only Python programs',
+    why='this program ends, and the other programs continue',
+    do='run it where ROS 2 is installed, or write the node in Python',
     level='info',
 )
 LIBRARY = about(
     'programs.library',
-    what="this program needs the native library '{library}', which this machine does not have",
+    what="this program needs the native library '{library}', which is not installed on this machine",
     do='install it with the package manager of this machine',
 )
 NO_MODULE = about(
     'packages.no-module',
-    what='the package {package} is there, but installs no module of that name',
-    do='name its interfaces in rosidl_generate_interfaces() of CMakeLists.txt, or its Python package in packages= of setup.py',
+    what='the package {package} exists, but it installs no module with that name',
+    do='list its interfaces in rosidl_generate_interfaces() in CMakeLists.txt, or its Python package in packages= in setup.py',
 )
 OTHER_INTERFACES = about(
     'messages.other-interfaces', what='{package} has no interfaces of this kind', do='import from one of: {interfaces}'
 )
 IMPORT_CIRCLE = about(
     'programs.import-circle',
-    what='{module} is still being imported: two modules import each other',
+    what='{module} is not fully imported yet, because two modules import each other',
     do='write the import inside the function that needs it',
 )
 IMPORT_NAME = about(
     'programs.import-name',
-    what=('{module} has no {missing}; it has: {known}', '{module} has no {missing}'),
-    do=('write {near}', 'look into {module} for the name that you mean'),
+    what=('{module} does not contain {missing}; it contains {known}', '{module} does not contain {missing}'),
+    do=('write {near}', 'look up the name that you mean in {module}'),
     edits=(('{missing}', '{near}', 'near'),),
 )
 HIDES_MODULE = about(
-    'programs.hides-module', what="{own_file} is taken for Python's own module {module}", do='give that file another name'
+    'programs.hides-module', what='Python imports {own_file} instead of its own module {module}', do='rename that file'
 )
 ENTRY_MODULE = about(
     'packages.entry-module',
-    what="the entry point '{entry}' of {package} (setup.py) names the module {missing}, which is not there",
-    do=('write {near}', 'name one of its modules: {known}', 'put the file into the folder of that name, beside its __init__.py'),
+    what="the entry point '{entry}' of {package} (setup.py) names the module {missing}, which does not exist",
+    do=('write {near}', 'use one of its modules: {known}', 'put the file into the folder of that name, next to its __init__.py'),
 )
 ENTRY_FUNCTION = about(
     'packages.entry-function',
-    what="the entry point '{entry}' of {package} (setup.py) names the function {missing}, which is not there",
-    do=('write {near}', 'name one of its functions: {known}', 'define it: def {missing}(args=None)'),
+    what="the entry point '{entry}' of {package} (setup.py) names the function {missing}, which does not exist",
+    do=('write {near}', 'use one of its functions: {known}', 'define the function: def {missing}(args=None)'),
 )
 
 MULTIPROCESSING = about(
     'programs.multiprocessing',
-    what='multiprocessing.{wanted} wants another process, and the simulation cannot copy a running program',
-    do='use threading: Thread, queue.Queue, ThreadPoolExecutor; they work in simulated time',
+    what='multiprocessing.{wanted} needs another process, but the simulation cannot copy a running program',
+    do='use Thread, queue.Queue or ThreadPoolExecutor, which work in simulated time',
 )
 WINDOW = about(
     'programs.window',
-    what='this program opens a window, and the simulated machine has no screen',
-    do='leave the window out here; turtlesim and rviz2 are drawn by edulaunch itself',
+    what='this program opens a window, but the simulated machine has no screen',
+    do='leave the window out here; edulaunch itself draws turtlesim and rviz2',
 )
 NOT_BUILT = about(
     'packages.not-built',
-    what='{wanted} is a package of the workspace, and importlib.metadata knows only what `colcon build` writes',
-    do='read its package.xml: get_package_share_directory({wanted!r}) has it',
+    what='{wanted} is a package of the workspace, but importlib.metadata finds only packages built with `colcon build`',
+    do='read its package.xml in get_package_share_directory({wanted!r})',
 )
 ASYNCIO_PROGRAMS = about(
     'programs.asyncio-programs',
-    what='asyncio cannot start programs here ({method})',
+    what='asyncio cannot start programs in the simulation ({method})',
     do='start them with subprocess.run() or subprocess.Popen(), which wait in simulated time',
 )
 ASYNCIO_NETWORK = about(
     'programs.asyncio-network',
     what='the simulated machine has no network ({method})',
-    do='let nodes talk over topics, services and actions',
+    do='use topics, services and actions for communication between nodes',
 )
 ASYNCIO_KEYBOARD = about(
     'programs.asyncio-keyboard',
-    what='asyncio cannot watch the keyboard here ({method})',
-    do='read it with input() in a thread: await asyncio.to_thread(input)',
+    what='asyncio cannot read the keyboard in the simulation ({method})',
+    do='call input() in a thread: await asyncio.to_thread(input)',
 )

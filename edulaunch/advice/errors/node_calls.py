@@ -23,10 +23,10 @@ def calls_on_line(failure: Failure) -> list[ast.Call]:
 @rule(
     'messages.type-as-text',
     what=(
-        '{method}() takes the type first and then the name, and here the name {text} comes before {second}',
-        '{method}() needs the class of the type, and {text} is a string',
+        '{method}() needs the type first and then the name, but here the name {text} comes before {second}',
+        '{method}() needs the class of the type, but {text} is a string',
     ),
-    do=('write {method}({second}, {text}, ...)', 'write {word}, without quotes, and import it'),
+    do=('write {method}({second}, {text}, ...)', 'write {word} without quotes, and import it'),
     lesson='09_broadcaster_and_listener',
     level='error',
 )
@@ -45,7 +45,7 @@ def type_as_text(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.timer-order',
-    what='create_timer() takes the period in seconds first and then the function, and here the function comes first',
+    what='create_timer() needs the period in seconds first and then the function, but here the function comes first',
     do='write create_timer({second}, {first})',
     lesson='14_services',
     level='error',
@@ -62,7 +62,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'messages.service-class',
-    what='{service}() makes nothing: a service has no objects of its own, only a Request and a Response',
+    what='{service}() is not possible: a service type has no objects, only a Request and a Response',
     do='write {service}.Request()',
     lesson=LESSON,
     level='error',
@@ -76,9 +76,9 @@ def service_class(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-object',
-    what='a Parameter stands where its value is needed',
+    what='this line uses a Parameter object instead of its value',
     why='get_parameter() returns an object with the name, the type and the value',
-    do='write .value behind get_parameter(...)',
+    do='write .value after get_parameter(...)',
     lesson='03_parameters',
     level='error',
 )
@@ -90,8 +90,8 @@ def parameter_object(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.local-not-attribute',
-    what='line {made} keeps {attribute} in a variable of its method, and self.{attribute} does not exist',
-    why='a variable of a method ends with the method; other methods see only what is kept in self',
+    what='line {made} stores {attribute} in a local variable, so self.{attribute} does not exist',
+    why='a local variable exists only until its method returns; other methods see only attributes of self',
     do='write self.{attribute} = ... in line {made}',
     level='error',
 )

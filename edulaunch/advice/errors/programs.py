@@ -12,157 +12,157 @@ from edulaunch.advice.run_sources import script_of
 
 NO_INIT = about(
     'programs.no-init',
-    what='ROS 2 does not run here: rclpy.init() was not called before this, or rclpy.shutdown() was',
-    why='nodes and spin() need the context that rclpy.init() makes',
+    what='rclpy is not initialized: rclpy.init() was not called before this line, or rclpy.shutdown() was',
+    why='nodes and spin() need the context that rclpy.init() creates',
     do='call rclpy.init() first in main(), and rclpy.shutdown() last',
     types=('NotInitializedException',),
 )
 AFTER_SHUTDOWN = about(
     'programs.after-shutdown',
-    what='ROS 2 has been shut down already (by rclpy.shutdown() or Ctrl-C)',
-    why='after that no node can be made or used',
-    do='move this line before rclpy.shutdown(), or ask rclpy.ok() first',
+    what='rclpy is already shut down, by rclpy.shutdown() or Ctrl-C',
+    why='after the shutdown, a program cannot create or use nodes',
+    do='move this line before rclpy.shutdown(), or check rclpy.ok() first',
 )
 SHUTDOWN_TWICE = about(
     'programs.shutdown-twice',
-    what='rclpy.shutdown() has nothing to shut down: it was called before, or Ctrl-C came, or rclpy.init() never ran',
+    what='rclpy is not running, so rclpy.shutdown() fails: it was called before, Ctrl-C was pressed, or rclpy.init() never ran',
     do='call rclpy.try_shutdown() instead',
     texts=('Context must be initialized before it can be shutdown',),
 )
 DESTROYED_NODE = about(
     'programs.destroyed-node',
-    what="node '{node}' was destroyed before, by destroy_node()",
+    what="destroy_node() has already destroyed the node '{node}'",
     do='move this line before destroy_node()',
 )
 NO_SUPER_INIT = about(
     'programs.no-super-init',
-    what='{node} is used as a node before it is one: super().__init__() has not run',
+    what='{node} is used as a node before super().__init__() has run',
     do="write super().__init__('node_name') as the first line of __init__",
 )
 OWN_PROPERTY = about(
     'programs.own-property',
-    what='every node has its own {attribute}, which cannot be set',
+    what='every node has an attribute {attribute}, which you cannot set',
     do='choose another name, such as self.{attribute}_',
 )
 OWN_NAME = about(
     'programs.own-name',
-    what='{node} calls something of its own {attribute}, a name under which rclpy needs something else of every node',
+    what='{node} defines {attribute}, but rclpy uses that name in every node',
     do='choose another name, such as {attribute}_',
 )
 SPIN_CLASS = about(
-    'programs.spin-class', what='{given} is a class, not a node', do='make a node of it: {given}(), with its brackets'
+    'programs.spin-class', what='{given} is a class, not a node', do='create a node: write {given}() with brackets'
 )
 SPIN_NO_NODE = about(
-    'programs.spin-no-node', what='a node is needed here, not a {given}', do='give the node itself: rclpy.spin(node)'
+    'programs.spin-no-node', what='a node is needed here, not a {given}', do='pass the node itself: rclpy.spin(node)'
 )
 NO_FUTURE = about(
     'programs.no-future',
     what='a future is needed here, not a {given}',
-    do='give what client.call_async(request) returns: future = client.call_async(request)',
+    do='pass the future that client.call_async(request) returns: future = client.call_async(request)',
 )
 BARE_TIMEOUT = about(
     'programs.bare-timeout',
-    what='the number {value} stands where an executor is expected',
+    what='an executor is expected here, not the number {value}',
     do='write the name of the argument: timeout_sec={value}',
 )
 NO_EXECUTOR = about(
     'programs.no-executor',
     what='an executor is needed here, not a {given}',
-    do='leave it out, or make one: SingleThreadedExecutor()',
+    do='leave it out, or create one: SingleThreadedExecutor()',
 )
 ENDED_EXECUTOR = about(
-    'programs.ended-executor', what='this executor was shut down', do='make a new one: SingleThreadedExecutor()'
+    'programs.ended-executor', what='this executor is already shut down', do='create a new executor: SingleThreadedExecutor()'
 )
 TWO_SPINNERS = about(
     'programs.two-spinners',
-    what='another thread spins this executor already',
-    do='give this thread its own: rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())',
+    what='another thread already spins this executor',
+    do='use a separate executor in this thread: rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())',
 )
 STOP_ITERATION = about(
     'programs.stop-iteration',
-    what='next() found nothing more, and rclpy lets no StopIteration out of a callback',
-    do='write next(values, None), and look whether it is None',
+    what='next() found no further value, and a callback of rclpy must not raise StopIteration',
+    do='write next(values, None), and check the result for None',
 )
 WAIT_SET = about(
     'programs.wait-set',
-    what='the entities of a node wake its executor by themselves here',
-    do='leave add_to_wait_set() empty and let is_ready() return True when there is something to do',
+    what='in the simulation, the entities of a node wake its executor automatically',
+    do='leave add_to_wait_set() empty, and let is_ready() return True when there is work to do',
 )
 DOMAIN_ID = about(
     'programs.domain-id',
-    what="the environment variable ROS_DOMAIN_ID is '{value}', which is no number",
+    what="the environment variable ROS_DOMAIN_ID is '{value}', which is not a number",
     do='set it to a number from 0 to 101, or unset it',
 )
 RUNAWAY = about(
     'programs.runaway',
-    what='a loop goes on and on and never waits, so nobody else gets a turn',
-    do='let it wait in each round: time.sleep(), rclpy.spin_once(), rate.sleep(); or make a timer of it',
+    what='this loop never waits, so no other program can run',
+    do='wait in each round with time.sleep(), rclpy.spin_once() or rate.sleep(), or use a timer instead',
     hides=('programs.never-spun',),
 )
 WITH_INIT = about(
     'programs.with-init',
-    what='in ROS 2 Jazzy rclpy.init() gives nothing for `with`; later versions do',
-    do='call rclpy.init() on a line of its own',
+    what='in ROS 2 Jazzy, the result of rclpy.init() does not work in a `with` statement; later versions allow it',
+    do='call rclpy.init() on a separate line',
 )
 WITH_ENTITY = about(
     'programs.with-entity',
-    what='in ROS 2 Jazzy a {thing} is not for `with`',
-    do='make it on a line of its own, and call its {ending} at the end',
+    what='in ROS 2 Jazzy, a {thing} does not work in a `with` statement',
+    do='create it on a separate line, and call its {ending} at the end',
 )
 
 CALLBACK_NONE = about(
     'programs.callback-none',
-    what='the callback of a subscription is None',
-    why='with brackets the function is called at once, and what it returns is given',
-    do='give the function itself, without brackets: self.heard, not self.heard()',
+    what='this subscription has None as its callback',
+    why='with brackets, Python calls the function at once and passes its return value',
+    do='pass the function itself, without brackets: self.heard, not self.heard()',
 )
 CALLBACK_ARGUMENTS = about(
     'programs.callback-arguments',
-    what='the callback of a subscription does not take the message',
-    do='write it with one argument beside self: def heard(self, msg)',
+    what='the callback of this subscription has no parameter for the message',
+    do='add one parameter after self: def heard(self, msg)',
 )
 NO_RESPONSE = about(
     'programs.no-response',
-    what="the callback of service '{service}' returned {returned}, not the response",
-    do='end it with `return response`',
+    what="the callback of the service '{service}' returned {returned} instead of the response",
+    do='end the callback with `return response`',
 )
 NO_RESULT = about(
     'programs.no-result',
-    what="the execute callback of action '{action}' returned {returned}, not a {wanted}.Result",
-    do='end it with `return result`, where result = {wanted}.Result()',
+    what="the execute callback of the action '{action}' returned {returned} instead of a {wanted}.Result",
+    do='end the callback with `return result`, where result = {wanted}.Result()',
 )
 EMPTY_ACTION_NAME = about(
-    'programs.empty-action-name', what='the name of the action is empty', do="give it a name, such as 'fibonacci'"
+    'programs.empty-action-name', what='the name of the action is empty', do="write a name, such as 'fibonacci'"
 )
 NO_SUCH_NODE = about(
     'programs.no-such-node',
-    what="no node '{node}' is running",
-    do=("write '{near}', if that is the node you mean", 'start it first; `ros2 node list` shows who is there'),
+    what="the node '{node}' is not running",
+    do=("write '{near}' if you mean that node", 'start it first; `ros2 node list` prints the nodes that are running'),
 )
 NO_TRANSITION = about(
     'programs.no-transition',
-    what="node '{node}' is {state}, and this transition does not start there",
-    do=('choose one of: {possible}', 'make a new node: nothing leads out of this state'),
+    what="the node '{node}' is {state}, and this transition is not possible in that state",
+    do=('use one of these transitions: {possible}', 'create a new node, because no transition leads out of this state'),
 )
 LOG_NO_TEXT = about(
     'programs.log-no-text',
-    what='a log message must be a text, not a {given}',
+    what='a log message must be a string, not a {given}',
     do='write str(...) around it, or an f-string: f"{{value}}"',
 )
 SEVERITY_NAME = about(
-    'programs.severity-name', what='there is no severity of this name', do='choose UNSET, DEBUG, INFO, WARN, ERROR or FATAL'
+    'programs.severity-name', what='this severity does not exist', do='use UNSET, DEBUG, INFO, WARN, ERROR or FATAL'
 )
 TIMEOUT_NO_DURATION = about(
     'programs.timeout-no-duration',
-    what='the timeout is a Duration here, not a {given}',
-    do='write Duration(seconds=1.0), after: from rclpy.duration import Duration',
+    what='the timeout must be a Duration here, not a {given}',
+    do='write Duration(seconds=1.0), and add this line: from rclpy.duration import Duration',
 )
 
 
 @rule(
     'programs.forgotten-self',
-    what='the method {method}() has no argument self, and Python always hands it the object',
-    do='write it as: def {method}(self)',
+    what='the method {method}() has no parameter self, but Python always passes the object',
+    do='write the method as: def {method}(self)',
     level='error',
 )
 def forgotten_self(failure: Failure) -> Iterator[Finding]:
@@ -174,8 +174,8 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.called-too-early',
-    what='{method}() was called without {argument}',
-    do='give the function itself, without brackets: self.{method}',
+    what='{method}() was called without the argument {argument}',
+    do='pass the function itself, without brackets: self.{method}',
     level='error',
     confidence='asked',
 )
@@ -190,8 +190,8 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.no-depth',
-    what='{method}() was given no queue depth',
-    do='write how many messages may wait as its last argument: 10',
+    what='{method}() was called without a queue depth',
+    do='add the number of messages that may wait as the last argument: 10',
     level='error',
 )
 def no_depth(failure: Failure) -> Iterator[Finding]:
@@ -203,8 +203,8 @@ def no_depth(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.rule-failed',
-    what="a rule of edulaunch, '{rule}', could not look at this: {error}",
-    do='tell the makers of edulaunch, with your file: it is their mistake, and the rest of the advice holds',
+    what="the rule '{rule}' of edulaunch failed: {error}",
+    do='report this bug in edulaunch, and attach your file; the other advice is not affected',
     level='info',
 )
 def rule_failed(failure: Failure) -> Iterator[Finding]:
@@ -214,7 +214,7 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.sign-in-name',
-    what="names of ROS have letters, digits and _ only, and '{name}' has '{sign}'",
+    what="ROS allows only letters, digits and _ in a name, but '{name}' contains '{sign}'",
     do="write '{better}'",
     level='error',
     lesson='02_names',

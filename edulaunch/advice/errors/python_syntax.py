@@ -32,8 +32,12 @@ def _in_line(failure: Failure, **facts: Any) -> Finding:
 
 @rule(
     'programs.typographic-quotes',
-    what='Python does not know the character {character} ({code}): it was typed by an editor for letters, or copied from a page',
-    do=('write straight quotes instead of {quote}: \' or "', 'write {straight} instead', 'take it out, and write the line anew'),
+    what='Python cannot read the character {character} ({code}), which a word processor or a web page inserts',
+    do=(
+        'write straight quotes instead of {quote}: \' or "',
+        'replace it with {straight}',
+        'delete the character, and type the line again',
+    ),
     level='error',
 )
 def typographic_quotes(failure: Failure) -> Iterator[Finding]:
@@ -49,7 +53,7 @@ def typographic_quotes(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.bracket-open',
     what='the bracket {opening} of this line is never closed',
-    why='Python reads on to the end of the file to find {closing}',
+    why='Python reads to the end of the file and does not find {closing}',
     do='write {closing} where the list or the call ends',
     level='error',
 )
@@ -63,10 +67,10 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.bracket-other',
     what=(
-        '{closing} closes the {opening} of line {opened}, which wants {wanted}',
-        '{closing} closes a {opening}, which wants {wanted}',
+        '{closing} does not match the {opening} in line {opened}, which needs {wanted}',
+        '{closing} does not match {opening}, which needs {wanted}',
     ),
-    do='write {wanted} before it, or instead of it',
+    do='write {wanted} before it or instead of it',
     level='error',
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:
@@ -79,8 +83,8 @@ def bracket_other(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.bracket-too-many',
-    what='this {closing} closes nothing',
-    do='take it out, or write its opening bracket',
+    what='this {closing} has no opening bracket',
+    do='remove it, or add the opening bracket',
     level='error',
 )
 def bracket_too_many(failure: Failure) -> Iterator[Finding]:
@@ -92,9 +96,9 @@ def bracket_too_many(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.not-utf-8',
-    what='the file is not UTF-8 text',
-    why='some editors save UTF-16 or another encoding; Python and ROS 2 read UTF-8',
-    do='save the file again with the encoding UTF-8',
+    what='this file is not encoded in UTF-8',
+    why='some editors save files in UTF-16 or another encoding, but Python and ROS 2 read UTF-8',
+    do='save the file again in UTF-8',
     level='error',
 )
 def not_utf_8(failure: Failure) -> Iterator[Finding]:
@@ -107,9 +111,12 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.indentation',
-    what=('the line behind line {opened} is not indented', 'the indentation of this line fits none of the lines above'),
-    why='Python knows by the indentation alone what belongs together',
-    do=('indent it by four spaces: it belongs to the {statement}', 'indent with four spaces for each level, never with tabs'),
+    what=('the line after line {opened} is not indented', 'the indentation of this line does not match any line above'),
+    why='Python uses the indentation to find out which lines belong together',
+    do=(
+        'indent the line by four spaces, because it belongs to the {statement}',
+        'indent each level by four spaces, and do not use tabs',
+    ),
     level='error',
 )
 def indentation(failure: Failure) -> Iterator[Finding]:
@@ -138,25 +145,27 @@ NO_COMMA = _simple(
     'a comma is missing in this line, or at the end of the line above',
     'write a comma between the two values',
 )
-NO_COLON = _simple('programs.no-colon', r"expected ':'", 'a colon is missing at the end of this line', 'write : at its end')
+NO_COLON = _simple(
+    'programs.no-colon', r"expected ':'", 'a colon is missing at the end of this line', 'write a colon at the end of the line'
+)
 OPEN_TEXT = _simple(
     'programs.open-text',
     r'unterminated (?:triple-quoted |f-)?string literal|EOL while scanning',
-    'a text begins in this line and does not end',
-    'write the closing quote, the same as the opening one',
+    'a string starts in this line and does not end',
+    'add the closing quote, which must be the same as the opening one',
 )
 ONE_EQUALS = _simple(
-    'programs.one-equals', r"Maybe you meant '=='", 'one = gives a value; a comparison has two', 'write == to compare'
+    'programs.one-equals', r"Maybe you meant '=='", 'a single = assigns a value, but a comparison needs ==', 'write == to compare'
 )
 NO_COLON_IN_BRACES = _simple(
     'programs.no-colon-in-braces',
     r"':' expected after dictionary key",
-    'in this dictionary a name has no value',
-    'write a colon between the name and its value, and a comma behind them',
+    'a key in this dictionary has no value',
+    'write a colon between the key and its value, and a comma after the value',
 )
 VALUE_AFTER_NAMES = _simple(
     'programs.value-after-names',
     r'positional argument follows keyword argument',
-    'a value without a name stands behind values with names',
-    'write its name in front of it, or put it inside the list [...] to which it belongs',
+    'an argument without a name follows arguments with names',
+    'write the name of the argument before it, or move it into the list [...] where it belongs',
 )

@@ -21,8 +21,8 @@ IDLE = frozenset(
 
 @rule(
     'launch.remapping-to-itself',
-    what='{node} remaps {topic} to {topic}, which changes nothing',
-    do="write the new name as the second one: remappings=[('{topic}', 'other_name')], or take the remapping out",
+    what='{node} remaps {topic} to {topic}, which has no effect',
+    do="write another name second, as in remappings=[('{topic}', 'other_name')], or remove the remapping",
     level='info',
     lesson='01_first_launch',
 )
@@ -40,8 +40,8 @@ def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.starts-nothing',
-    what='this launch file starts nothing: no action in it starts a node or another program',
-    do="write a Node into the list: LaunchDescription([Node(package='turtlesim', executable='turtlesim_node')])",
+    what='this launch file starts nothing, because it contains no action that starts a node or another program',
+    do="add a Node to the list: LaunchDescription([Node(package='turtlesim', executable='turtlesim_node')])",
     lesson='01_first_launch',
 )
 def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -64,9 +64,9 @@ _COMMENTS = re.compile(r'^[ \t]*#[^\n]*|<!--.*?-->', re.MULTILINE | re.DOTALL)
 
 @rule(
     'launch.argument-unused',
-    what="the launch argument '{argument}' is declared, and nothing reads it",
-    why='whoever gives it a value changes nothing',
-    do="write LaunchConfiguration('{argument}') (in XML and YAML: $(var {argument})) where its value belongs, or take it out",
+    what="the launch argument '{argument}' is declared but never used",
+    why='a value that a user passes for this argument has no effect',
+    do="use its value with LaunchConfiguration('{argument}') (in XML and YAML: $(var {argument})), or remove the declaration",
     lesson=LESSON,
 )
 def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -98,8 +98,8 @@ _COMPARED = re.compile(
 
 @rule(
     'launch.condition-never',
-    what="the condition compares '{argument}' with '{value}', which is none of its choices: {choices}",
-    why='it comes out the same whatever is given',
+    what="the condition compares '{argument}' with '{value}', which is not one of its choices: {choices}",
+    why='the condition has the same result for every value of the argument',
     do=("write '{near}'", "add '{value}' to choices= of the argument"),
     lesson=LESSON,
 )
@@ -123,9 +123,9 @@ FIRST_LAUNCH = '01_first_launch'
 
 @rule(
     'launch.command-in-one-word',
-    what="'{command}' is taken for the name of one program",
-    why='without a shell nobody takes the text apart, so no such program is found',
-    do='write each word by itself: cmd=[{words}], or add shell=True',
+    what="launch takes the whole string '{command}' as the name of one program",
+    why='without a shell, launch does not split the string at spaces, so it cannot find the program',
+    do='write each word as a separate string, as in cmd=[{words}], or add shell=True',
     lesson=FIRST_LAUNCH,
     level='error',
 )
@@ -140,8 +140,8 @@ def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.command-of-letters',
-    what="cmd is one text, '{command}', of which every letter is taken for a word",
-    why='cmd= wants a list: a text is a list of letters to Python',
+    what="cmd is the string '{command}', and launch takes each letter of it as a word",
+    why='cmd= needs a list, and Python reads a string as a list of letters',
     do='write a list: cmd=[{words}]',
     lesson=FIRST_LAUNCH,
     level='error',
@@ -162,9 +162,9 @@ def _commands(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
 
 @rule(
     'launch.no-package',
-    what="the Node has executable='{executable}' and no package, so it is looked for among the commands of this machine",
-    why='executables of ROS 2 packages are not on the PATH',
-    do="write package='{package}' beside it",
+    what="this Node has executable='{executable}' but no package, so launch looks for a command on the PATH",
+    why='the executables of ROS 2 packages are not on the PATH',
+    do="add package='{package}'",
     lesson=FIRST_LAUNCH,
     level='error',
 )

@@ -39,15 +39,15 @@ _ABOUT = (
 @rule(
     'launch.needs-elsewhere',
     what=(
-        'this launch file needs the package {package} ({belongs_to}), which edulaunch does not have',
+        'this launch file needs the package {package} ({belongs_to}), which is not part of edulaunch',
         'this launch file needs the package {package}, which is not in this workspace',
-        'this launch file needs the module {module} ({belongs_to}), which edulaunch does not have',
+        'this launch file needs the module {module} ({belongs_to}), which is not part of edulaunch',
         'this launch file needs the module {module}, which is not in this workspace',
-        'this launch file needs {made}, which a build makes from {template}',
-        'this launch file needs the program {executable}, which a build makes by {unread} of CMakeLists.txt',
+        'this launch file needs {made}, which a build creates from {template}',
+        'this launch file needs the program {executable}, which a build creates with {unread} in CMakeLists.txt',
     ),
-    why='a file that cannot be read to its end cannot be checked either',
-    do='name the workspace that has it with --workspace DIR, or try the file on a machine where it is installed',
+    why='edulaunch cannot check the rest of a launch file that stops at this line',
+    do='name the workspace that contains it with --workspace DIR, or run the file on a machine where it is installed',
     level='info',
     hides=('launch.fails', 'launch.unknown-element'),
 )
@@ -78,9 +78,9 @@ def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.needs-argument',
-    what="this launch file needs the argument '{argument}'",
-    why='it has no default, so whoever starts the file gives it a value',
-    do='give it a value: {argument}:=...',
+    what="this launch file requires the argument '{argument}'",
+    why='the argument has no default, so you must pass a value when you launch the file',
+    do='pass a value: {argument}:=...',
     level='info',
     hides=('launch.fails',),
 )
@@ -94,9 +94,9 @@ def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.needs-keyboard',
-    what='this launch file waits for something that is typed, and nobody types here',
-    why='input() raises EOFError where there is no keyboard',
-    do='start it in a terminal, or take the question out: a launch argument asks nobody',
+    what='this launch file waits for keyboard input, but this check has no keyboard',
+    why='input() raises EOFError when there is no keyboard',
+    do='run the file in a terminal, or replace the question with a launch argument',
     level='info',
     hides=('launch.fails',),
 )
@@ -110,10 +110,10 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
 @rule(
     'launch.needs-variable',
     what="this launch file needs the environment variable '{variable}', which is not set in this terminal",
-    why='it has no default, so whoever starts the file gives it a value',
+    why='the argument has no default, so you must pass a value when you launch the file',
     do=(
-        'type: export {variable}={example}, and start it again',
-        'type: export {variable}=..., with the value that the file wants, and start it again',
+        'run `export {variable}={example}`, and launch the file again',
+        'run `export {variable}=...` with the value that the file expects, and launch the file again',
     ),
     level='info',
     hides=('launch.fails',),
@@ -133,7 +133,7 @@ def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.is-test',
-    what=('this file is a launch test of the old kind, which starts itself: it uses {legacy} of launch_testing.legacy', IS_TEST),
+    what=('this file is a launch test that starts itself, with {legacy} of launch_testing.legacy', IS_TEST),
     why=NOT_STARTED,
     do=('run it where launch_testing is installed: python3 {script}', RUN_TEST),
     level='info',
@@ -150,8 +150,8 @@ def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.not-in-dry-run',
-    what='a dry run stops at this line, which would {undone}',
-    why='a dry run changes no file and starts no program, so what comes after this line is not known',
+    what='the dry run stops at this line, which would {undone}',
+    why='a dry run changes no files and starts no programs, so edulaunch cannot check the lines that follow',
     do='launch the file to see the rest: ros2 launch {file}',
     level='info',
     hides=('launch.fails',),

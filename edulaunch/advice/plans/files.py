@@ -19,11 +19,11 @@ LESSON = '03_parameters'
 
 @rule(
     'launch.key-for-no-node',
-    what='{file} gives {node} nothing: its keys are {keys}',
-    why='a parameter file is read by full node names; a key that names another node is passed over in silence',
+    what='{file} sets no parameter of {node}, because its keys are {keys}',
+    why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
-        'write {node}: (or /**: for any node) in place of {near}:',
-        'write {node}: (or /**: for any node) above ros__parameters:',
+        'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
+        'write the key `{node}` (or `/**` for all nodes) above `ros__parameters`',
     ),
     lesson=LESSON,
     level='error',
@@ -76,12 +76,12 @@ def is_container(executable: str) -> bool:
 
 @rule(
     'launch.parameter-file-missing',
-    what='the parameter file {file} is not there, so {node} starts without it',
-    why='launch only writes a warning, and goes on',
+    what='the parameter file {file} does not exist, so {node} starts without it',
+    why='launch only prints a warning, and continues',
     do=(
         'write {near}',
-        'install it: add the folder {folder}/ to data_files of setup.py, or to install(DIRECTORY ...) of CMakeLists.txt',
-        'make that file, or write the path of the one you mean',
+        'add the folder {folder}/ to data_files in setup.py, or to install(DIRECTORY ...) in CMakeLists.txt',
+        'create that file, or write the path of the file that you mean',
     ),
     lesson=LESSON,
     level='error',
@@ -103,9 +103,9 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.parameter-order',
-    what='{parameter} of {node} is {value} by {written}, although the launch file gives {lost} behind it',
-    why='what stands for /** was met first (by SetParameter or another file), so an entry that names the node counts after it',
-    do="give the node its namespace, namespace='/', or take {parameter} out of {written}",
+    what='{parameter} of {node} gets the value {value} from {written}, although the launch file sets {lost} later',
+    why='an entry for /** came first (from SetParameter or another file), and an entry for the node overrides it',
+    do="set the namespace of the node with namespace='/', or remove {parameter} from {written}",
     lesson=LESSON,
 )
 def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -134,15 +134,15 @@ def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
 
 
 DO = (
-    'write $(dirname)/{xml}, or $(find-pkg-share my_package)/... for a file of a package',
-    "write os.path.join(os.path.dirname(__file__), '{path}'), or the path in the share folder of your package",
+    'write $(dirname)/{xml}, or $(find-pkg-share my_package)/... for a file in a package',
+    "write os.path.join(os.path.dirname(__file__), '{path}'), or use a path in the share folder of your package",
 )
 
 
 @rule(
     'launch.relative-path',
-    what='{path} is looked for in the folder from which launch is started, not beside the launch file',
-    why='it is found as long as everybody starts launch from that one folder',
+    what='launch looks for {path} in the folder where you start it, not next to the launch file',
+    why='launch finds the file only if every user starts it from that folder',
     do=DO,
     lesson=LESSON,
 )
@@ -170,11 +170,11 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
 
 @rule(
     'launch.path-of-one-machine',
-    what='the path {path} is written out, and is there on one machine only',
-    why='a home folder belongs to one person on one machine',
+    what='the absolute path {path} exists on one machine only',
+    why='other users have other home folders',
     do=(
-        "build it from the package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
-        'make it a launch argument, or put the file into a package and find it with FindPackageShare',
+        "find the file by its package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
+        'make the path a launch argument, or move the file into a package and find it with FindPackageShare',
     ),
     lesson=LESSON,
     level='info',

@@ -19,9 +19,9 @@ _DOLLAR = re.compile(r'\$\((?:var|arg|env|find-pkg-share|dirname|eval)\b[^)]*\)?
 
 @rule(
     'launch.substitution-as-text',
-    what='a {substitution} was made into text here: the value begins with "{shown}"',
-    why='a substitution has no value before launch visits it, so an f-string or str() shows only the object',
-    do="write a list instead of the text: ['robot_', LaunchConfiguration('name')]; launch joins its parts",
+    what='this value contains a {substitution} that Python converted to a string: it starts with "{shown}"',
+    why='a substitution has no value until launch runs, so an f-string or str() returns only a description of the object',
+    do="write a list such as ['robot_', LaunchConfiguration('name')]; launch joins its parts",
     lesson=LESSON,
     level='error',
 )
@@ -35,9 +35,12 @@ def substitution_as_text(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.dollar-in-python',
-    what='{text} stands in a Python launch file, where nobody replaces it',
-    why='$(...) belongs to XML and YAML launch files; in Python it is a text as any other',
-    do=("write LaunchConfiguration('{argument}')", 'write the substitution: EnvironmentVariable(...), FindPackageShare(...)'),
+    what='{text} is not replaced, because this launch file is written in Python',
+    why='$(...) is syntax of XML and YAML launch files, and an ordinary string in Python',
+    do=(
+        "write LaunchConfiguration('{argument}')",
+        'write a substitution such as EnvironmentVariable(...) or FindPackageShare(...)',
+    ),
     lesson=LESSON,
     level='error',
 )
@@ -73,9 +76,9 @@ def _texts(value: Any) -> Iterator[str]:
 
 @rule(
     'launch.words-in-one',
-    what='{executable} gets one argument with spaces in it: "{text}"',
-    why='no shell takes it apart: the program sees one long word',
-    do='write each word by itself: arguments=[{words}]',
+    what='{executable} receives a single argument that contains spaces: "{text}"',
+    why='launch uses no shell here, so the program receives the argument as one word',
+    do='write each word as a separate string: arguments=[{words}]',
     lesson='01_first_launch',
     level='error',
 )
@@ -101,8 +104,8 @@ def _is_number(text: str) -> bool:
 
 @rule(
     'launch.fails',
-    what='this launch file cannot be launched: {text}',
-    do=('{help}', 'look at this line, and at the one before it'),
+    what='launch cannot run this file: {text}',
+    do=('{help}', 'check this line and the line before it'),
     level='error',
 )
 def fails(rehearsal: Rehearsal) -> Iterator[Finding]:

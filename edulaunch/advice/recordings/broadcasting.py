@@ -30,9 +30,9 @@ def _odd(recording: Recording, what: str) -> Iterator[Finding]:
 
 @rule(
     'tf.two-parents',
-    what="the frame '{frame}' has more than one parent: {parents}; they are broadcast by {nodes}",
-    why='tf is a tree: each frame has one parent, and the last broadcast wins, so the frame jumps to and fro',
-    do="give one of the two another child_frame_id, or turn one link round so that '{frame}' is the parent",
+    what="the frame '{frame}' has several parents ({parents}), which {nodes} broadcast",
+    why='each frame in tf has one parent and the latest transform wins, so the frame jumps between the parents',
+    do="change one of the two child_frame_id values, or reverse one transform to make '{frame}' the parent",
     lesson=LESSON,
     level='error',
     hides=('tf.separate-trees',),
@@ -47,9 +47,9 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.two-broadcasters',
-    what="the frame '{frame}' is broadcast by two nodes: {first} and {second}",
-    why='a listener mixes both, so the frame jumps between them',
-    do='stop one of them, or give one another child_frame_id',
+    what="two nodes broadcast the frame '{frame}': {first} and {second}",
+    why='a listener receives both transforms, so the frame jumps between two positions',
+    do='stop one of the nodes, or change its child_frame_id',
     lesson=LESSON,
 )
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:
@@ -66,9 +66,9 @@ def two_broadcasters(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.static-repeated',
-    what="{node} sends the static transform of '{frame}' again with other values, and nobody gets them",
-    why='a static transform is sent once: StaticTransformBroadcaster of Jazzy keeps the first values of a frame',
-    do='use TransformBroadcaster and /tf for a frame that moves, or work out the final values before you send them',
+    what="{node} sends the static transform of '{frame}' again with other values, and no listener receives them",
+    why='in Jazzy, StaticTransformBroadcaster keeps the first transform that it sends for a frame',
+    do='use TransformBroadcaster and /tf for a moving frame, or compute the final values before you send them',
     lesson=STATIC,
     level='error',
 )
@@ -84,9 +84,9 @@ def static_repeated(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.static-and-moving',
-    what="the frame '{frame}' is broadcast as static by {first} and as moving by {second}",
-    why='a frame is one or the other: whichever arrives last throws away what is known of the other kind',
-    do="broadcast '{frame}' on /tf only, or on /tf_static only",
+    what="{first} broadcasts the frame '{frame}' as static, and {second} broadcasts it as moving",
+    why='a frame is either static or moving, and the latest transform replaces the ones of the other kind',
+    do="broadcast '{frame}' either on /tf or on /tf_static",
     lesson=STATIC,
 )
 def static_and_moving(recording: Recording) -> Iterator[Finding]:
@@ -100,9 +100,9 @@ def static_and_moving(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.slash-in-name',
-    what="{node} broadcasts the frame '{frame}' with the parent '{parent}': frame names of tf2 have no leading slash",
-    why='tf2 takes the slash away, and a lookup with it fails',
-    do='leave the slash out of frame_id and child_frame_id',
+    what="{node} broadcasts the frame '{frame}' with the parent '{parent}', but frame names in tf2 have no leading slash",
+    why='tf2 removes the slash, and a lookup with the slash fails',
+    do='remove the slash from frame_id and child_frame_id',
     lesson=LESSON,
 )
 def slash_in_name(recording: Recording) -> Iterator[Finding]:
@@ -113,8 +113,8 @@ def slash_in_name(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.own-parent',
     what="{node} broadcasts the frame '{frame}' as its own parent",
-    why='tf2 ignores such a transform, so the frame never gets a place',
-    do='set header.frame_id to the frame it is measured in, such as "world", and child_frame_id to the one that moves',
+    why='tf2 ignores such a transform, so the frame never gets a position',
+    do='set header.frame_id to the reference frame, such as "world", and child_frame_id to the frame that moves',
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),
@@ -126,9 +126,9 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.nameless',
-    what="{node} broadcasts a transform of '{frame}' in '{parent}': one of the two names is empty",
-    why='tf2 ignores a transform that does not say which frame it places, and in which',
-    do='set both header.frame_id and child_frame_id before you send it',
+    what="{node} broadcasts a transform from '{parent}' to '{frame}', and one of the two names is empty",
+    why='tf2 ignores a transform without the names of both frames',
+    do='set both header.frame_id and child_frame_id before you send the transform',
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),
@@ -140,9 +140,9 @@ def nameless(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.zero-rotation',
-    what="{node} broadcasts '{frame}' with the rotation (0, 0, 0, 0), which is none: {times} of {count}",
-    why='tf2 refuses such a transform, so the frame never gets a place',
-    do='set rotation.w = 1.0 for "not turned", or fill it from an angle: x, y, z, w = quaternion_from_euler(0, 0, theta)',
+    what="{node} broadcasts '{frame}' with the invalid rotation (0, 0, 0, 0), in {times} of {count} messages",
+    why='tf2 rejects such a transform, so the frame never gets a position',
+    do='set rotation.w = 1.0 for no rotation, or compute it from an angle: x, y, z, w = quaternion_from_euler(0, 0, theta)',
     lesson=STATIC,
     level='error',
     hides=('tf.empty-buffer',),
@@ -156,9 +156,9 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.not-a-number',
-    what="{node} broadcasts '{frame}' with a number that is none (nan)",
-    why='tf2 refuses such a transform, so the frame stays where it was',
-    do='look for a division by zero, or the root of a negative number, in what you send',
+    what="{node} broadcasts '{frame}' with an invalid number (nan)",
+    why='tf2 rejects such a transform, so the frame keeps its last position',
+    do='look for a division by zero, or the square root of a negative number, in the values that you send',
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),
@@ -170,9 +170,9 @@ def not_a_number(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.unstamped',
-    what="{node} broadcasts '{frame}' without a time: its stamp is 0",
-    why='tf2 orders transforms by their stamps; with 0 the frame seems never to move',
-    do='set the stamp each time you send: t.header.stamp = self.get_clock().now().to_msg()',
+    what="{node} broadcasts '{frame}' with a time stamp of 0",
+    why='tf2 sorts transforms by their time stamps, so with a stamp of 0 the frame never moves',
+    do='set the time stamp each time you send: t.header.stamp = self.get_clock().now().to_msg()',
     lesson=LESSON,
     level='error',
 )
@@ -183,9 +183,9 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.other-clock',
-    what="{node} stamps '{frame}' by another clock: {lag_s} s away from the time of the others",
-    why='lookups that join it with other frames find no common time',
-    do='take the time from the node: self.get_clock().now(), and give all nodes the same value of use_sim_time',
+    what="{node} uses another clock for the time stamps of '{frame}', which is {lag_s} s off",
+    why='a lookup between this frame and other frames finds no common time',
+    do='get the time with self.get_clock().now(), and set use_sim_time to the same value in all nodes',
     lesson=LESSON,
     level='error',
     hides=('tf.lookup-past', 'tf.lookup-future'),
@@ -197,9 +197,9 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.listener-not-kept',
-    what='the TransformListener of {node} is thrown away as soon as it is made',
-    why='Python deletes what nothing holds, and with the listener its buffer stops being filled',
-    do='keep it in the node: self.tf_listener = TransformListener(self.tf_buffer, self)',
+    what='Python deletes the TransformListener of {node} as soon as it is created',
+    why='Python deletes an object that nothing refers to, and the buffer then receives no transforms',
+    do='store it in an attribute of the node: self.tf_listener = TransformListener(self.tf_buffer, self)',
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),

@@ -33,11 +33,11 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
 
 @rule(
     'programs.deadlock',
-    what='{callback}() of {node} waits for the answer of {awaited} with {waiting}, for ever',
-    why='the answer can only be taken when {callback}() has ended: the node runs one callback at a time',
+    what='{callback}() in {node} blocks forever in {waiting}, waiting for a reply from {awaited}',
+    why='the node runs one callback at a time, so it cannot receive the reply until {callback}() returns',
     do=(
-        'go on when the answer comes: future.add_done_callback(self.answered); or give the client a callback group of its own '
-        'and spin with a MultiThreadedExecutor'
+        'call future.add_done_callback(self.answered), or give the client its own callback group and spin with a '
+        'MultiThreadedExecutor'
     ),
     lesson=LESSON,
     level='error',
@@ -53,12 +53,12 @@ def deadlock(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.callback-goes-on',
     what=(
-        '{callback}() of {node} does not end, and the timer of {timers}() waits for it: it stands at {calls}()',
-        '{callback}() of {node} does not end, and messages wait for it: it stands at {calls}()',
-        '{callback}() of {node} does not end, and the other callbacks wait for it',
+        '{callback}() in {node} never returns from {calls}(), so the timer of {timers}() has to wait',
+        '{callback}() in {node} never returns from {calls}(), so new messages have to wait',
+        '{callback}() in {node} never returns, so the other callbacks have to wait',
     ),
-    why='a node runs one callback at a time; what this one waits for may be what it keeps from coming',
-    do='return from {callback}() and go on in the next callback; keep in an attribute of the node how far you are',
+    why='a node runs one callback at a time, so this callback may block the one that it waits for',
+    do='return from {callback}() and continue in the next call; store the progress in an attribute of the node',
     lesson=LESSON,
     level='error',
     hides=('time.sleep-in-callback', 'messages.not-taken', 'time.slow-callback'),
@@ -78,9 +78,9 @@ EXPLAINED = frozenset(
 
 @rule(
     'programs.spin-in-callback',
-    what='{callback}() of {node} spins its own node with {spins}(): until it ends, no other callback of its group runs',
-    why='a callback is called by a spin already; what waits for it waits on',
-    do='return from {callback}() and let the next message or timer go on: future.add_done_callback(...), or async and await',
+    what='{callback}() in {node} calls {spins}() on its own node, which blocks the other callbacks of its group',
+    why='the executor is already spinning the node when it calls a callback',
+    do='return from {callback}(), and continue in future.add_done_callback(...), or use async and await',
     lesson=LESSON,
     hides=('messages.not-taken', 'time.slow-callback'),
 )
@@ -92,9 +92,9 @@ def spin_in_callback(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.node-taken-away',
-    what='{callback}() of {node} spins its node with {spins}(), which takes it away from the executor that called it',
-    why='that executor does not come back to the node: after this callback nothing of it is called any more',
-    do='take {spins}() out of {callback}(); use future.add_done_callback(...), or async and await',
+    what='{callback}() in {node} calls {spins}() on its own node, which removes the node from its executor',
+    why='the executor does not add the node again, so it calls no further callback of this node',
+    do='remove {spins}() from {callback}(), and use future.add_done_callback(...), or async and await',
     lesson=LESSON,
     level='error',
 )
@@ -105,9 +105,9 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.other-node-spun',
-    what='{node} is spun until the answer of {awaited} comes, but the client that waits for it is of {other}',
-    why='an answer is taken by the node that asked, and nobody spins that one',
-    do='spin {other}, or make the client in {node}',
+    what='{node} spins until {awaited} replies, but the client that sent the request belongs to {other}',
+    why='only the node that sent the request receives the reply, and that node is not spinning',
+    do='spin {other}, or create the client in {node}',
     lesson=LESSON,
     level='error',
     hides=('messages.reply-not-taken', 'programs.never-spun'),
@@ -119,9 +119,9 @@ def other_node_spun(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.rate-in-callback',
-    what='{callback}() of {node} waits for ever at rate.sleep()',
-    why='a rate is woken by a timer of the node, and the node is busy with {callback}()',
-    do='take the loop out and let a timer call you: self.create_timer(0.1, self.step)',
+    what='{callback}() in {node} waits forever at rate.sleep()',
+    why='a timer of the node ends rate.sleep(), and that timer cannot run before {callback}() returns',
+    do='replace the loop with a timer: self.create_timer(0.1, self.step)',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
@@ -133,9 +133,9 @@ def rate_in_callback(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.rate-not-spun',
-    what='{function}() of {node} waits for ever at rate.sleep()',
-    why='a rate is woken by a timer of the node, and nobody spins the node yet',
-    do='take the loop out of {function}() and let a timer call you: self.create_timer(0.1, self.step)',
+    what='{function}() in {node} waits forever at rate.sleep()',
+    why='a timer of the node ends rate.sleep(), and that timer runs only while the node spins',
+    do='replace the loop in {function}() with a timer: self.create_timer(0.1, self.step)',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('programs.never-spun', 'turtlesim.slow-commands'),
@@ -149,9 +149,9 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.callback-missing',
-    what='{function}() of {node} is given None in place of a function',
-    why='with brackets the function runs once, now, and what it returns is handed over: None',
-    do='give the function itself, without brackets: self.tick, not self.tick()',
+    what='{function}() in {node} passes None instead of a function',
+    why='with brackets, Python calls the function at once and passes its return value, which is `None`',
+    do='pass the function itself, without brackets: self.tick, not self.tick()',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('programs.died', 'turtlesim.slow-commands'),
@@ -163,8 +163,11 @@ def callback_missing(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.transition-failed',
-    what=('{callback}() of {node} raised {raised}', '{callback}() of {node} returned {returned}, no TransitionCallbackReturn'),
-    why='rclpy takes that for an error of the transition, and says nothing: the node goes back or ends',
+    what=(
+        '{callback}() in {node} raised {raised}',
+        '{callback}() in {node} returned {returned} instead of a TransitionCallbackReturn',
+    ),
+    why='rclpy treats this as a failed transition without a message, and the node returns to its old state or ends',
     do='return TransitionCallbackReturn.SUCCESS at the end of {callback}()',
     lesson=LESSON,
     level='error',
@@ -177,9 +180,9 @@ def transition_failed(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.waits-for-input',
-    what='{process} waits for input that never comes',
-    why='a program of a launch file has no keyboard',
-    do='start it with "ros2 run" in a terminal of its own; or give it its text: edulaunch launch ... --stdin, Session(stdin=...)',
+    what='{process} waits for keyboard input, which it cannot receive',
+    why='a program that a launch file starts has no keyboard',
+    do='start it with `ros2 run` in another terminal, or pass input with `edulaunch launch ... --stdin` or `Session(stdin=...)`',
     lesson=LESSON,
     level='error',
 )

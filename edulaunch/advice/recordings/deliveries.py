@@ -19,11 +19,11 @@ SECOND = 1.0
 @rule(
     'programs.never-spun',
     what=(
-        '{node} is never spun, so none of its callbacks is called: its program stands at {calls}()',
-        '{node} is never spun, so none of its callbacks is called',
+        '{node} never spins because its program waits in {calls}(), so none of its callbacks runs',
+        '{node} never spins, so none of its callbacks runs',
     ),
-    why='messages, timers and services only reach a node while it is spun',
-    do='call rclpy.spin(node) after the node was made, and let nothing before it wait for its callbacks',
+    why='a node handles messages, timers and services only while it spins',
+    do='call rclpy.spin(node) after you create the node, and do not wait for its callbacks before that',
     lesson=LESSON,
     level='error',
     hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
@@ -53,10 +53,10 @@ def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
 @rule(
     'programs.ended-at-once',
     what=(
-        'the program of {node} ended at once, and what came on {topics} never reached its callback',
-        'the program of {node} ended at once, and its timer never called',
+        'the program of {node} ended immediately, so its callback never received the messages on {topics}',
+        'the program of {node} ended immediately, so its timer never ran',
     ),
-    why='when main() returns the program is over, and its node with it',
+    why='the program and its node end when main() returns',
     do='call rclpy.spin(node) at the end of main(), before rclpy.shutdown()',
     lesson=LESSON,
     level='error',
@@ -76,12 +76,9 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.not-taken',
-    what='{node} does not keep up with {topic}: {messages} messages wait, the oldest for {age_s} s',
-    why='when the queue is full ROS 2 throws the oldest message away, and says nothing',
-    do=(
-        'make the callback of {topic} shorter: no sleep, no loop, no waiting in it; '
-        'or publish less often; the queue holds {depth}'
-    ),
+    what='{node} is too slow for {topic}: {messages} messages are waiting, the oldest for {age_s} s',
+    why='when the queue is full, ROS 2 drops the oldest message without a warning',
+    do='remove sleeps and loops from the callback of {topic}, or publish less often; the queue holds {depth}',
     lesson=LESSON,
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
@@ -101,9 +98,9 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.reply-not-taken',
-    what='{node} asked {service}, the reply came, and nobody took it',
-    why='a reply is taken while the node is spun; a loop that only looks at future.done() waits for ever',
-    do='spin until it is there: rclpy.spin_until_future_complete(node, future)',
+    what='{node} called {service} and the reply arrived, but {node} never read it',
+    why='a node receives replies only while it spins, so a loop that only checks future.done() never ends',
+    do='spin until the reply arrives: rclpy.spin_until_future_complete(node, future)',
     lesson='13_large_project',
     level='error',
     hides=('programs.never-spun',),
@@ -122,11 +119,11 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.no-server',
-    what='{node} wants the {kind_of} {service}, which nobody offers',
-    why='a request without a server is lost, and whoever waits for the server waits for ever',
+    what='{node} uses the {kind_of} {service}, but no node offers it',
+    why='a request without a server is lost, and a client that waits for the server waits forever',
     do=(
-        "write '{near}', if that is the one you mean",
-        'start the node that offers {service}, or look for its name with: ros2 {kind_of} list',
+        "write '{near}' if you mean that one",
+        'start the node that offers {service}, or look up its name with `ros2 {kind_of} list`',
     ),
     lesson='13_large_project',
     level='error',
@@ -161,9 +158,9 @@ GOAL = '/_action/send_goal'
 
 @rule(
     'messages.asked-too-early',
-    what='{node} asks {service} {gap_s} s before anybody offers it: the request is lost',
-    why='a request without a server is thrown away, and its answer never comes',
-    do='wait for the server before you ask: client.wait_for_service()',
+    what='{node} sends a request to {service} {gap_s} s before a node offers it, so the request is lost',
+    why='ROS 2 drops a request without a server, so the reply never arrives',
+    do='call client.wait_for_service() before you send the request',
     lesson='13_large_project',
     level='error',
 )

@@ -23,12 +23,9 @@ GETTERS = ('declare_parameter', 'get_parameter', 'get_parameter_or')
 
 @rule(
     'programs.text-for-bool',
-    what=(
-        "the parameter '{parameter}' of {node} is the text '{value}', and {node} tests it with `if`: "
-        'every text that is not empty counts as true',
-    ),
-    why='a value in quotation marks is a string, and the parameter was declared with a string as its default',
-    do="declare it as a boolean: self.declare_parameter('{parameter}', False), and give it true or false without quotes",
+    what=("the parameter '{parameter}' of {node} is the string '{value}', and `if` treats every non-empty string as true",),
+    why='the parameter was declared with a string as its default, and a value in quotes is a string',
+    do="declare a boolean with self.declare_parameter('{parameter}', False), and pass true or false without quotes",
     lesson='03_parameters',
     level='error',
 )
@@ -79,9 +76,9 @@ def _parameter_read(node: ast.AST) -> str | None:
 
 @rule(
     'programs.parameter-read-once',
-    what="'{parameter}' of {node} was set while it ran, and {node} reads it in its constructor only",
-    why='a value that the constructor copies, as in self.{parameter} = ..., stays what it was',
-    do="read it where it is used: self.get_parameter('{parameter}').value; or take it over in add_on_set_parameters_callback()",
+    what="'{parameter}' of {node} was set while the node was running, but {node} reads it only in its constructor",
+    why='a value that the constructor copies, as in self.{parameter} = ..., does not change later',
+    do="call self.get_parameter('{parameter}').value where you use the value, or update it in add_on_set_parameters_callback()",
     lesson='03_parameters',
 )
 def parameter_read_once(recording: Recording) -> Iterator[Finding]:
@@ -152,8 +149,8 @@ OPTIONS = (
 @rule(
     'tf.unknown-option',
     what='static_transform_publisher has no option {option}',
-    why='it ends at once, and nobody broadcasts the frame',
-    do=('write {near}', 'use these: --x --y --z --yaw --pitch --roll --frame-id --child-frame-id'),
+    why='the program ends at once, so it does not broadcast the frame',
+    do=('write {near}', 'use these options: --x --y --z --yaw --pitch --roll --frame-id --child-frame-id'),
     lesson='08_static_broadcaster',
     level='error',
     hides=('programs.died',),
@@ -170,8 +167,8 @@ def unknown_option(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.degrees',
-    what='{process} turns its frame by {option} {value}: are these degrees?',
-    why='all angles of ROS 2 are in radians: a quarter turn is 1.5708, a full turn 6.2832',
+    what='{process} rotates its frame by {option} {value}: is this value in degrees?',
+    why='all angles in ROS 2 are in radians: a quarter turn is 1.5708, and a full turn is 6.2832',
     do='write {option} {radians}',
     lesson='08_static_broadcaster',
     confidence='asked',
@@ -189,9 +186,9 @@ def static_degrees(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.old-order',
-    what='{process} turns its frame by {angle} about the x axis (roll): was it meant to turn about z (yaw)?',
-    why='without option names the order is x y z yaw pitch roll: yaw comes first',
-    do='name what you give: --x {x} --y {y} --z {z} --yaw {angle} --frame-id {parent} --child-frame-id {child}',
+    what='{process} rotates its frame by {angle} about the x axis (roll): did you mean the z axis (yaw)?',
+    why='without option names, the order is x y z yaw pitch roll',
+    do='use option names: --x {x} --y {y} --z {z} --yaw {angle} --frame-id {parent} --child-frame-id {child}',
     lesson='08_static_broadcaster',
     confidence='asked',
 )
@@ -217,9 +214,9 @@ def _number(text: str) -> float | None:
 
 @rule(
     'launch.arguments-in-one',
-    what="{process} gets one argument with blanks in it, '{text}', where it expects several",
-    why='launch hands each entry of arguments=[...] to the program as one word; only a shell splits at blanks',
-    do='write each word as an entry of its own: arguments=[{entries}]',
+    what="{process} receives the single argument '{text}' with spaces, but it expects several arguments",
+    why='launch passes each entry of arguments=[...] as one word, and only a shell splits at spaces',
+    do='write each word as a separate string: arguments=[{entries}]',
     lesson='08_static_broadcaster',
     level='error',
     hides=('programs.died',),

@@ -37,12 +37,12 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
 
 @rule(
     'tf.unknown-frame',
-    what=("{node} looks up the frame '{frame}', which nobody broadcasts",),
-    why='the lookup can never succeed; code that only waits for it waits for ever',
+    what=("{node} looks up the frame '{frame}', which no node broadcasts",),
+    why='the lookup can never succeed, so code that waits for it waits forever',
     do=(
-        "write '{near}' if that is the frame you mean",
+        "write '{near}' if you mean that frame",
         "start the node that broadcasts '{frame}', or look up one of these: {frames}",
-        'start a node that broadcasts transforms: there is not a single frame in this run',
+        'start a node that broadcasts transforms, because this run has no frames at all',
     ),
     lesson=LESSON,
     level='error',
@@ -65,8 +65,8 @@ def _near(name: str, known: list[str]) -> str | None:
 
 @rule(
     'tf.leading-slash',
-    what="{node} looks up '{frame}': frame names of tf2 have no leading slash",
-    why='with the slash the lookup fails every time',
+    what="{node} looks up '{frame}', but frame names in tf2 have no leading slash",
+    why='every lookup with a leading slash fails',
     do="write '{plain}'",
     lesson=LESSON,
     level='error',
@@ -83,11 +83,11 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.empty-buffer',
-    what="{node} looks up '{frame}' in a buffer that has never received a transform, although '{frame}' is broadcast",
-    why='a buffer is filled by a TransformListener, and only while the node is spun',
+    what="{node} looks up '{frame}' in a buffer that never received a transform, although a node broadcasts '{frame}'",
+    why='only a TransformListener fills a buffer, and only while its node spins',
     do=(
-        'give the same buffer to both: self.tf_buffer = Buffer(); self.tf_listener = TransformListener(self.tf_buffer, self); '
-        'and call rclpy.spin(node)'
+        'write self.tf_listener = TransformListener(self.tf_buffer, self) with the buffer of the lookup, and call '
+        'rclpy.spin(node)'
     ),
     lesson=LESSON,
     level='error',
@@ -104,12 +104,9 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.lookup-early',
-    what="{node} looks up '{frame}' before it can know it: in its first moment, and never again",
-    why='transforms are received while the node is spun; in a constructor nothing has come yet',
-    do=(
-        'look it up in a timer, again and again: self.create_timer(0.1, self.on_timer), with try: ... except TransformException: '
-        'return'
-    ),
+    what="{node} looks up '{frame}' only once, at its start, before it has received any transform",
+    why='a node receives transforms only while it spins, so its constructor cannot look one up',
+    do='look it up repeatedly in a timer with self.create_timer(0.1, self.on_timer), and ignore each TransformException',
     lesson=LESSON,
     level='error',
     hides=('programs.died',),
@@ -133,9 +130,9 @@ MOMENT_S = 0.05
 
 @rule(
     'tf.separate-trees',
-    what="{node} looks up '{frame}' from '{target}', which hangs in another tree",
-    why="tf2 follows links from child to parent; one tree ends at '{first}', the other at '{second}', and nothing joins them",
-    do="broadcast a transform that joins them, for instance one with the parent '{second}' and the child '{first}'",
+    what="{node} looks up '{frame}' from '{target}', which is in another tree",
+    why="one tree has the root '{first}', the other has the root '{second}', and no transform connects them",
+    do="broadcast a transform between the trees, for example with the parent '{second}' and the child '{first}'",
     lesson=LESSON,
     level='error',
     hides=('programs.died',),
@@ -153,12 +150,12 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.lookup-future',
-    what="{node} looks up '{frame}' {gap_s} s after the newest transform that its buffer holds",
-    why='a transform takes a moment to arrive; asked for "now" the buffer has only older ones',
+    what="{node} looks up '{frame}' {gap_s} s after the newest transform in its buffer",
+    why='a transform takes time to arrive, so the buffer has no transform for the current time yet',
     do=(
-        'ask for the newest transform with rclpy.time.Time() as the time: in the {waited_s} s that this lookup waits, the node '
-        'takes no new ones',
-        'ask for the newest transform with rclpy.time.Time() as the time',
+        'pass rclpy.time.Time() to get the newest transform; this lookup blocks the node for {waited_s} s, so '
+        'it receives no new transforms',
+        'pass rclpy.time.Time() as the time to get the newest transform',
     ),
     lesson=LESSON,
     level='error',
@@ -172,9 +169,9 @@ def lookup_future(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.lookup-past',
-    what="{node} looks up '{frame}' {gap_s} s before the oldest transform that its buffer holds",
-    why='a buffer keeps the last 10 s; before the first broadcast there is nothing',
-    do=('ask for a later time, wait until enough time has passed, or keep more: Buffer(cache_time=Duration(seconds=30))'),
+    what="{node} looks up '{frame}' {gap_s} s before the oldest transform in its buffer",
+    why='a buffer stores the last 10 s, and it has no transform from before the first broadcast',
+    do='use a later time, wait until enough time has passed, or store more: Buffer(cache_time=Duration(seconds=30))',
     lesson=LESSON,
     level='error',
     hides=('programs.died',),

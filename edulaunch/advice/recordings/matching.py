@@ -34,9 +34,9 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
 
 @rule(
     'messages.best-effort',
-    what='{node} publishes on {topic} as best effort, but {other} wants it reliable: it hears nothing',
-    why='a subscription may ask for no more than its publisher offers; the two are never joined',
-    do='let {other} take best effort: create_subscription(..., qos_profile_sensor_data), or publish reliably',
+    what='{node} publishes {topic} as best effort, but {other} requires reliable, so it receives nothing',
+    why='ROS 2 does not connect a subscription to a publisher that offers less than the subscription requires',
+    do='use create_subscription(..., qos_profile_sensor_data) in {other}, or publish with reliable',
     lesson=LESSON,
     level='error',
 )
@@ -47,11 +47,11 @@ def best_effort(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.not-kept',
-    what='{other} wants the last messages of {topic} kept for it (transient local), but {node} keeps none: it hears nothing',
-    why='a subscription may ask for no more than its publisher offers; the two are never joined',
+    what='{other} requires transient local messages on {topic}, but {node} publishes volatile ones, so {other} receives nothing',
+    why='ROS 2 does not connect a subscription to a publisher that offers less than the subscription requires',
     do=(
-        'publish with QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL) in {node}, or leave the durability of the '
-        'subscription at VOLATILE'
+        'publish with QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL) in {node}, or keep the '
+        'durability of the subscription at VOLATILE'
     ),
     lesson=LESSON,
     level='error',
@@ -63,9 +63,9 @@ def not_kept(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.qos',
-    what='{node} publishes on {topic}, but {other} hears nothing: their quality of service differs in {policy}',
-    why='a subscription may ask for no more than its publisher offers; the two are never joined',
-    do='give both ends the same QoSProfile; compare them with: ros2 topic info {topic} --verbose',
+    what='{node} publishes {topic}, but {other} receives nothing, because their QoS policy {policy} differs',
+    why='ROS 2 does not connect a subscription to a publisher that offers less than the subscription requires',
+    do='use the same QoSProfile on both sides, and compare them with `ros2 topic info {topic} --verbose`',
     lesson=LESSON,
     level='error',
 )
@@ -76,9 +76,9 @@ def quality(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.types',
-    what='{node} publishes {sent} on {topic}, but {other} expects {heard}: they do not hear each other',
-    why='a topic carries messages of one type; ends of two types are never joined, and ROS 2 says nothing',
-    do='use one message type on both sides, or two topics',
+    what='{node} publishes {sent} on {topic}, but {other} expects {heard}, so it receives nothing',
+    why='ROS 2 connects only publishers and subscriptions of the same type, and reports nothing otherwise',
+    do='use the same message type on both sides, or two topics',
     lesson=LESSON,
     level='error',
 )
@@ -104,9 +104,9 @@ def different_types(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.service-type',
-    what='{node} asks the service {service} as {asked}, but it is a {served}',
-    why='a client and a server of two types never meet; the client waits for ever',
-    do='import and use {served} in the client',
+    what='{node} calls the service {service} with the type {asked}, but its type is {served}',
+    why='ROS 2 does not connect a client and a server of different types, so the client waits forever',
+    do='import {served}, and use it in the client',
     lesson=LESSON,
     level='error',
 )
@@ -130,12 +130,12 @@ SOON_S = 0.5
 
 @rule(
     'launch.remapping-unused',
-    what="the remapping of '{old}' to '{new}' changes nothing: {node} has no topic or service '{old}'",
-    why='the first name of a remapping is the one that the node itself uses',
+    what="the remapping of '{old}' to '{new}' has no effect, because {node} has no topic or service '{old}'",
+    why='the first name of a remapping is the name that the node uses in its code',
     do=(
-        "write '{near}' as the first of the two",
+        "write '{near}' as the first name",
         'use one of the names of {node}: {names}',
-        'look for the names of {node} with: ros2 node info {node}',
+        'look up the names of {node} with `ros2 node info {node}`',
     ),
     lesson='01_first_launch',
     level='error',
@@ -207,11 +207,11 @@ def _names(node: NodeRecord) -> list[str]:
 
 @rule(
     'programs.same-name',
-    what='two nodes are called {node}: one of {first}, one of {second}',
-    why='whoever asks {node} for a parameter or a service reaches only one of them, and you cannot say which',
+    what='two nodes have the name {node}: one in {first}, and one in {second}',
+    why='a request to {node} for a parameter or a service reaches only one of the two, and you cannot know which',
     do=(
-        'end the one that another terminal started, if you need only one: press Ctrl-C where `{command}` runs',
-        "give one of them another name, for instance name='{other}' in the launch file, or another namespace",
+        'if you need only one, press Ctrl-C in the terminal where `{command}` is running',
+        "rename one of them, for example with name='{other}' in the launch file, or use another namespace",
     ),
     lesson='01_first_launch',
 )

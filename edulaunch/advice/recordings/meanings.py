@@ -40,9 +40,14 @@ CLOSE = 0.05
 
 @rule(
     'tf.lookup-swapped',
-    what='{node} steers {turtle} by where {turtle} is seen from {leader}: the two frames of its lookup_transform are swapped',
-    why='lookup_transform(target, source) gives the place of source, seen from target; the follower has to be the target',
-    do="write lookup_transform('{own}', '{other}', ...): the frame of the robot that drives stands first",
+    what=(
+        '{node} steers {turtle} by the position of {turtle} as seen from {leader}, because the frames of '
+        'lookup_transform are swapped'
+    ),
+    why=(
+        'lookup_transform(target, source) returns the position of source as seen from target, and the follower must be the target'
+    ),
+    do="write the frame of the robot that drives first: lookup_transform('{own}', '{other}', ...)",
     lesson=LESSON,
     level='error',
     hides=('turtlesim.wall', 'turtlesim.slow-commands', 'messages.two-commanders'),
@@ -103,8 +108,8 @@ def _is_one_number(ratios: list[float]) -> bool:
 
 @rule(
     'tf.quaternion-order',
-    what="{node} broadcasts '{frame}' with its rotation in the order w, x, y, z: the frame is tilted, and its turtle is not",
-    why='fields and lists of ROS 2 have the order x, y, z, w; transforms3d and other libraries begin with w',
+    what="{node} broadcasts '{frame}' with a rotation in the order w, x, y, z, which tilts the frame",
+    why='ROS 2 uses the order x, y, z, w, but transforms3d and other libraries start with w',
     do='set rotation.x = 0.0, rotation.y = 0.0, rotation.z = sin(theta / 2) and rotation.w = cos(theta / 2)',
     lesson=LESSON,
     level='error',
@@ -135,9 +140,9 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.remapping-reversed',
-    what="the remapping of '{old}' to '{new}' leads {node} away from {old}, which another node uses",
-    why='the first name of a remapping is the one that the node uses itself, the second one replaces it',
-    do="turn it round: remappings=[('{new}', '{old}')]",
+    what="the remapping of '{old}' to '{new}' disconnects {node} from {old}, which another node uses",
+    why='the first name of a remapping is the name in the code of the node, and the second name replaces it',
+    do="swap the names: remappings=[('{new}', '{old}')]",
     lesson='02_names',
     level='error',
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
@@ -167,8 +172,8 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.joined-strings',
-    what="between '{first}' and '{second}' a comma is missing: Python makes '{joined}' of the two",
-    why='two strings that stand side by side are one string',
+    what="a comma is missing between '{first}' and '{second}', so Python joins them to '{joined}'",
+    why='Python joins two strings that follow each other',
     do="write a comma between them: '{first}', '{second}'",
     lesson='00_python',
     level='error',
@@ -200,9 +205,9 @@ def joined_strings_used(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.loop',
-    what='the frames {frames} are each the parent of the next, in a ring',
-    why='tf is a tree; in a ring no frame is at the top, and every lookup fails',
-    do="take one of the links out: the topmost frame, such as 'map' or 'world', has no parent",
+    what='each of the frames {frames} is the parent of the next, so they form a loop',
+    why='the frames of tf must form a tree, and every lookup in a loop fails',
+    do="remove one of the transforms: the top frame, such as 'map' or 'world', has no parent",
     lesson=LESSON,
     level='error',
     hides=('tf.two-parents', 'tf.separate-trees', 'tf.unknown-frame', 'tf.lookup-past', 'tf.lookup-future'),

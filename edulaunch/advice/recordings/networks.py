@@ -21,11 +21,11 @@ def _notes(recording: Recording, kind: str) -> Iterator[Note]:
 
 @rule(
     'programs.alone-on-network',
-    what='this machine joined the network in domain {domain} (discovery: {range}) and found nobody there',
-    why='another domain, or a computer that cannot be reached, is no error: it looks like an empty room',
+    what='this machine found no other computer in domain {domain} of the network (discovery range: {range})',
+    why='ROS 2 reports no error if the other computer uses another domain or is unreachable',
     do=(
-        'set ROS_DOMAIN_ID={domain} in every terminal of both computers, and ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET for more than '
-        'this computer; where the network drops multicast, name the other computer in ROS_STATIC_PEERS'
+        'set ROS_DOMAIN_ID={domain} and ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET in every terminal of both computers; '
+        'without multicast, name the other computer in ROS_STATIC_PEERS'
     ),
     lesson=LESSON,
     level='info',
@@ -41,9 +41,9 @@ def alone(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.other-clock',
-    what='the clock of the computer of {node} is not that of this one',
-    why='stamps of the one are the past or the future of the other, so tf finds no transform and filters drop what comes',
-    do='set the clocks of both computers by NTP; compare them with: date',
+    what='the clock of the computer that runs {node} differs from the clock of this computer',
+    why='time stamps of one computer are in the past or future of the other, so tf lookups fail and filters drop messages',
+    do='synchronize the clocks of both computers with NTP, and compare them with `date`',
     lesson=LESSON,
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
@@ -54,9 +54,12 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.other-definition',
-    what='{type} has another definition on the other computer: its messages are misread or dropped',
-    why='the name of a type is equal on both sides, but its type hash, which is made of all its fields, is not',
-    do='build the same version of the package {package} on both computers; compare the hashes with: ros2 topic info --verbose',
+    what='{type} has a different definition on the other computer, so its messages are misread or dropped',
+    why='the type has the same name on both computers, but not the same type hash, which depends on its fields',
+    do=(
+        'build the same version of the package {package} on both computers, and compare the hashes with `ros2 '
+        'topic info --verbose`'
+    ),
     lesson=LESSON,
     level='error',
 )

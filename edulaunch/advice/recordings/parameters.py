@@ -21,11 +21,12 @@ SET = 'rcl_interfaces/srv/SetParameters'
 
 @rule(
     'programs.parameter-not-declared',
-    what="the parameter '{parameter}' is set for {node}, which never declares it: the value {value} goes nowhere",
-    why='a node takes only the parameters that it declares; ROS 2 drops all others without a word',
+    what="{node} does not declare the parameter '{parameter}', so ROS 2 ignores the value {value}",
+    why='a node accepts only the parameters that it declares, and ROS 2 drops all others without a warning',
     do=(
-        "write '{near}', if that is the one you mean",
-        "declare it in the node: self.declare_parameter('{parameter}', ...); {node} declares: {declared}",
+        "write '{near}' if you mean that one",
+        "declare it with self.declare_parameter('{parameter}', ...), or set one of the parameters that {node} "
+        'declares: {declared}',
         "declare it in the node: self.declare_parameter('{parameter}', ...)",
     ),
     lesson=LESSON,
@@ -53,11 +54,11 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
 
 @rule(
     'programs.key-for-no-node',
-    what='{file} gives {node} nothing: its keys are {keys}',
-    why='a parameter file is read by full node names; a key that names another node is passed over in silence',
+    what='{file} sets no parameter of {node}, because its keys are {keys}',
+    why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
-        'write {node}: (or /**: for any node) in place of {near}:',
-        'write {node}: (or /**: for any node) above ros__parameters:',
+        'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
+        'write the key `{node}` (or `/**` for all nodes) above `ros__parameters`',
     ),
     lesson='03_parameters',
     level='error',
@@ -80,9 +81,9 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-refused',
-    what='{node} refused a parameter that {asker} wanted to set: {reason}',
-    why='the old value stays; set_parameters only says so in its answer',
-    do='set a value of the type and range that "ros2 param describe {node} {parameter}" names, and look at the answer',
+    what='{node} rejected a parameter that {asker} tried to set: {reason}',
+    why='the parameter keeps its old value, and only the result of set_parameters shows this',
+    do='set a value of the type and range that `ros2 param describe {node} {parameter}` prints, and check the result',
     lesson=LESSON,
 )
 def refused(recording: Recording) -> Iterator[Finding]:
@@ -102,11 +103,11 @@ def refused(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.unknown-argument',
-    what="no launch file declares the argument '{argument}', so giving it changed nothing",
-    why='ROS 2 takes any name:=value, and says nothing of a name that no launch file reads',
+    what="no launch file declares the argument '{argument}', so its value has no effect",
+    why='ROS 2 accepts any name:=value and does not report names that no launch file declares',
     do=(
         "write '{near}:=' instead of '{argument}:='",
-        'give one of the declared arguments: {declared}',
+        'use one of the declared arguments: {declared}',
         "leave it out, or declare it in the launch file: DeclareLaunchArgument('{argument}')",
     ),
     lesson='01_first_launch',
@@ -121,11 +122,11 @@ def unknown_argument(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.undeclared-in-include',
-    what="{included} is given the argument '{argument}', which it does not declare, so nothing changed",
-    why='an include sets what it is given in silence, also when no one there reads it',
+    what="the argument '{argument}' is passed to {included}, which does not declare it, so it has no effect",
+    why='an include accepts any argument, and ROS 2 does not report one that the included file never uses',
     do=(
         "write '{near}' instead of '{argument}'",
-        'give one of the arguments that {included} declares: {declared}',
+        'use one of the arguments that {included} declares: {declared}',
         "leave it out, or declare it in {included}: DeclareLaunchArgument('{argument}')",
     ),
     lesson='13_large_project',

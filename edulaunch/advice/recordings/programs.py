@@ -27,8 +27,8 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
 
 @rule(
     'programs.private-name',
-    what='{node} keeps something of its own as self.{attribute}, where the real rclpy keeps a part of every node',
-    why='here that part is elsewhere; with the real rclpy the node breaks as soon as that part is needed',
+    what='{node} sets self.{attribute}, but the real rclpy uses that name in every node',
+    why='edulaunch does not use that name, but with the real rclpy the node fails',
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:
@@ -42,12 +42,12 @@ def private_name(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.died',
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
-    why='the other programs go on without it, and launch itself ends as if all were well',
+    why='the other programs continue without it, and launch itself reports success',
     do=(
-        'see what line {at} does: there the program ended',
+        'check line {at}, where the program ended',
         '{help}',
-        'look at what it printed last: {said}',
-        'look at what it printed last',
+        'check the last output of the program: {said}',
+        'check the last output of the program',
     ),
     lesson='01_first_launch',
     level='error',
@@ -139,7 +139,7 @@ def _said(recording: Recording, process: ProcessRecord) -> list[str]:
 
 @rule(
     'programs.interrupted',
-    what='the run was interrupted, and what would have come later is not recorded',
+    what='the run was interrupted, so later events are not in the recording',
     do='run it again, with a smaller duration_s if it takes too long',
     level='info',
 )
@@ -155,9 +155,9 @@ TERMINALS = ('gnome-terminal', 'konsole', 'xterm', 'x-terminal-emulator')
 
 @rule(
     'launch.output-hidden',
-    what='{process} prints "{text}", and the screen does not show it',
-    why="a Node has output='log' unless it says otherwise; only what it logs is seen",
-    do="give the Node output='screen', if you want to see it, or log it: self.get_logger().info(...)",
+    what='{process} prints "{text}", but the screen does not show it',
+    why="a Node has output='log' by default, so the screen shows only its log messages",
+    do="set output='screen' on the Node to see it, or log it with self.get_logger().info(...)",
     lesson='01_first_launch',
     level='info',
     confidence='asked',

@@ -22,8 +22,8 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
 
 @rule(
     'messages.bag-of-nothing',
-    what='{process} records {topic}, on which nobody publishes: the bag has no message of it',
-    do=('record {near}, if that is the topic you mean', 'look for the name of the topic with: ros2 topic list'),
+    what='{process} records {topic}, but no node publishes it, so the bag contains no messages of it',
+    do=('record {near} if you mean that topic', 'look up the name of the topic with `ros2 topic list`'),
     lesson='15_bags',
     level='error',
 )
@@ -49,9 +49,9 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.description-is-path',
-    what='robot_description is {given}: {process} wants the text of the URDF, not its path',
-    why='the parameter holds the whole XML; nothing reads a file for it',
-    do="read the file: robot_description = open(path).read(), or ParameterValue(Command(['xacro ', path]), value_type=str)",
+    what='robot_description is {given}, but {process} needs the content of the URDF file, not its path',
+    why='the parameter must contain the whole XML, because no program reads the file',
+    do="read the file with open(path).read(), or use ParameterValue(Command(['xacro ', path]), value_type=str)",
     lesson='12_urdf',
     level='error',
     hides=('programs.died',),
@@ -110,9 +110,12 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 
 @rule(
     'messages.no-joint-states',
-    what='{node} knows the movable joints {joints}, and nobody publishes {topic}',
-    why='without the angle of a joint the frames behind it have no place in tf',
-    do=("start what publishes them; without a robot: Node(package='joint_state_publisher', executable='joint_state_publisher')"),
+    what='{node} has the movable joints {joints}, but no node publishes {topic}',
+    why='without the angle of a joint, the frames after that joint have no position in tf',
+    do=(
+        "start a publisher, such as Node(package='joint_state_publisher', executable='joint_state_publisher') if "
+        'there is no robot'
+    ),
     lesson='12_urdf',
     hides=('messages.nobody-publishes',),
 )
@@ -139,14 +142,14 @@ JOINT_STATE = 'sensor_msgs/msg/JointState'
 @rule(
     'messages.other-joint',
     what=(
-        "{node} publishes the state of a joint '{joint}', which the robot does not have; its joints are: {joints}",
-        '{node} publishes {names} names and {positions} positions of joints on {topic}: the two lists must be of one length',
+        "{node} publishes the state of a joint '{joint}' that the robot does not have; its joints are {joints}",
+        '{node} publishes {names} names but {positions} positions of joints on {topic}',
     ),
-    why='robot_state_publisher passes over what fits no joint of its URDF, so frames behind that joint have no place in tf',
+    why='robot_state_publisher ignores joints that are not in its URDF, so frames after a missing joint have no position in tf',
     do=(
         "write '{near}'",
-        'give message.position one number for each of the {names} names',
-        'use the names of the URDF: {joints}',
+        'write one number into message.position for each of the {names} names',
+        'use the names in the URDF: {joints}',
     ),
     lesson='12_urdf',
     level='error',

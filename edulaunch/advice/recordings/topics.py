@@ -46,9 +46,9 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
 
 @rule(
     'messages.other-topic',
-    what='{node} publishes on {topic}, where nobody listens; {other} listens on {near}, where nobody publishes',
-    why='topics are joined by their whole name, with the namespace: every letter and every slash counts',
-    do="use one name for both, or join them in the launch file: remappings=[('{topic}', '{near}')]",
+    what='{node} publishes {topic}, which no node subscribes to; {other} subscribes to {near}, which no node publishes',
+    why='ROS 2 connects topics by their full name with the namespace, so every letter and every slash counts',
+    do="use the same name in both, or add remappings=[('{topic}', '{near}')] in the launch file",
     lesson=LESSON,
     level='error',
     hides=('messages.nobody-listens', 'messages.nobody-publishes'),
@@ -82,11 +82,11 @@ def _commands(recording: Recording) -> set[str]:
 
 @rule(
     'messages.nobody-listens',
-    what='{node} sends commands on {topic}, and nobody listens there',
-    why='a message on a topic without a listener is lost',
+    what='{node} sends commands on {topic}, but no node subscribes to it',
+    why='a message on a topic without a subscription is lost',
     do=(
-        'send to {near}: there somebody listens',
-        'start the node that listens on {topic}, or look for its name with: ros2 topic list -t',
+        'publish on {near}, which has a subscription',
+        'start the node that subscribes to {topic}, or look up its name with `ros2 topic list -t`',
     ),
     lesson=LESSON,
     level='error',
@@ -107,11 +107,11 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
 
 @rule(
     'messages.nobody-publishes',
-    what='{node} listens on {topic}, and nobody publishes there',
-    why='its callback is never called',
+    what='{node} subscribes to {topic}, but no node publishes it',
+    why='ROS 2 never calls the callback of this subscription',
     do=(
-        'listen on {near}, if that is the topic you mean',
-        'start the node that publishes on {topic}, or look for its name with: ros2 topic list -t',
+        'subscribe to {near} if you mean that topic',
+        'start the node that publishes {topic}, or look up its name with `ros2 topic list -t`',
     ),
     lesson=LESSON,
     confidence='asked',
@@ -131,11 +131,11 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.too-early',
-    what='{node} published on {topic} only before {other} listened there: what it said is lost',
-    why='a publisher does not keep its messages for those who come later',
+    what='{node} published {topic} only before {other} subscribed to it, so the messages are lost',
+    why='a publisher does not store its messages for later subscriptions',
     do=(
-        'publish again later, for instance from a timer; or let both ends keep the last message: '
-        'QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)'
+        'publish again later, for example from a timer, or use QoSProfile(depth=1, '
+        'durability=DurabilityPolicy.TRANSIENT_LOCAL) on both sides'
     ),
     lesson=LESSON,
 )
@@ -174,9 +174,9 @@ CLOSE_NS = 1_000_000_000
 
 @rule(
     'messages.two-commanders',
-    what='{first} and {second} both send commands on {topic}, and do not agree ({turns} times within a second)',
-    why='the robot follows whoever spoke last, so it goes to and fro between the two',
-    do='let one node at a time send commands: stop one of them, or give each a robot of its own',
+    what='{first} and {second} send different commands on {topic} ({turns} changes within a second)',
+    why='the robot follows the latest command, so it moves back and forth between the two',
+    do='let only one node send commands at a time: stop one of them, or give each its own robot',
     lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:

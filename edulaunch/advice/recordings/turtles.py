@@ -52,9 +52,9 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
 
 @rule(
     'turtlesim.wall',
-    what='{turtle} ran into the wall and pushed against it for {seconds} s, at x={x}, y={y}',
-    why='the field goes from 0 to 11.09 in x and y; at the edge a turtle stays where it is, whatever it is told',
-    do='turn before the wall: listen to the pose, and turn when x or y is below 1 or above 10',
+    what='{turtle} drove into the wall at x={x}, y={y} and pushed against it for {seconds} s',
+    why='the field extends from 0 to 11.09 in x and y, and a turtle cannot leave it',
+    do='subscribe to the pose, and turn when x or y is below 1 or above 10',
     lesson=LESSON,
 )
 def wall(recording: Recording) -> Iterator[Finding]:
@@ -82,9 +82,9 @@ def _driver(recording: Recording, turtle: str) -> str | None:
 
 @rule(
     'turtlesim.spawn-taken',
-    what="{node} wants to spawn '{turtle}', but a turtle of that name is there already: none was made",
-    why='the answer has an empty name then, and both parts of your program go on with one turtle',
-    do="choose another name, leave the name empty to be given one, or kill '{turtle}' before",
+    what="{node} cannot spawn '{turtle}', because a turtle with that name already exists",
+    why='the reply then has an empty name, and both parts of your program control the same turtle',
+    do="use another name, leave the name empty to get a generated one, or kill '{turtle}' first",
     lesson=LESSON,
     level='error',
 )
@@ -98,9 +98,9 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.outside',
-    what='{node} puts {turtle} at x={x}, y={y}, which is off the field',
-    why='the field goes from 0 to 11.09 in x and y; the turtle is set down at the edge instead',
-    do='choose x and y between 0 and 11; the middle is 5.54',
+    what='{node} puts {turtle} at x={x}, y={y}, which is outside the field',
+    why='the field extends from 0 to 11.09 in x and y, so turtlesim puts the turtle at the edge',
+    do='use values between 0 and 11 for x and y; the middle is 5.54',
     lesson=LESSON,
     level='error',
     hides=('turtlesim.wall',),
@@ -118,9 +118,9 @@ def outside(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.degrees',
-    what='{node} gives {turtle} the angle {angle}: are these degrees?',
-    why='all angles of ROS 2 are in radians: a quarter turn is 1.57, a full turn 6.28',
-    do='convert: math.radians({angle})',
+    what='{node} sets the angle of {turtle} to {angle}: is this value in degrees?',
+    why='all angles in ROS 2 are in radians: a quarter turn is 1.57, and a full turn is 6.28',
+    do='convert the angle: math.radians({angle})',
     lesson=LESSON,
     confidence='asked',
 )
@@ -152,8 +152,8 @@ def degrees(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.pen-off',
-    what='{node} gives {turtle} a pen colour and lifts the pen at the same time (off={off})',
-    why='with off other than 0 the turtle draws nothing, and the colour is not taken over',
+    what='{node} sets a pen colour for {turtle} but switches the pen off (off={off})',
+    why='the turtle draws only if off is 0, and turtlesim ignores the new colour otherwise',
     do='set off=0 to draw',
     lesson=LESSON,
     confidence='asked',
@@ -170,8 +170,8 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.kill-unknown',
-    what="'{turtle}' was to be killed, but there is no turtle of that name",
-    do=("write '{near}', if that is the one you mean", 'the turtles are: {names}', 'spawn it first'),
+    what="the turtle '{turtle}' cannot be killed, because it does not exist",
+    do=("write '{near}' if you mean that one", 'use the name of an existing turtle: {names}', 'spawn the turtle first'),
     lesson=LESSON,
     level='error',
 )
@@ -189,9 +189,9 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.killed',
-    what='{node} sends commands to {turtle} after it was killed',
-    why='with the turtle its topics are gone, and the commands are lost',
-    do="spawn '{short}' again, or stop sending when you kill it",
+    what='{node} sends commands to {turtle}, which was already killed',
+    why='the topics of a turtle disappear with it, so the commands are lost',
+    do="spawn '{short}' again, or stop sending commands when you kill it",
     lesson=LESSON,
     level='error',
 )
@@ -212,8 +212,8 @@ _NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
 
 @rule(
     'turtlesim.ignored-axes',
-    what='{node} steers {turtle} with {axes} only, which a turtle does not follow',
-    why='a turtle drives forward by linear.x and turns by angular.z; linear.y counts only with the parameter holonomic',
+    what='{node} sets only {axes} for {turtle}, and a turtle ignores these fields',
+    why='a turtle uses linear.x and angular.z, and linear.y only if the parameter holonomic is true',
     do='set linear.x to drive and angular.z to turn',
     lesson=LESSON,
     level='error',
@@ -239,11 +239,11 @@ AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z
 @rule(
     'turtlesim.slow-commands',
     what=(
-        '{node} sends {turtle} a command every {gap_s} s: it stands still in between',
-        '{node} sends {turtle} one command and no more: it stops after a second',
+        '{node} sends a command to {turtle} only every {gap_s} s, so the turtle stops in between',
+        '{node} sends only one command to {turtle}, so the turtle stops after one second',
     ),
-    why='a turtle follows a command for one second, then it stops',
-    do='send commands more often than once a second, from a timer: self.create_timer(0.1, self.drive)',
+    why='a turtle follows a command for one second and then stops',
+    do='send commands from a timer, more often than once a second: self.create_timer(0.1, self.drive)',
     lesson=LESSON,
 )
 def slow_commands(recording: Recording) -> Iterator[Finding]:

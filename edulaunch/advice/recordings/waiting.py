@@ -30,11 +30,11 @@ def _late(recording: Recording) -> list[Fact]:
 @rule(
     'time.sleep-in-callback',
     what=(
-        '{callback}() of {node} sleeps ({seconds} s, {times} times), and the timer of {timers}() has to wait meanwhile',
-        '{callback}() of {node} sleeps ({seconds} s, {times} times), and {topics} has to wait meanwhile',
+        '{callback}() in {node} sleeps ({seconds} s, {times} times), so the timer of {timers}() has to wait',
+        '{callback}() in {node} sleeps ({seconds} s, {times} times), so messages on {topics} have to wait',
     ),
-    why='a node runs one callback at a time: while one sleeps, no other timer and no message is served',
-    do='take the sleep out and let a timer call you: self.create_timer({seconds}, self.next_step)',
+    why='a node runs one callback at a time, so no timer or message is handled during a sleep',
+    do='replace the sleep with a timer: self.create_timer({seconds}, self.next_step)',
     lesson=LESSON,
     hides=('time.slow-callback', 'messages.not-taken'),
 )
@@ -56,9 +56,9 @@ def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.slow-callback',
-    what='the timer of {callback}() in {node} is to call every {period_s} s, but comes up to {late_s} s late ({times} times)',
-    why='calls that are missed are left out; the node is busy with something that takes longer than the period',
-    do='give the timer a longer period, or make the callbacks of {node} shorter',
+    what='the timer of {callback}() in {node} has a period of {period_s} s, but is up to {late_s} s late ({times} times)',
+    why='the node is busy for longer than the period, and rclpy skips the calls that it misses',
+    do='use a longer period for the timer, or make the callbacks of {node} shorter',
     lesson=LESSON,
 )
 def slow_callback(recording: Recording) -> Iterator[Finding]:
@@ -84,9 +84,9 @@ def slow_callback(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.timer-period',
-    what='the timer of {callback}() in {node} has a period of {period_s} s: is that what you mean?',
-    why='create_timer() takes seconds: 0.5 is twice a second',
-    do='give the seconds between two calls, such as create_timer(0.1, ...) for ten times a second',
+    what='the timer of {callback}() in {node} has a period of {period_s} s: is this the period that you want?',
+    why='create_timer() expects seconds: 0.5 means twice a second',
+    do='write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
     lesson=LESSON,
     confidence='asked',
 )
@@ -101,8 +101,8 @@ def timer_period(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.no-clock',
-    what='{node} goes by the simulated clock (use_sim_time is true), but nobody publishes /clock',
-    why='its time stands still at 0: timers never call, and stamps are 0',
+    what='{node} uses simulated time (use_sim_time is true), but no node publishes /clock',
+    why='the time of the node remains 0, so its timers never run and all its stamps are 0',
     do='set use_sim_time to false, or start the simulator that publishes /clock',
     lesson='13_large_project',
     level='error',
@@ -126,10 +126,11 @@ CHANGE = 'lifecycle_msgs/srv/ChangeState'
 
 @rule(
     'programs.not-configured',
-    what='{node} is a lifecycle node, and nobody configures it: it stays unconfigured and does nothing',
-    why='a lifecycle node makes its publishers and timers when it is told to: first configure, then activate',
+    what='the lifecycle node {node} is never configured, so it remains unconfigured and does nothing',
+    why='a lifecycle node creates its publishers and timers when it is configured, and uses them when it is active',
     do=(
-        'send both transitions: ros2 lifecycle set {node} configure, then activate; or emit ChangeState events in the launch file'
+        'run `ros2 lifecycle set {node} configure` and then the same with `activate`, or emit ChangeState events '
+        'in the launch file'
     ),
     lesson=LARGE_PROJECT,
     level='error',
@@ -144,9 +145,9 @@ def not_configured(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.not-activated',
-    what='{node} is configured, but never activated: it is {state} at the end',
-    why='a lifecycle publisher sends nothing before its node is active',
-    do='activate it: ros2 lifecycle set {node} activate; or emit a second ChangeState event when it has become inactive',
+    what='{node} is configured but never activated; its final state is {state}',
+    why='a lifecycle publisher sends nothing until its node is active',
+    do='run `ros2 lifecycle set {node} activate`, or emit a second ChangeState event when the node has become inactive',
     lesson=LARGE_PROJECT,
     level='error',
 )
@@ -176,11 +177,11 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 @rule(
     'programs.ended-by-force',
     what=(
-        'Ctrl-C did not end {process}: it still waited at {calls}() in {function}(), and was killed 5 s later',
-        'Ctrl-C did not end {process}, and it was killed 5 s later',
+        '{process} ignored Ctrl-C while {function}() waited in {calls}(), and launch killed it 5 s later',
+        '{process} ignored Ctrl-C, and launch killed it 5 s later',
     ),
-    why='a thread that waits for ever, or a caught KeyboardInterrupt, keeps the program alive',
-    do='let the thread end when rclpy.ok() is false, or make it a daemon: Thread(target=..., daemon=True)',
+    why='a thread that waits forever, or code that catches KeyboardInterrupt, prevents the program from ending',
+    do='end the thread when rclpy.ok() is false, or make it a daemon: Thread(target=..., daemon=True)',
     lesson=LARGE_PROJECT,
     hides=('programs.died',),
 )

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 @rule(
     'programs.goal-unfinished',
-    what='{node} ends a goal without a final state, so the client is told that it was aborted',
-    why='an execute callback says how the goal ended before it returns the result',
-    do='write goal_handle.succeed() before the return; or abort() or canceled()',
+    what='{node} ends a goal without a final state, so the client receives the status aborted',
+    why='an execute callback must set the final state before it returns the result',
+    do='call goal_handle.succeed(), abort() or canceled() before the return',
     lesson='14_services',
     level='error',
 )
@@ -40,9 +40,9 @@ def goal_unfinished(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.spun-once',
-    what='{node} is spun once and ends: rclpy.spin_once() waits for one callback only',
-    why='when main() returns the program is over, and its node with it',
-    do='write rclpy.spin(node) in place of rclpy.spin_once(node)',
+    what='{node} calls rclpy.spin_once(), which runs one callback only, and ends',
+    why='the program and its node end when main() returns',
+    do='replace rclpy.spin_once(node) with rclpy.spin(node)',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('messages.nobody-listens', 'messages.too-early'),
@@ -76,9 +76,9 @@ def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
 
 @rule(
     'programs.method-twice',
-    what='the class {klass} has two methods {method}(): only the second one is there',
-    why='in Python a later definition of a name replaces the earlier one, without a word',
-    do='give one of the two another name, and use it where you create the subscription or timer',
+    what='the class {klass} defines the method {method}() twice, and Python keeps only the second one',
+    why='in Python, a later definition replaces an earlier one with the same name without a warning',
+    do='rename one of the two, and use the new name where you create the subscription or timer',
     lesson='00_python',
     level='error',
     hides=('messages.field', 'programs.callback-arguments', 'programs.died'),
@@ -101,9 +101,9 @@ ENDING = ('Shutdown', 'EmitEvent', 'LogInfo')
 
 @rule(
     'launch.waits-for-endless',
-    what='OnProcessExit waits for the end of {process}, which runs until somebody stops it: what follows never starts',
-    why='a node runs until somebody ends it; only a program that does its work and returns ends by itself',
-    do='wait for its start: OnProcessStart(target_action=..., on_start=[...]); or for a program that ends by itself',
+    what='OnProcessExit waits for the end of {process}, which never ends by itself, so its actions never start',
+    why='a node runs until you stop it; only a program that finishes its work ends by itself',
+    do='use OnProcessStart(target_action=..., on_start=[...]), or wait for a program that ends by itself',
     lesson='05_events',
     confidence='asked',
 )

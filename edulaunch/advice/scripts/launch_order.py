@@ -39,9 +39,9 @@ LESSON = '02_names'
 
 @rule(
     'launch.setting-after-nodes',
-    what='{written} stands behind the last node of its list, so {setting} reaches none of them',
-    why='launch does the actions of a list from the first to the last; a setting counts for what comes after it',
-    do='move {action} above the nodes that it is meant for',
+    what='{written} comes after the last node of its list, so {setting} applies to none of them',
+    why='launch executes the actions of a list in order, and a setting applies to the actions after it',
+    do='move {action} before the nodes that should use it',
     lesson=LESSON,
     level='error',
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'programs.parameter-not-declared'),
@@ -73,9 +73,9 @@ def _variables(tree: ast.Module) -> dict[str, ast.expr]:
 
 @rule(
     'launch.waits-for-unstarted',
-    what='{event} waits for {variable}, which is never started',
-    why='the variable holds an action, but no list hands it to launch: its event never comes',
-    do='write {variable} into the list of LaunchDescription([...]), too',
+    what='{event} waits for {variable}, which launch never starts',
+    why='the variable contains an action that is not in any list of the launch description, so the event never occurs',
+    do='add {variable} to the list of LaunchDescription([...]) as well',
     lesson='05_events',
     level='error',
     hides=('launch.not-added',),
@@ -104,9 +104,9 @@ LONG_S = 300.0
 
 @rule(
     'launch.timer-in-milliseconds',
-    what='this TimerAction waits {period} seconds ({minutes} minutes): is that what you mean?',
+    what='this TimerAction waits {period} seconds ({minutes} minutes): did you mean milliseconds?',
     why='the period of a TimerAction is in seconds',
-    do='write the seconds: TimerAction(period={seconds}, ...)',
+    do='write the period in seconds: TimerAction(period={seconds}, ...)',
     lesson='05_events',
     confidence='asked',
 )

@@ -33,13 +33,13 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
 
 @rule(
     'launch.python-if',
-    what='"{text}" asks the substitution itself, not its value: it is always {outcome}',
-    why='this line runs before launch knows any argument',
+    what='"{text}" tests the substitution object instead of its value, so the result is always {outcome}',
+    why='Python runs this line before launch knows the arguments',
     do=(
-        'ask for the value: {asked}.perform({context})',
-        "give the action a condition: condition=IfCondition(EqualsSubstitution(LaunchConfiguration('{argument}'), {value}))",
-        "give the action a condition: condition=IfCondition(LaunchConfiguration('{argument}'))",
-        'give the action a condition: condition=IfCondition(...)',
+        'get the value with {asked}.perform({context})',
+        "add a condition to the action: condition=IfCondition(EqualsSubstitution(LaunchConfiguration('{argument}'), {value}))",
+        "add a condition to the action: condition=IfCondition(LaunchConfiguration('{argument}'))",
+        'add a condition to the action: condition=IfCondition(...)',
     ),
     lesson=LESSON,
     level='error',
@@ -145,9 +145,9 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
 
 @rule(
     'launch.not-added',
-    what='{action} {variable} is made here and never handed to the launch description, so nothing happens with it',
-    why='launch sees only what stands in the list of LaunchDescription([...]), or was given to add_action()',
-    do='write {variable} into the list of LaunchDescription([...])',
+    what='the {action} {variable} is never added to the launch description, so launch does not run it',
+    why='launch runs only the actions in the list of LaunchDescription([...]), or that add_action() adds',
+    do='add {variable} to the list of LaunchDescription([...])',
     lesson='01_first_launch',
     level='error',
 )

@@ -21,9 +21,9 @@ LEVELS_ABOVE = 4
 
 @rule(
     'packages.changed-after-build',
-    what='{package} was changed after it was built: {changed}',
-    why='a real ROS 2 runs what colcon has installed; edulaunch runs the sources, so here you see the change already',
-    do='build it again in {workspace}: colcon build --packages-select {package}, or once with --symlink-install',
+    what='{package} has changed since it was built: {changed}',
+    why='a real ROS 2 runs the files that colcon installed, but edulaunch runs the sources, which contain the change',
+    do='build it again in {workspace} with `colcon build --packages-select {package}`, or once with --symlink-install',
     level='info',
     lesson='07_packages',
 )
@@ -72,9 +72,9 @@ INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to 
 
 @rule(
     'packages.no-shebang',
-    what='the program {file} has no first line that says what runs it',
-    why='"ros2 run {package} {file}" fails with "Exec format error"',
-    do='make the first line: #!/usr/bin/env python3',
+    what='the first line of the program {file} does not name its interpreter',
+    why='`ros2 run {package} {file}` fails with "Exec format error"',
+    do='write this first line: #!/usr/bin/env python3',
     lesson=LESSON,
     level='error',
 )
@@ -89,7 +89,7 @@ def no_shebang(source: Source) -> Iterator[Finding]:
 @rule(
     'packages.program-not-installed',
     what='no build installs the program {file}',
-    why='"ros2 run {package} {file}" does not find it',
+    why='`ros2 run {package} {file}` does not find it',
     do=INSTALL,
     lesson=LESSON,
     level='error',
@@ -104,9 +104,9 @@ def program_not_installed(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.program-left-out',
-    what='{file} starts a node, and no build installs it',
-    why='"ros2 run {package} {file}" does not find it; python3 {file} works',
-    do='to start it with ros2 run, ' + INSTALL,
+    what='{file} starts a node, but no build installs it',
+    why='`ros2 run {package} {file}` does not find it, but `python3 {file}` works',
+    do=INSTALL + ' if you want to start it with `ros2 run`',
     lesson=LESSON,
     level='info',
 )
@@ -140,9 +140,9 @@ _EXECUTABLE = re.compile(r"""\bexec(?:utable)?\s*[=:]\s*["']?([\w.-]+)""")
 
 @rule(
     'packages.program-not-executable',
-    what='{file} is installed as a plain file, which may not be executed',
-    why='"ros2 run {package} {file}" finds only files that may be executed',
-    do=INSTALL + ', instead of install(FILES ...)',
+    what='CMake installs {file} without permission to execute it',
+    why='`ros2 run {package} {file}` finds only executable files',
+    do='replace install(FILES ...) in CMakeLists.txt with install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}})',
     lesson=LESSON,
     level='error',
 )
@@ -159,9 +159,9 @@ def program_not_executable(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.main-never-called',
-    what='the program {file} defines main() and never calls it',
-    why='"ros2 run {package} {file}" ends at once, without a word',
-    do="write at its end: if __name__ == '__main__': main()",
+    what='the program {file} defines main() but never calls it',
+    why='`ros2 run {package} {file}` ends at once without a message',
+    do="write `if __name__ == '__main__': main()` at the end of the file",
     lesson=LESSON,
     level='error',
 )

@@ -21,12 +21,12 @@ LESSON = '07_packages'
 
 @rule(
     'packages.entry-point-module',
-    what="the entry point '{entry}' names the module {module}, which is not there",
-    why='"ros2 run {package} {executable}" ends with ModuleNotFoundError',
+    what="the entry point '{entry}' names the module {module}, which does not exist",
+    why='`ros2 run {package} {executable}` ends with ModuleNotFoundError',
     do=(
         'write {near} instead of {module}',
         'move {lying} to {wanted}, where a build installs it',
-        'write the file {wanted}, or name the module that has the node',
+        'create the file {wanted}, or name the module that contains the node',
     ),
     lesson=LESSON,
     level='error',
@@ -54,9 +54,9 @@ def _is_of_another(source: Source, module: str) -> bool:
 
 @rule(
     'packages.entry-point-function',
-    what="the entry point '{entry}' names the function {function}, which {written} does not have",
-    why='"ros2 run {package} {executable}" ends with ImportError',
-    do=('write {near} instead of {function}', 'define it in {written}: def {function}(args=None): ...'),
+    what="the entry point '{entry}' names the function {function}, which {written} does not contain",
+    why='`ros2 run {package} {executable}` ends with ImportError',
+    do=('write {near} instead of {function}', 'define `def {function}(args=None): ...` in {written}'),
     lesson=LESSON,
     level='error',
     edits=((':{function}', ':{near}', 'near'),),
@@ -72,9 +72,9 @@ def entry_point_function(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.main-wants-arguments',
-    what="the entry point '{entry}' calls {function}() without arguments, but it wants {wanted}",
-    why='"ros2 run {package} {executable}" ends with TypeError: {function}() missing required positional arguments',
-    do='give it a default: def {function}({first}=None):',
+    what="the entry point '{entry}' calls {function}() without arguments, but the function requires {wanted}",
+    why='`ros2 run {package} {executable}` ends with TypeError: {function}() missing required positional arguments',
+    do='add a default value, as in `def {function}({first}=None):`',
     lesson=LESSON,
     level='error',
 )
@@ -94,7 +94,7 @@ def main_wants_arguments(source: Source) -> Iterator[Finding]:
 @rule(
     'packages.node-without-entry-point',
     what='the node {file} has no entry point',
-    why='"ros2 run {package} {executable}" does not find it',
+    why='`ros2 run {package} {executable}` does not find it',
     do="add '{executable} = {module}:main' to console_scripts in setup.py",
     lesson=LESSON,
     level='error',
@@ -110,9 +110,9 @@ def node_without_entry_point(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.node-left-out',
-    what='{file} has a main() that starts a node, and no entry point',
-    why='"ros2 run {package} {executable}" does not find it',
-    do="to start it with ros2 run, add '{executable} = {module}:main' to console_scripts in setup.py",
+    what='{file} has a main() that starts a node, but no entry point',
+    why='`ros2 run {package} {executable}` does not find it',
+    do="add '{executable} = {module}:main' to console_scripts in setup.py if you want to start it with `ros2 run`",
     lesson=LESSON,
     level='info',
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
@@ -141,8 +141,8 @@ def _unnamed(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.node-in-wrong-folder',
-    what='the node {file} stands in {folder}/, which setup.py does not install',
-    why='only the modules of the folder {package}/ (the one with __init__.py) are installed',
+    what='the node {file} is in {folder}/, which setup.py does not install',
+    why='the build installs only the modules in {package}/, the folder with __init__.py',
     do="move it to {package}/{file}, and add '{executable} = {package}.{executable}:main' to console_scripts in setup.py",
     lesson=LESSON,
     level='error',
@@ -170,8 +170,8 @@ def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
 @rule(
     'packages.no-init',
     what='the folder {folder}/ has no __init__.py',
-    why='find_packages() takes only folders with an __init__.py, so nothing of it is installed',
-    do='make an empty file {folder}/__init__.py',
+    why='find_packages() finds only folders with an __init__.py, so the build installs nothing from this folder',
+    do='create an empty file {folder}/__init__.py',
     lesson=LESSON,
     level='error',
     hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source
 
 INSTALL = (
-    'move it into the folder {beside}/, as the files that are installed',
+    'move it into the folder {beside}/, where the installed files are',
     "move it to {move}/, and add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
     "add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
     'move it to {move}/, and add install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
@@ -33,7 +33,7 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
 @rule(
     'packages.launch-file-not-installed',
     what='no build installs the launch file {file}',
-    why='"ros2 launch {package} {file}" looks only at what is installed, and does not find it',
+    why='`ros2 launch {package} {file}` searches only installed files, so it does not find it',
     do=INSTALL,
     lesson='07_packages',
     level='error',
@@ -50,7 +50,7 @@ def launch_file_not_installed(source: Source) -> Iterator[Finding]:
 @rule(
     'packages.data-not-installed',
     what='no build installs {file}, so it is not in the share folder of {package}',
-    why='a launch file that asks for it by get_package_share_directory() does not find it',
+    why='a launch file that uses get_package_share_directory() does not find it there',
     do=INSTALL,
     lesson='07_packages',
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
@@ -107,9 +107,9 @@ def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
     'packages.not-python',
     what='Python cannot read {file}: {said}',
     do=(
-        'indent every line of {tabs} with spaces, four for each level',
+        'indent every line of {tabs} with four spaces for each level',
         'save {encoding} as UTF-8',
-        'correct the line, or one above it',
+        'correct this line or a line above it',
     ),
     level='error',
 )
@@ -134,9 +134,9 @@ UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
 
 @rule(
     'packages.hides-python',
-    what="the Python package {module} of {package} is named like Python's own module {module}",
-    why="with ROS 2 the folders of packages come first: whatever imports Python's {module}, as numpy or rclpy may do, gets yours",
-    do='give it another name, such as my_{module}',
+    what="the Python package {module} in {package} has the same name as Python's own module {module}",
+    why="with ROS 2, Python searches packages first, so a library that imports Python's {module} gets your package instead",
+    do='rename it, for example to my_{module}',
 )
 def hides_python(source: Source) -> Iterator[Finding]:
     """Top-level modules that a package of Python installs."""
@@ -171,7 +171,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
         '{dependency} is {how} here, but package.xml names it only as {tags}',
         '{dependency} is {how} here, but package.xml does not name it',
     ),
-    why='rosdep installs what package.xml names: on another machine it is missing',
+    why='rosdep installs only the packages that package.xml names, so this one is missing on other machines',
     do='add <exec_depend>{dependency}</exec_depend> to package.xml',
     lesson='07_packages',
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
@@ -186,9 +186,9 @@ def dependency_missing(source: Source) -> Iterator[Finding]:
 
 @rule(
     'packages.launch-not-named',
-    what='a launch file uses {dependency}, and package.xml names nothing that brings it',
-    why='rosdep installs what package.xml names; where `ros2 launch` works, {dependency} is installed anyway',
-    do='add <exec_depend>ros2launch</exec_depend> to package.xml: it brings launch and launch_ros',
+    what='a launch file uses {dependency}, but package.xml names no package that installs it',
+    why='rosdep installs only the packages that package.xml names; if `ros2 launch` works, {dependency} is already installed',
+    do='add <exec_depend>ros2launch</exec_depend> to package.xml, which installs launch and launch_ros',
     lesson='07_packages',
     edits=(('', '<exec_depend>ros2launch</exec_depend>', 'manifest'),),
     level='info',
@@ -247,8 +247,8 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
 
 @rule(
     'packages.name-differs',
-    what="package.xml calls the package '{package}', {written} calls it '{other}'",
-    why='what is built under one name is looked for under the other',
+    what="package.xml calls the package '{package}', but {written} calls it '{other}'",
+    why='colcon builds the package under one name, and ROS 2 looks for it under the other',
     do="write '{package}' in both",
     lesson='07_packages',
     level='error',

@@ -21,9 +21,9 @@ BUILD_SIGNS = {
 
 @rule(
     'packages.none-here',
-    what='no package is in {folder}: no folder there has a package.xml',
-    why='colcon and ROS 2 know a package by its package.xml',
-    do='make a package with "ros2 pkg create NAME --build-type ament_python", or name another folder',
+    what='{folder} contains no package, because no folder in it has a package.xml',
+    why='colcon and ROS 2 recognize a package by its package.xml',
+    do='create a package with `ros2 pkg create NAME --build-type ament_python`, or name another folder',
     level='error',
 )
 def none_here(workspace: Workspace) -> Iterator[Finding]:
@@ -34,9 +34,9 @@ def none_here(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.passed-over',
-    what='colcon passes over the folder {folder}: it has a file {mark}',
-    why='neither this package nor any below it is built',
-    do='delete {mark} to build it; leave it there when the package is not to be built',
+    what='colcon ignores the folder {folder}, because it contains a file {mark}',
+    why='colcon builds neither this package nor any package below it',
+    do='delete {mark} if colcon should build the package',
     level='info',
 )
 def passed_over(workspace: Workspace) -> Iterator[Finding]:
@@ -52,9 +52,9 @@ def _mark(folder: str) -> str | None:
 
 @rule(
     'packages.of-ros-1',
-    what='{package} is a package of ROS 1: its package.xml asks for catkin',
-    why='colcon in a ROS 2 workspace cannot build it, and its launch files start nothing',
-    do='look for a version of it for ROS 2, or put an empty file COLCON_IGNORE into its folder',
+    what='{package} is a package for ROS 1, because its package.xml requires catkin',
+    why='colcon cannot build it in a ROS 2 workspace, and its launch files do not run',
+    do='look for a version for ROS 2, or add an empty file COLCON_IGNORE to its folder',
     level='info',
 )
 def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
@@ -66,9 +66,9 @@ def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.build-output-committed',
-    what='{folder}/ was made by colcon, and stands in the repository',
-    why='it belongs to one machine: on any other its paths are wrong',
-    do='put {folder}/ into .gitignore, and take it out with: git rm -r --cached {folder}',
+    what='the repository contains {folder}/, which colcon created',
+    why='its paths are valid only on the machine where colcon created it',
+    do='add {folder}/ to .gitignore, and remove it with `git rm -r --cached {folder}`',
 )
 def build_output_committed(workspace: Workspace) -> Iterator[Finding]:
     """In a repository whose .gitignore does not name build output."""
@@ -89,9 +89,9 @@ def _is_committed(path: str) -> bool:
 
 @rule(
     'packages.package-is-repository',
-    what='the package {package} is itself the root of a repository',
-    why='that works, but only when it is cloned into the src/ folder of a workspace',
-    do='clone it into src/ of a workspace, or put the package into a folder src/{package}/ of the repository',
+    what='the package {package} is itself the root folder of a repository',
+    why='this works only if you clone the repository into the src/ folder of a workspace',
+    do='clone it into src/ of a workspace, or move the package into a folder src/{package}/ of the repository',
     level='info',
 )
 def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
@@ -104,8 +104,8 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
 @rule(
     'packages.build-file',
     what='{file} {said}',
-    why='colcon reads it when it builds the package',
-    do='correct that, and look again',
+    why='colcon reads this file when it builds the package',
+    do='correct this line, and run the check again',
     level='error',
 )
 def build_file(workspace: Workspace) -> Iterator[Finding]:
@@ -119,8 +119,8 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
 @rule(
     'packages.build-unknown',
     what='{file} {said}',
-    why='edulaunch does not run CMake, so it leaves this line out',
-    do='nothing has to be changed: a build knows the value',
+    why='edulaunch does not run CMake, so it ignores this line',
+    do='do not change anything: a build knows the value',
     level='info',
 )
 def build_unknown(workspace: Workspace) -> Iterator[Finding]:
@@ -132,9 +132,9 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.same-name',
-    what='two packages have the name {package}: {file} here stands beside the one in {other}/, which is used',
-    why='colcon builds no workspace in which two packages have one name',
-    do='go with cd to the workspace that you mean; in one workspace, give one of the two another <name>',
+    what='two packages have the name {package}, and the one in {other}/ is used instead of this {file}',
+    why='colcon refuses to build a workspace in which two packages have the same name',
+    do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two',
 )
 def same_name(workspace: Workspace) -> Iterator[Finding]:
     """Of the one that is left out."""

@@ -139,7 +139,7 @@ def test_an_error_has_its_type_text_place_and_help(plan: Plan, tmp_path: Path) -
     assert (error['type'], error['stage'], error['help']) == (
         'PackageNotFoundError',
         'visit',
-        'there is no package turtelsim; write turtlesim, if that is the package you mean',
+        'the package turtelsim does not exist; write turtlesim if you mean that package',
     )
     assert error['origin'] == f'{tmp_path}/a.launch.py:{HEAD.count(chr(10)) + 3}'
     assert [what for _, _, what in steps(found)] == ['before']
@@ -241,7 +241,7 @@ def test_a_plan_does_not_go_on_without_well_known_packages_as_a_launch_does(plan
     assert error['text'].startswith("\"package 'gazebo_ros' not found, searching: ")
     assert (
         error['help']
-        == 'the package gazebo_ros (Gazebo) is not part of edulaunch; leave it out here, or start it under a condition'
+        == 'the package gazebo_ros (Gazebo) is not part of edulaunch; leave it out here, or give it a condition'
     )
 
 

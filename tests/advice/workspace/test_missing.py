@@ -34,7 +34,7 @@ def test_ros2_launch_tells_of_a_launch_file_that_is_not_installed(robo: Any) -> 
     with pytest.raises(edulaunch.UnusableInput) as caught:
         edulaunch.run('robo', 'go.launch.py', workspaces=[robo.folder])
     assert str(caught.value.help).startswith(
-        f'{robo.folder}/robo/launch/go.launch.py is there, but the build does not install it; add (os.path.join('
+        f'{robo.folder}/robo/launch/go.launch.py exists, but the build does not install it; add (os.path.join('
     )
 
 
@@ -86,7 +86,7 @@ def test_a_tutorials_command_finds_ros2_on_the_path(workspace: Any) -> None:
 def test_a_file_that_is_only_in_the_source(index: Index, robo: Any) -> None:
     share = index.share('robo')
     assert help_of_facts(installed_file(index, f'{share}/config/wheels.yaml')) == (
-        f'{robo.folder}/robo/config/wheels.yaml is there, but the build does not install it; '
+        f'{robo.folder}/robo/config/wheels.yaml exists, but the build does not install it; '
         "add (os.path.join('share', package_name, 'config'), glob('config/*')) to data_files of setup.py"
     )
     assert installed_file(index, f'{share}/config/other.yaml') == {}
@@ -106,10 +106,10 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
     assert missing_package(index, 'empty_folder') == {'about': 'packages.no-manifest', 'folder': f'{robo.folder}/empty_folder'}
     assert missing_package(index, 'ignored_one')['ignored_by'] == 'COLCON_IGNORE'
     assert help_of_facts(missing_package(index, 'qqqqq')) == (
-        f'no package.xml below {robo.folder} has the <name> qqqqq; look at the <name> in the package.xml '
+        f'no package.xml below {robo.folder} contains <name>qqqqq</name>; check the <name> in the package.xml '
         f'files below {robo.folder}'
     )
-    assert 'go to its workspace with cd, or name that with --workspace DIR' in help_of_facts(missing_package(Index(), 'qqqqq'))
+    assert 'change to its workspace with cd, or name the workspace with --workspace DIR' in help_of_facts(missing_package(Index(), 'qqqqq'))
 
 
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
@@ -131,8 +131,8 @@ def test_a_package_that_lies_deeper_below_the_current_folder_is_named_before_one
     workspace.manifest('learning_tf2_py', 'ament_python', folder='a/b/learning_tf2_py')
     monkeypatch.chdir(workspace.folder)
     assert help_of_facts(missing_package(Index(), 'learning_tf2_py')) == (
-        'the package learning_tf2_py lies in a/b/learning_tf2_py, which is not searched from here; '
-        'go there with cd, or name it with --workspace a/b/learning_tf2_py'
+        'the package learning_tf2_py is in a/b/learning_tf2_py, which is not searched from the current folder; '
+        'change to that workspace with cd, or name it with --workspace a/b/learning_tf2_py'
     )
 
 
@@ -152,7 +152,7 @@ def test_a_package_that_lies_deeper_below_the_current_folder_is_named_before_one
         (
             'go.launch.py',
             "('share/robo/launch', glob('launch/*')),",
-            'move it into the folder launch, as the files that are installed',
+            'move it into the folder launch, where the installed files are',
         ),
     ],
 )

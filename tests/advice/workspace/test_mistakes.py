@@ -35,8 +35,8 @@ def test_pkg_check_tells_each_with_its_place_and_what_to_do(robo: Any, node: str
     robo.write('robo/robo/brake.py', node)
     assert main(['pkg', 'check', str(robo.folder)]) == 1
     assert capsys.readouterr().out == (
-        'robo/robo/brake.py: brake.py has a main() that starts a node, and no entry point\n'
-        "  help: to start it with ros2 run, add 'brake = robo.brake:main' to console_scripts in setup.py\n"
+        'robo/robo/brake.py: brake.py has a main() that starts a node, but no entry point\n'
+        "  help: add 'brake = robo.brake:main' to console_scripts in setup.py if you want to start it with `ros2 run`\n"
         '1 package checked (robo): 1 finding\n'
     )
 
@@ -45,7 +45,7 @@ def test_an_entry_point_that_is_misspelled_is_one_mistake(workspace: Any, node: 
     workspace.python('robo', 'drive = robo.drvie:main')
     workspace.write('robo/robo/drive.py', node)
     assert [line.partition(': ')[2] for line in said(workspace.folder)] == [
-        "the entry point 'drive = robo.drvie:main' names the module robo.drvie, which is not there"
+        "the entry point 'drive = robo.drvie:main' names the module robo.drvie, which does not exist"
     ]
 
 
@@ -71,9 +71,9 @@ def test_scripts_of_a_cmake_package(workspace: Any, node: str) -> None:
     for name in ('one', 'two', 'three'):
         workspace.write(f'robo/scripts/{name}.py', text)
     assert said(workspace.folder) == [
-        'robo/scripts/one.py:1: the program one.py has no first line that says what runs it',
-        'robo/scripts/two.py: two.py is installed as a plain file, which may not be executed',
-        'robo/scripts/three.py: three.py starts a node, and no build installs it',
+        'robo/scripts/one.py:1: the first line of the program one.py does not name its interpreter',
+        'robo/scripts/two.py: CMake installs two.py without permission to execute it',
+        'robo/scripts/three.py: three.py starts a node, but no build installs it',
     ]
 
 
@@ -105,7 +105,7 @@ def test_build_output_in_a_repository(robo: Any) -> None:
     (first, *_) = judge_sources(str(robo.folder))
     assert (first.rule, rendered(first).what) == (
         'packages.build-output-committed',
-        'install/ was made by colcon, and stands in the repository',
+        'the repository contains install/, which colcon created',
     )
     robo.write('.gitignore', 'install/\n')
     assert not any('was made by colcon' in line for line in said(robo.folder))
@@ -115,7 +115,7 @@ def test_a_package_at_the_root_of_its_repository(tmp_path: Path) -> None:
     (tmp_path / '.git').mkdir()
     (tmp_path / 'package.xml').write_text('<package><name>robo</name></package>')
     (tmp_path / 'CMakeLists.txt').write_text('project(robo)\n')
-    assert said(tmp_path) == ['package.xml: the package robo is itself the root of a repository']
+    assert said(tmp_path) == ['package.xml: the package robo is itself the root folder of a repository']
 
 
 def test_a_package_xml_that_cannot_be_read_is_told_and_not_that_there_is_no_package(tmp_path: Path) -> None:
@@ -138,7 +138,7 @@ def test_a_build_of_links_or_of_the_same_text_is_not_old(robo: Any) -> None:
     (place / 'drive.py').write_bytes((robo.folder / 'robo/robo/drive.py').read_bytes())
     assert said(robo.folder) == []
     (place / 'drive.py').write_text('')
-    assert said(robo.folder) == ['robo/robo/drive.py: robo was changed after it was built: robo/drive.py']
+    assert said(robo.folder) == ['robo/robo/drive.py: robo has changed since it was built: robo/drive.py']
 
 
 def test_a_macro_of_another_package_may_install_what_nothing_else_does(workspace: Any, node: str) -> None:

@@ -18,17 +18,17 @@ def test_a_launch_file_is_run_and_looked_at(capsys: pytest.CaptureFixture[str], 
     monkeypatch.chdir(EXAMPLES / 'programs.same-name')
     assert main(['doctor', 'failing.launch.py', '--for', '1']) == 1
     assert capsys.readouterr().out == (
-        '1. two nodes are called /talker: one of talker-1, one of talker-2\n'
+        '1. two nodes have the name /talker: one in talker-1, and one in talker-2\n'
         '   where: failing.launch.py:9, at 0.00 s\n'
-        '   why:   whoever asks /talker for a parameter or a service reaches only one of them, and you cannot say which\n'
-        "   do:    give one of them another name, for instance name='talker_2' in the launch file, or another namespace\n"
+        '   why:   a request to /talker for a parameter or a service reaches only one of the two, and you cannot know which\n'
+        "   do:    rename one of them, for example with name='talker_2' in the launch file, or use another namespace\n"
         '   see:   lessons/01_first_launch.ipynb\n'
     )
 
 
 def test_a_healthy_launch_file_of_a_package(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['doctor', 'turtlesim', 'multisim.launch.py', '--for', '1']) == 0
-    assert capsys.readouterr().out == 'nothing wrong was found\n'
+    assert capsys.readouterr().out == 'no problems found\n'
 
 
 def test_a_launch_file_that_cannot_be_launched_is_not_run(capsys: pytest.CaptureFixture[str]) -> None:

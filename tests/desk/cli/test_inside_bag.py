@@ -221,7 +221,7 @@ def test_without_rosbags_the_message_says_which_extra_to_install(machine, monkey
     typed = machine.run('ros2 bag record -a', 0.5)
     assert typed.code == 1
     assert (
-        "ros2 bag needs rosbags, which is not installed\n  help: in the folder of edulaunch's setup.sh, type: pip install '.[bags]'"
+        "ros2 bag needs rosbags, which is not installed\n  help: run this in the folder of edulaunch's setup.sh: pip install '.[bags]'"
         in typed.err
     )
     assert list(machine.folder.iterdir()) == []

@@ -40,14 +40,14 @@ def test_run_tells_how_a_program_failed(machine) -> None:
 def test_run_of_something_unknown(machine) -> None:
     assert (
         machine.fails('ros2 run turtlesin mimic')
-        == "Package 'turtlesin' not found\n  help: there is no package turtlesin; write turtlesim, if that is the package you mean\n"
+        == "Package 'turtlesin' not found\n  help: the package turtlesin does not exist; write turtlesim if you mean that package\n"
     )
     assert (
         machine.fails('ros2 run turtlesim mimik')
         == "No executable found\n  help: turtlesim has no executable mimik; write 'mimic'\n"
     )
     assert machine.fails('ros2 run turtlesim x').endswith(
-        'choose one of these: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'
+        'use one of these arguments: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'
     )
 
 

@@ -36,7 +36,7 @@ def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
     code, out, err = run(describe("DeclareLaunchArgument('radius', default_value='1')"), 'raduis:=2')
     assert (code, err) == (
         0,
-        "warning: no launch file declares the argument 'raduis', so giving it changed nothing\n"
+        "warning: no launch file declares the argument 'raduis', so its value has no effect\n"
         "  help: write 'radius:=' instead of 'raduis:='\n",
     )
 
@@ -55,7 +55,7 @@ def test_a_callback_that_waits_for_ever_is_a_warning(run, tmp_path: Path) -> Non
         'async def tick():\n    await client.call_async(Empty.Request())\nnode.create_timer(1.0, tick)\nrclpy.spin(node)\n'
     )
     code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'wait.py')!r}])"), '--for', '3')
-    assert err.startswith('warning: tick() of /a waits for the answer of /clear with await, for ever (')
+    assert err.startswith('warning: tick() in /a blocks forever in await, waiting for a reply from /clear (')
     assert 'wait.py:8, at 1.00 s)' in err and err.count('\n') == 2
 
 
@@ -66,7 +66,7 @@ def test_an_argument_that_the_included_file_does_not_declare_is_a_warning(run, t
     )
     assert (code, err) == (
         0,
-        "warning: inner.launch.py is given the argument 'speeed', which it does not declare, so nothing changed "
+        "warning: the argument 'speeed' is passed to inner.launch.py, which does not declare it, so it has no effect "
         "(@/my.launch.py:5)\n  help: write 'speed' instead of 'speeed'\n",
     )
 
@@ -82,7 +82,7 @@ def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_pat
     )
     assert err == (
         'warning: /turtlesim publishes turtlesim/msg/Pose on /turtle1/pose, but /hears expects geometry_msgs/msg/Pose: '
-        'they do not hear each other (@/hears.py:5, at 0.00 s)\n  help: use one message type on both sides, or two topics\n'
+        'they do not hear each other (@/hears.py:5, at 0.00 s)\n  help: use the same message type on both sides, or two topics\n'
     )
 
 
@@ -98,6 +98,6 @@ def test_a_command_that_ctrl_c_ended_did_not_die(run) -> None:
     _, _, err = run(describe(f'ExecuteProcess(cmd={words[:3]})'))
     assert err == (
         'warning: ros2-1 died with exit code 2 (@/my.launch.py:5, at 0.00 s)\n'
-        '  help: look at what it printed last: ros2 topic pub: error: the following arguments are required: '
+        '  help: check the last output of the program: ros2 topic pub: error: the following arguments are required: '
         'topic_name, message_type\n'
     )

@@ -97,7 +97,7 @@ def test_a_node_of_a_launch_that_has_ended_is_nobodys_partner(desk: Desk) -> Non
     write(desk, 'own.launch.py', OWN, setup=DRIVES.format('cmd_val'), work=SENDS.format(0.1, 0.5))
     reported = launched(desk, 'own.launch.py')
     assert '/sim' not in reported
-    assert reported.startswith('warning: /program sends commands on /turtle1/cmd_val, and nobody listens there')
+    assert reported.startswith('warning: /program sends commands on /turtle1/cmd_val, but no node subscribes to it')
 
 
 def test_a_frame_of_an_earlier_launch_does_not_hide_that_nobody_broadcasts_it(desk: Desk) -> None:
@@ -110,7 +110,7 @@ def test_a_frame_of_an_earlier_launch_does_not_hide_that_nobody_broadcasts_it(de
     write(desk, 'both.launch.py', STATIC.format('static', 1), OWN, setup=setup, work=work)
     assert launched(desk, 'both.launch.py') == ''
     write(desk, 'own.launch.py', OWN, setup=setup, work=work)
-    assert "/program looks up the frame 'arm', which nobody broadcasts" in launched(desk, 'own.launch.py')
+    assert "/program looks up the frame 'arm', which no node broadcasts" in launched(desk, 'own.launch.py')
 
 
 def test_two_static_publishers_one_after_the_other_are_not_two_broadcasters(desk: Desk) -> None:
@@ -123,7 +123,7 @@ def test_two_static_publishers_one_after_the_other_are_not_two_broadcasters(desk
     write(desk, 'other.launch.py', STATIC.format('static_3', 3))
     second = desk.ros2('launch other.launch.py')
     second.until('Spinning until stopped')
-    assert "the frame 'arm' is broadcast by two nodes: /static_2 and /static_3" in ctrl_c(second)
+    assert "two nodes broadcast the frame 'arm': /static_2 and /static_3" in ctrl_c(second)
 
 
 def test_a_parameter_file_for_another_node_is_reported_in_each_run(desk: Desk) -> None:
@@ -162,7 +162,7 @@ def test_of_many_findings_it_is_said_how_to_see_all(desk: Desk) -> None:
     write(desk, 'main.launch.py', *items, OWN)
     reported = launched(desk, 'main.launch.py')
     assert reported.count('warning: ') == 5
-    assert 'and 2 more; to see all of them: ros2 doctor' in reported
+    assert 'and 2 more; show all of them with ros2 doctor' in reported
     assert desk.said('doctor').count('two nodes are called') == 7
 
 
@@ -202,4 +202,4 @@ def test_the_last_words_of_an_earlier_program_are_not_those_of_a_new_one(desk: D
         shell = desk.ros2('launch main.launch.py')
         shell.end()
         reported = shell.output.replace('\r', '').partition('warning: ')[2]
-    assert 'look at what it printed last: second words' in reported and 'first words' not in reported
+    assert 'check the last output of the program: second words' in reported and 'first words' not in reported

@@ -68,7 +68,7 @@ def test_a_launch_argument_that_nobody_reads_is_told_at_the_end(desk: Desk) -> N
     launch.type('\x03')
     assert launch.end() == 0
     told = launch.output.replace('\r', '').partition('warning: ')[2]
-    assert told.startswith("no launch file declares the argument 'targetframe', so giving it changed nothing (at ")
+    assert told.startswith("no launch file declares the argument 'targetframe', so its value has no effect (at ")
     assert told.endswith("  help: write 'target_frame:=' instead of 'targetframe:='\n")
 
 
@@ -84,7 +84,7 @@ def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: 
     launch.type('\x03')
     assert launch.end() == 0
     told = launch.output.replace('\r', '').partition('warning: ')[2]
-    assert told.startswith('two nodes are called /talker: one of talker-1, one of talker-2 (two.launch.py:6, at ')
+    assert told.startswith('two nodes have the name /talker: one in talker-1, and one in talker-2 (two.launch.py:6, at ')
     silent = desk.ros2('launch --quiet two.launch.py')
     silent.until('Publishing')
     silent.type('\x03')

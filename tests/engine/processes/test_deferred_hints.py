@@ -28,7 +28,7 @@ def test_an_error_that_ends_with_the_same_line_as_an_earlier_one_has_help_of_its
             session.run(1)
     assert [line.partition('(IncludeLaunchDescription): ')[2] for line in told] == [
         'a comma is missing in this line, or at the end of the line above; write a comma between the two values',
-        'LaunchDescription got its arguments without names; put them into one list: LaunchDescription([..., ...])',
-        'parameters= cannot be of type dict; put it into a list: parameters=[...]',
-        'parameters= cannot be of type int; put it into a list: parameters=[...]',
+        'LaunchDescription does not accept these arguments without names; put the arguments into one list: LaunchDescription([..., ...])',
+        'the value of parameters= cannot be of type dict; put the value into a list: parameters=[...]',
+        'the value of parameters= cannot be of type int; put the value into a list: parameters=[...]',
     ]

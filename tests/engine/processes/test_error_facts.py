@@ -50,7 +50,7 @@ def test_help_stands_below_the_error_and_is_not_recorded(world: Any) -> None:
     recorded: list[str] = []
     world.host.tracer.output = lambda process, stream, text: recorded.append(text)
     wrote = world.run('import geometri_msgs')
-    assert 'help: there is no package geometri_msgs with interfaces; write geometry_msgs\n' in wrote
+    assert 'help: the interface package geometri_msgs does not exist; write geometry_msgs\n' in wrote
     assert wrote == ''.join(recorded) + wrote.splitlines(True)[-1] and 'help:' not in ''.join(recorded)
 
 

@@ -47,7 +47,7 @@ def test_an_uncaught_exception_shows_only_the_students_frames(world: Any) -> Non
 def test_a_misspelt_message_field_gets_a_line_of_help(world: Any) -> None:
     wrote = world.run('from geometry_msgs.msg import Twist\nTwist().linaer = 1\n')
     assert (
-        wrote.endswith('  help: a Twist has no field linaer; its fields are: linear, angular; write linear\n')
+        wrote.endswith('  help: Twist has no field linaer; its fields are linear, angular; write linear\n')
         and "'Twist' object has no attribute 'linaer'" in wrote
     )
 

@@ -79,6 +79,6 @@ def test_other_processes_are_refused_with_a_sentence(world: Any) -> None:
     wrote = world.run('import multiprocessing\nprint(multiprocessing.cpu_count())\nmultiprocessing.Process(target=print).start()')
     assert wrote.startswith('4\n') and wrote.endswith(
         'RuntimeError: multiprocessing.Process cannot be used: the simulation cannot copy a running program\n'
-        '  help: multiprocessing.Process wants another process, and the simulation cannot copy a running program; '
-        'use threading: Thread, queue.Queue, ThreadPoolExecutor; they work in simulated time\n'
+        '  help: multiprocessing.Process needs another process, but the simulation cannot copy a running program; '
+        'use Thread, queue.Queue or ThreadPoolExecutor, which work in simulated time\n'
     )

@@ -49,7 +49,7 @@ def test_a_wrong_field_is_shown_where_the_student_set_it(world: Any) -> None:
         '  File "@/program-1.py", line 2, in <module>',
         '    Twist().linear.x = 1',
         "AssertionError: The 'x' field must be of type 'float'",
-        '  help: the field x is of type float, and was given int; write 1.0',
+        '  help: the field x is of type float, but the value is of type int; write 1.0',
     ]
 
 
@@ -74,7 +74,7 @@ def test_python_tells_of_modules_that_import_each_other(world: Any) -> None:
     )
     assert (
         help
-        == '  help: one is still being imported: two modules import each other; write the import inside the function that needs it'
+        == '  help: one is not fully imported yet, because two modules import each other; write the import inside the function that needs it'
     )
 
 

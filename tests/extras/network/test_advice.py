@@ -59,7 +59,7 @@ def test_a_real_node_of_the_same_name(place: Any, air: Air) -> None:
 def test_another_definition(place: Any, air: Air) -> None:
     here = place('a')
     real(air, here, type_hash='RIHS01_' + '0' * 64)
-    wanted = 'std_msgs/msg/String has another definition on the other computer: its messages are misread or dropped'
+    wanted = 'std_msgs/msg/String has a different definition on the other computer, so its messages are misread or dropped'
     assert findings(here) == [('messages.other-definition', wanted)]
 
 
@@ -69,7 +69,7 @@ def test_another_time(place: Any, air: Air) -> None:
     air.now = 110 * 10**9
     link.publish(mouth, text('here'))
     turns(here)
-    assert findings(here) == [('time.other-clock', 'the clock of the computer of /real is not that of this one')]
+    assert findings(here) == [('time.other-clock', 'the clock of the computer that runs /real differs from the clock of this computer')]
 
 
 def test_nobody_is_there_until_somebody_comes(machine: Any) -> None:
@@ -80,7 +80,7 @@ def test_nobody_is_there_until_somebody_comes(machine: Any) -> None:
     here.switch.on({'ROS_DOMAIN_ID': '7'}, JoinRequest(), here.said.append)
     assert findings(here) == []
     here.session.sim.run(here.session.sim.now_ns + ALONE_NS)
-    told_first = 'this machine joined the network in domain 7 (discovery: LOCALHOST) and found nobody there'
+    told_first = 'this machine found no other computer in domain 7 of the network (discovery range: LOCALHOST)'
     assert findings(here) == [('programs.alone-on-network', told_first)]
     other = MemoryLink(here.link.air)
     other.open(Settings())

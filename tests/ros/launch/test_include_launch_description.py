@@ -144,7 +144,7 @@ def test_a_file_without_a_description_is_reported_as_in_ros(launch_it: Any, writ
     code, lines = launch_it(IncludeLaunchDescription(f'{tmp_path}/none.launch.py'))
     assert "'NoneType' object has no attribute 'get_launch_arguments_with_include_launch_description_actions'" in lines[0]
     assert lines[1].endswith(
-        'generate_launch_description() returned nothing, not a launch description; end it with: return LaunchDescription([...])'
+        'generate_launch_description() returned nothing, not a LaunchDescription; end the function with: return LaunchDescription([...])'
     )
 
 

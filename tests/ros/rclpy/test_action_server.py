@@ -89,7 +89,7 @@ def test_goals_may_be_executed_later(world: World) -> None:
 def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
     run(world, server(lambda goal_handle: goal_handle.succeed()), client(world))
     assert world.output['program 0'].endswith(
-        "TypeError\n  help: the execute callback of action '/fibonacci' returned None, not a Fibonacci.Result; end it with `return result`, where result = Fibonacci.Result()\n"
+        "TypeError\n  help: the execute callback of the action '/fibonacci' returned None instead of a Fibonacci.Result; end the callback with `return result`, where result = Fibonacci.Result()\n"
     )
 
 
