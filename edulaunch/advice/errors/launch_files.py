@@ -51,8 +51,8 @@ def test_description(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.other-source',
-    what='{name} is a launch file in {language}, and PythonLaunchDescriptionSource reads Python',
-    do='write AnyLaunchDescriptionSource(...): it reads launch files in Python, XML and YAML',
+    what='{name} is a launch file in {language}, but PythonLaunchDescriptionSource reads only Python',
+    do='use AnyLaunchDescriptionSource(...), which reads launch files in Python, XML and YAML',
     level='error',
     lesson='01_first_launch',
     hides=('launch.fails',),

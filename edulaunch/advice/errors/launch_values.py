@@ -251,7 +251,7 @@ LIST_OF_ONE_TYPE = about(
         'the values of this list are of different types',
     ),
     do=(
-        "write a number in place of '{word}', or quotes around every value",
+        "replace '{word}' with a number, or put every value in quotes",
         'write all numbers of a list with a decimal point, or all without',
     ),
 )
@@ -280,7 +280,7 @@ REMAP_RULE = about(
     ),
     do=(
         'indent with spaces, because YAML does not allow a {tab}',
-        'write /{star} for every node: a name that begins with * needs quotes in YAML',
+        'write /{star} for all nodes, because YAML needs quotes around a name that begins with *',
         'check indentation, colons and quotes in that line and in the line above',
     ),
     level='error',

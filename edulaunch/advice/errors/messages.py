@@ -24,7 +24,7 @@ FIELD_VALUE = about(
     ),
     do=(
         'write {write}',
-        'turn it into a message: self.get_clock().now().{convert}()',
+        'convert it to a message with self.get_clock().now().{convert}()',
         'set its fields ({fields}), or assign a {wanted}(...)',
         'assign {size} values',
         'write a decimal point, because the comma makes {commas} values of the number',

@@ -27,7 +27,12 @@ FORMS = (
 """The beginning of Python's message, with the name of what was called, and how the call is written."""
 
 
-@rule('programs.wrong-call', what='{call}() gets other arguments than it takes', do='write it as: {form}', level='error')
+@rule(
+    'programs.wrong-call',
+    what='{call}() was called with arguments that it does not accept',
+    do='write the call as {form}',
+    level='error',
+)
 def wrong_call(failure: Failure) -> Iterator[Finding]:
     """A call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
     if failure.process is None:
@@ -43,10 +48,10 @@ def wrong_call(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.brackets-missing',
     what=(
-        '{called} has no brackets here, so Python does not call it',
-        '{klass} is the class itself, and an object of it is needed',
+        '{called} has no brackets, so Python does not call it',
+        '{klass} is a class, but an object of this class is needed here',
     ),
-    do=('write {called}()', 'make an object of it, with brackets: {klass}()'),
+    do=('write {called}()', 'create an object with brackets: {klass}()'),
     level='error',
 )
 def brackets_missing(failure: Failure) -> Iterator[Finding]:
@@ -69,8 +74,8 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.future-no-answer',
-    what='{future} is a future: the answer with its {attribute} is in future.result()',
-    do='write {future}.result().{attribute}, after the answer has come',
+    what='{future} is a future, and only future.result() returns the reply with {attribute}',
+    do='write {future}.result().{attribute} after the reply has arrived',
     lesson='14_services',
     level='error',
 )
@@ -88,8 +93,8 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.init-misspelt',
-    what='Python never calls {method}() of {klass}: a constructor is called __init__',
-    do='write def __init__(self), with two underscores on each side',
+    what='Python never calls {method}() of {klass}, because a constructor has the name __init__',
+    do='write def __init__(self) with two underscores on each side',
     level='error',
 )
 def init_misspelt(failure: Failure) -> Iterator[Finding]:
@@ -105,7 +110,7 @@ def init_misspelt(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'messages.fields-by-name',
-    what='{type}() takes its fields by name',
+    what='{type}() needs its fields by name',
     do=('write {type}(data=...)', 'write the name of each field, as in {type}(x=1.0, y=2.0)'),
     level='error',
 )
@@ -124,8 +129,8 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-no-value',
-    what="the parameter '{parameter}' has no value: it is declared without a default, and nothing sets it",
-    do="give declare_parameter('{parameter}') a second argument, or set the parameter in the launch file",
+    what="the parameter '{parameter}' has no value, because it has no default and no launch file sets it",
+    do="pass a second argument to declare_parameter('{parameter}'), or set the parameter in the launch file",
     lesson='03_parameters',
     level='error',
     hides=('messages.field-value',),

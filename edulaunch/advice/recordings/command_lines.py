@@ -22,8 +22,8 @@ ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
 
 @rule(
     'launch.arguments-of-letters',
-    what="arguments is one string, '{text}', and {process} gets each letter of it as a word",
-    why='arguments= expects a list: Python takes a string for a list of letters',
+    what="arguments is the string '{text}', and {process} receives each letter of it as a word",
+    why='arguments= needs a list, and Python reads a string as a list of letters',
     do='write a list: arguments=[{words}]',
     lesson='08_static_broadcaster',
     level='error',
@@ -41,8 +41,8 @@ def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.no-ros-args',
-    what="{process} gets '{flag} {value}' without --ros-args in front of it, so ROS 2 does not read it",
-    why='ROS 2 reads only what follows --ros-args; everything else is left to the program',
+    what="{process} receives '{flag} {value}' without --ros-args before it, so ROS 2 ignores the option",
+    why='ROS 2 reads only the arguments after --ros-args, and the program itself reads the others',
     do='write --ros-args {flag} {value}',
     lesson='02_names',
     level='error',
@@ -63,7 +63,7 @@ def no_ros_args(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.main-misspelt',
-    what="__name__ is compared with '{word}' here, so main() is never called and the program ends at once",
+    what="__name__ is compared with '{word}', so main() is never called and the program ends at once",
     why="Python sets __name__ to '__main__' in the file that it runs",
     do="write if __name__ == '__main__':",
     level='error',
@@ -81,8 +81,8 @@ def main_misspelt(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-callback',
-    what='{callback}() returned no SetParametersResult, so the parameter keeps its old value',
-    why='rclpy asks each callback of add_on_set_parameters_callback() whether a change is allowed',
+    what='{callback}() returned no SetParametersResult, so rclpy rejected the new value of the parameter',
+    why='rclpy calls each callback of add_on_set_parameters_callback() to check whether a change is allowed',
     do='end {callback}() with: return SetParametersResult(successful=True)',
     lesson='03_parameters',
     level='error',

@@ -13,9 +13,9 @@ SHELL_WORDS = ('&&', '||', '|', '>', '>>', '<', ';', '&', '2>&1')
 
 @rule(
     'launch.shell-word',
-    what="'{word}' is an argument of {program} here: only a shell gives it a meaning",
-    why='launch starts the program itself, without a shell, and hands it each entry of cmd',
-    do="write the command as one string, with a shell: cmd=['...'], shell=True",
+    what="launch passes '{word}' to {program} as an argument, but only a shell gives it a special meaning",
+    why='launch starts the program without a shell and passes each entry of cmd unchanged',
+    do="write the command as one string, and add a shell: cmd=['...'], shell=True",
     lesson='05_events',
     level='error',
     hides=('programs.died',),
