@@ -84,7 +84,7 @@ def test_each_run_of_a_mistake_is_reported_and_no_run_without_it(desk: Desk) -> 
         write(desk, 'main.launch.py', SIM, OWN, setup=DRIVES.format(topic), work=SENDS.format(0.1, 0.5))
         reported.append(launched(desk, 'main.launch.py').partition(' (')[0])
     line = (
-        'warning: /program publishes on /turtle1/cmd_val, where nobody listens; /sim listens on /turtle1/cmd_vel, where nobody '
+        'warning: /program publishes /turtle1/cmd_val, which no node subscribes to; /sim subscribes to /turtle1/cmd_vel, which no node '
         'publishes'
     )
     assert reported == [line, '', line, line]
@@ -153,7 +153,7 @@ def test_a_launch_that_runs_in_another_terminal_is_named(desk: Desk) -> None:
     desk.ros2('launch main.launch.py').until('works 5')
     reported = launched(desk, 'main.launch.py', 'works 5')
     assert reported.startswith('warning: two nodes are called /program: one of python3-1 (pid ')
-    assert 'press Ctrl-C where `ros2 launch main.launch.py` runs' in reported and 'give one of them another name' not in reported
+    assert 'press Ctrl-C in the terminal where `ros2 launch main.launch.py` is running' in reported and 'rename one of them' not in reported
 
 
 def test_of_many_findings_it_is_said_how_to_see_all(desk: Desk) -> None:

@@ -52,7 +52,7 @@ def test_the_last_value_of_a_parameter_counts_with_its_origin(recording: Recordi
         KeyError, match="no parameter 'background_g' of /sim in this recording; there are: background_r\n  help: did you"
     ):
         recording.parameters('/sim')['background_g']
-    with pytest.raises(KeyError, match='help: /ns/watcher ended at 1.50 s: check the last output of the program'):
+    with pytest.raises(KeyError, match='help: /ns/watcher ended at 1.50 s: look at what it printed last'):
         recording.parameters('/ns/watcher')['radius']
     with pytest.raises(KeyError, match="no node '/simm' in this recording; there are: /sim, /ns/watcher"):
         recording.parameters('/simm')
