@@ -1,8 +1,8 @@
-"""Everything that is said to help: rules over facts, and their words.
+"""Advice for users: rules that look at facts, and their sentences.
 
-Lower rooms raise ROS 2's own errors and record facts; here rules look at an error, a dry run, a Recording or a package's
-sources and find mistakes, and `rendered` puts a finding into words at the edge (console, cell, page, report).
-`docs/advice.md` lists every rule, and `reference.py` where each is described.
+Lower rooms raise ROS 2's own errors and record facts. Rules look for mistakes in an error, a dry run, a Recording or the
+sources of a package. `rendered` puts a finding into words at the edge (console, cell, page, report). `docs/advice.md` lists
+every rule, and `reference.py` where each is described.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""For those who translate: `python -m edulaunch.advice.catalogue` brings the catalogues of all languages up to date.
+"""Update the catalogues of all languages: `python -m edulaunch.advice.catalogue`.
 
-A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new ones come in untranslated, changed ones marked `fuzzy`;
-`advice.mo`, which readers load, is made of it anew. A new language: make the folder. Needs Babel (`pip install '.[dev]'`).
+A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new sentences have no translation, and changed ones are
+marked `fuzzy`. Readers load `advice.mo`, which this command compiles again. A new language: make the folder. Needs Babel
+(`pip install '.[dev]'`).
 """
 
 from __future__ import annotations
@@ -55,14 +56,14 @@ def messages() -> dict[str, str]:
 
 
 def _given_to_says(tree: ast.AST) -> Iterator[str]:
-    """The texts that are given to `says(...)`."""
+    """Yield the strings that are arguments of `says(...)`."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == 'says':
             yield from (value.value for value in node.args if isinstance(value, ast.Constant) and isinstance(value.value, str))
 
 
 def _sentences(tree: ast.AST) -> Iterator[str]:
-    """The texts of several words, f-strings as templates; of docstrings the first line where it is a check's sentence."""
+    """Yield the strings of several words, with f-strings as templates, and the first line of each check's docstring."""
     inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     inner |= {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
@@ -86,7 +87,7 @@ def _is_check(decorator: ast.expr) -> bool:
 
 
 def template_of(node: ast.AST) -> str:
-    """A text in a program as a template; '' for anything else."""
+    """Return a string in a program as a template, or '' for anything else."""
     if isinstance(node, ast.Constant):
         return str(node.value).replace('{', '{{').replace('}', '}}') if isinstance(node.value, str) else ''
     if not isinstance(node, ast.JoinedStr):
@@ -150,7 +151,7 @@ def read(language: str) -> Catalog:
 
 
 def update(language: str) -> tuple[int, int]:
-    """Write both files of a language anew; returns how many sentences there are, and how many of them lack a translation."""
+    """Write both files of a language. Return the number of sentences, and how many of them lack a translation."""
     from babel.messages.catalog import Catalog
     from babel.messages.mofile import write_mo
     from babel.messages.pofile import write_po

@@ -22,15 +22,15 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import ProcessRecord
 
 DIED = 'programs.died'
-"""Is not told of a program whose error another rule explains."""
+"""Omitted for a program whose error another rule explains."""
 FAILS = 'launch.fails'
-"""Is not told beside a rule that knows why."""
+"""Omitted if another rule explains the failure."""
 ODD = (ArithmeticError, AssertionError, AttributeError, EdulaunchError, LookupError, RecursionError, TypeError, ValueError)
-"""What a rule may trip over in data that nobody has foreseen; whoever limits its time is heard."""
+"""Errors of a rule on unexpected data. A timeout is not among them."""
 _LOOKUP_ERROR = re.compile(r'(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform|Timeout)Exception')
 """How the end of a program begins that died of a lookup."""
 MOST = 20
-"""Findings of one rule: more of the same tell nobody anything."""
+"""Findings of one rule at most."""
 
 
 def judge(recording: Recording) -> list[Finding]:
@@ -64,11 +64,11 @@ LONELY = frozenset(
     ('messages.bag-of-nothing', 'messages.no-joint-states', 'messages.no-server', 'messages.nobody-listens')
     + ('messages.nobody-publishes', 'messages.other-topic', 'time.no-clock')
 )
-"""Say that somebody is missing."""
+"""Rules that report a missing partner."""
 
 
 def _without_consequences(findings: list[Finding], recording: Recording) -> list[Finding]:
-    """Leave out who is missed, where a program of the command could not run here or has died of an error: it may be the one."""
+    """Leave out findings about a missing partner if a program of the command failed, because that may be the partner."""
     own = [process for process in recording.processes if recording.command is None or process.name in recording.command]
     names = {process.name for process in own}
     is_absent = any(finding.rule in ABSENT for finding in findings)
@@ -80,15 +80,15 @@ def _without_consequences(findings: list[Finding], recording: Recording) -> list
 
 
 def _has_failed(process: ProcessRecord) -> bool:
-    """Return whether an error ended a program: Ctrl-C is none."""
+    """Return whether an error ended a program: Ctrl-C is not one."""
     return process.exception is not None and process.exception['type'] not in INTERRUPTS
 
 
 def about_command(findings: list[Finding], recording: Recording) -> list[Finding]:
-    """Those that concern the command whose excerpt a recording is; all of them when it is one of a whole machine.
+    """Return the findings that concern the command of the recording, or all if the recording is of a whole machine.
 
-    A finding that names nodes or programs concerns the command when one of them is the command's own. Another one does when it is
-    about a topic, service or frame that its nodes use, or about a file or an argument of its own.
+    A finding that names nodes or programs concerns the command when one of them is the command's own. Another finding does if
+    it is about a topic, service or frame that its nodes use, or its own file or argument.
     """
     if recording.command is None or all(process.name in recording.command for process in recording.processes):
         return findings
@@ -166,7 +166,7 @@ def judge_workspace(workspace: Workspace) -> list[Finding]:
 
 
 def failures(recording: Recording) -> Iterator[Failure]:
-    """The error that ended the launch, and those that ended programs, in order of the programs."""
+    """Yield the error that ended the launch, and the errors that ended programs, in order of the programs."""
     launch = recording.launch
     if launch.error is not None:
         type_, cause = launch.error_type or '', launch.error_cause or ''
@@ -210,7 +210,7 @@ def _asked(kind: str, thing: Any) -> list[Finding]:
 
 
 def _findings_by(rule: Rule, thing: Any) -> list[Finding]:
-    """What one rule says. One that fails is told as such: nobody's run ends because of advice."""
+    """Return the findings of one rule. If the rule fails, report that as a finding, so that no run ends because of advice."""
     try:
         return [finding._replace(rule=rule.name) for finding in islice(rule.look(thing), MOST)]
     except ODD as error:

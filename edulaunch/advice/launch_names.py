@@ -1,4 +1,4 @@
-"""Where the names that launch files import live, and what can be given to them."""
+"""The modules of the names that launch files import, and the arguments that they accept."""
 
 from __future__ import annotations
 

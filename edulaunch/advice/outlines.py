@@ -1,4 +1,4 @@
-"""What several rules ask of a dry run: its nodes, its files, and the texts that it hands on."""
+"""Queries on a dry run that several rules need: its nodes, its files, and the strings that it passes on."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Who reads: in which language, from which folder, and in which notebook; and finished English sentences in another language.
+"""The reader's language, folder and notebook, and the translation of finished English sentences.
 
-For those a catalogue's templates are read backwards. Reports are made, kept and sent in English, and a rubric needs no word
-about languages: `'{thing} is missing'` finds the facts of 'the frame laser is missing' again, and they go into the other
+For those a catalogue's templates are read backwards. Reports are created and stored in English, so a rubric does not depend
+on languages. `'{thing} is missing'` finds the facts of 'the frame laser is missing' again, and they go into the other
 language's template. Facts that are sentences themselves are retold, too.
 """
 
@@ -28,8 +28,8 @@ def _nowhere(file: str, line: int) -> str:
 
 class Reader(NamedTuple):
     """
-    :ivar language: such as 'de'; English is what stands in the rules, and is told where a language has no catalogue.
-    :ivar folder: paths below it are told from there.
+    :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
+    :ivar folder: paths below it are shown relative to it.
     :ivar cell: what to say of a line of a file that a cell of the reader's notebook wrote: its place there, or ''.
     """
 
@@ -38,11 +38,11 @@ class Reader(NamedTuple):
     cell: Callable[[str, int], str] = _nowhere
 
     def says(self, text: str) -> str:
-        """A sentence of ours in the reader's language."""
+        """Return a sentence of edulaunch in the reader's language."""
         return _catalogue(self.language).gettext(text) if text and self.language != ENGLISH else text
 
     def retells(self, text: str) -> str:
-        """A finished English sentence of ours, or of a rubric, in the reader's language."""
+        """Return a finished English sentence of edulaunch or a rubric in the reader's language."""
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def place(self, file: str, line: int | None) -> str:
@@ -135,14 +135,16 @@ MOST_TRIES = 500
 
 
 class _Pattern(NamedTuple):
-    """A template: the texts before, between and behind its fields, their names, and the other language's template."""
+    """A template: the strings before, between and after its fields, their names, and the other language's template."""
 
     texts: tuple[str, ...]
     names: tuple[str, ...]
     template: str
 
     def facts(self, text: str) -> dict[str, str] | None:
-        """What stands in the fields; each ends where the next text begins first. None when the texts do not fit."""
+        """Return the values of the fields, each up to the first occurrence of the next string, or None if the template does
+        not match.
+        """
         first, *between, last = self.texts
         if not text.startswith(first) or not text.endswith(last) or len(text) <= len(first) + len(last):
             return None
@@ -173,7 +175,7 @@ class Retelling:
         return self._translated(text, DEEPEST)[1] if len(text) <= LONGEST else text
 
     def _translated(self, text: str, depth: int) -> tuple[int, str]:
-        """How many letters of a text stand in templates, its facts' templates among them, and the text in the other language. Of
+        """Return how many letters of a message templates explain, and the message in the other language. Of
         several templates that fit, the one that explains most of the text is meant.
         """
         if text in self._whole:
@@ -196,12 +198,12 @@ def fields_of(template: str) -> list[str]:
 
 
 def _plain(template: str) -> str:
-    """A template without fields as a text."""
+    """Return a template without fields as a string."""
     return ''.join(text for text, _, _, _ in Formatter().parse(template))
 
 
 def _pattern(english: str, other: str) -> _Pattern | None:
-    """None for fields that nothing parts: nobody can say where one of them ends."""
+    """Return None for fields without text between them, because the end of the first is unknown."""
     texts, names = [''], []
     for text, name, _, _ in Formatter().parse(english):
         texts[-1] += text

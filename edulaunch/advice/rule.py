@@ -1,8 +1,7 @@
 """The one form of a rule: what it looks at (a Failure among others), what it found, and where rules are.
 
 Each file of a folder beside this one has rules for one kind of thing; they are loaded when they are asked. A finding is plain
-data, without a word: the words are put on where it is told (`wording.py`). A failure may come out of a file, so nothing of it
-is ever executed.
+data; `wording.py` turns it into sentences. A failure may come out of a file, so nothing of it is ever executed.
 """
 
 from __future__ import annotations
@@ -21,7 +20,8 @@ class Finding(NamedTuple):
 
     :ivar kind: what it is about: 'node', 'topic', 'service', 'frame', 'process', 'parameter', 'file', 'package', 'turtle'.
     :ivar name: the name of that: '/listener', '/turtle1/cmd_vel', 'carrot1', 'listener-2'.
-    :ivar facts: what the sentences of the rule need beside `kind` and `name`: texts, numbers, lists of texts; None: not known.
+    :ivar facts: what the sentences of the rule need beside `kind` and `name`: strings, numbers or lists of strings, or None
+        if unknown.
     :ivar file: the student's file, where one is to be looked at, and its line.
     :ivar time_s: simulated seconds since the start, when it happened at a time.
     :ivar rule: which rule found it: 'tf.unknown-frame'. Set by the judge.
@@ -60,7 +60,7 @@ EditForm = tuple[str, str, str]
 
 
 class Rule(NamedTuple):
-    """What is looked at, when it speaks, and the sentences: what is wrong, why that matters, what to do."""
+    """A function that finds a mistake, and its sentences: what is wrong, why that matters, what to do."""
 
     name: str
     look: Callable[[Any], Iterable[Finding]]
@@ -95,7 +95,7 @@ def rule(
 
     :param name: 'group.what-is-wrong'; the group is one of :data:`GROUPS`.
     :param lesson: the page of the course that explains it: '09_broadcaster_and_listener'.
-    :param hides: rules whose findings only follow from this one: they are not told beside it.
+    :param hides: rules whose findings are consequences of this one, and are left out beside it.
     :param edits: the edits that are certain to be the cure, each as (old, new) or (old, new, place), with the facts in braces.
         The first one counts whose facts are all known. An `old` that occurs more than once in the line gives no edit.
     """
@@ -131,7 +131,7 @@ class Failure(NamedTuple):
 
 
 def failure_of(error: BaseException) -> Failure:
-    """An exception that is at hand; what a room knew of it stands in its attribute `edulaunch_facts`."""
+    """Return the failure for an exception, with the facts of its attribute `edulaunch_facts`."""
     file, line = getattr(error, 'edulaunch_place', None) or (None, None)
     return Failure(type(error).__name__, str(error), file, line, facts=getattr(error, 'edulaunch_facts', {}))
 
@@ -163,5 +163,5 @@ def all_rules() -> dict[str, Rule]:
 
 
 def rule_named(name: str) -> Rule:
-    """The rule of that name; only as many files are loaded as it takes to find it. Raises KeyError when there is none."""
+    """The rule of that name; only as many files are loaded as it takes to find it. Raise KeyError if it does not exist."""
     return _loaded[name] if name in _loaded else all_rules()[name]

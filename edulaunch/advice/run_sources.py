@@ -59,7 +59,7 @@ def _parsed(file: str, changed_ns: int, size: int) -> ast.Module | None:
 
 
 def joined_strings(file: str) -> Iterator[tuple[str, str, int]]:
-    """Two string literals of one line that nothing separates, which Python joins: both texts and the line."""
+    """Yield two adjacent string literals of one line, which Python joins, and the line."""
     try:
         with open(file, encoding='utf-8') as opened:
             tokens = list(tokenize.generate_tokens(io.StringIO(opened.read()).readline))

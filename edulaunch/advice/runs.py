@@ -106,7 +106,7 @@ def asking_place(recording: Recording, node: str, name: str) -> Place:
 
 
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
-    """The place that the origin of a parameter tells in words ('a.launch.py line 4'), else where the program was started."""
+    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else where the program was started."""
     started = places(recording).get(process or '', NOWHERE)
     match = _ORIGIN.fullmatch(origin)
     if match is None:
@@ -133,7 +133,7 @@ def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]
 
 
 def names_of(recording: Recording, kind: str) -> list[str]:
-    """Absolute names of all ends of a kind, without those that ROS 2 itself makes for a node."""
+    """Absolute names of all ends of a kind, without the ends that ROS 2 itself creates for a node."""
     nodes = tuple(f'{node.name}/' for node in recording.nodes)
     return [name for end_kind, name in ends_by_name(recording) if end_kind == kind and not is_ros_own(name, nodes)]
 
@@ -154,7 +154,7 @@ class Broadcasts:
 
     :ivar poses: of static ones the different values, in order.
     :ivar odd: what was wrong with some of the transforms: 'zero', 'nan', 'unstamped', 'clock' -> (time in s, number of it).
-    :ivar lag_s: how old the first transform was when it was broadcast; negative: from the future.
+    :ivar lag_s: how old the first transform was when it was broadcast; a negative age is in the future.
     """
 
     def __init__(self, node: str, parent: str, child: str, is_static: bool, time_ns: int) -> None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Source(NamedTuple):
-    """One source package, and the index of the workspace that it stands in."""
+    """One source package, and the index of its workspace."""
 
     package: SourcePackage
     around: Index

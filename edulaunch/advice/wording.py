@@ -1,4 +1,4 @@
-"""A finding in words: the only place of the house where facts become sentences of advice. Below an error, at the end of a run,
+"""A finding in words: the only module that turns facts into sentences of advice. Below an error, at the end of a run,
 by the doctor, and as marks of the live view.
 """
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 MOST_NAMES = 12
 MOST_SHOWN = 5
-"""Findings that are told where nobody asked for them."""
+"""Findings shown at the end of a run at most."""
 
 
 class Rendered(NamedTuple):
@@ -32,7 +32,7 @@ class Rendered(NamedTuple):
     sign: str = 'warning'
 
     def __str__(self) -> str:
-        """What is wrong, where, and what to do, as errors tell it."""
+        """Return what is wrong, where, and what to do, in the form of error messages."""
         return f'{self.what}{self.where and f" ({self.where})"}\n  help: {self.do}'
 
 
@@ -90,12 +90,12 @@ def place(finding: Finding, reader: Reader) -> Iterator[str]:
 
 
 def _sign(level: str, reader: Reader) -> str:
-    """How a line begins: an error is one of the reader's program, not of the command that tells it."""
+    """How a line begins: an error is in the reader's program, not in the command that reports it."""
     return reader.says('note') if level == 'info' else reader.says('warning')
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
-    """The first of the templates whose facts are all known, with the facts in it; '' when there is none."""
+    """Return the first template whose facts are all known, with its facts, or ''."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
             return reader.says(template).format_map({name: _listed(value) for name, value in facts.items()})
@@ -112,8 +112,8 @@ def _listed(value: Any) -> Any:
 def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
     """One line about an error, None when nothing is known of it.
 
-    :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without that it is an error of
-        a launch file, whose place is told too: nothing above says it.
+    :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without it, the error is
+        in a launch file, and the help includes its place.
     :param env: of the program in whose terminal it is read.
     """
     file, line = error.get('place') or (None, None)
@@ -133,7 +133,7 @@ def help_of(error: dict[str, Any]) -> str | None:
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """What is wrong and what to do, in one line, by facts alone; '' when there are none."""
+    """Return what is wrong and what to do in one line, from facts alone, or ''."""
     return help_text(Failure('', '', facts=facts)) or ''
 
 
@@ -202,7 +202,7 @@ def marks(recording: Recording) -> list[Mark]:
 
 
 def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
-    """What is about a program stands at its first node."""
+    """A finding about a program becomes a mark at its first node."""
     subject = (finding.kind, finding.name)
     if finding.kind not in DRAWN:
         node = nodes.get(finding.process or finding.name)

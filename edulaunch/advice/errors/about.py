@@ -1,4 +1,4 @@
-"""Rules over errors whose room said what they are about (`edulaunch.engine.facts`): here are only the words."""
+"""The sentences of rules for errors that carry facts (`edulaunch.engine.facts`)."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from edulaunch.advice.rule import Failure, Finding, Rule, Sentence, rule
 def about(
     name: str, *, what: Sentence, do: Sentence, types: tuple[str, ...] = (), texts: tuple[str, ...] = (), **options: Any
 ) -> Rule:
-    """The rule that speaks of errors about `name`; the facts that came with them are those of its sentences.
+    """Return the rule for errors about `name`. Its sentences use the facts of the error.
 
     :param types: classes of errors that are always about it.
-    :param texts: messages that say nothing else.
+    :param texts: messages that always mean this error.
     """
 
     def look(failure: Failure) -> Iterator[Finding]:

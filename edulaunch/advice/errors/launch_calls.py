@@ -1,4 +1,4 @@
-"""What is given to actions and substitutions in Python launch files."""
+"""Rules about the arguments of actions and substitutions in Python launch files."""
 
 from __future__ import annotations
 
@@ -168,7 +168,7 @@ NO_PAIRS = about(
     level='error',
 )
 def not_a_list(failure: Failure) -> Iterator[Finding]:
-    """One action where several can stand."""
+    """Report a single action where a list is expected."""
     match = re.match(r"'(\w+)' object is not iterable", failure.message)
     cls = class_named(match[1]) if match is not None and failure.process is None else None
     if match is not None and hasattr(cls, 'visit'):
@@ -199,7 +199,7 @@ def missing_comma(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_an_action(failure: Failure) -> Iterator[Finding]:
-    """A text, a list or None in the list of a launch description."""
+    """Report a string, a list or None in the list of a launch description."""
     match = re.match(r"'(\w+)' object has no attribute '(visit|describe_sub_entities)'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, given='None' if match[1] == 'NoneType' else f'a {match[1]}')

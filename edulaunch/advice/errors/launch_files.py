@@ -304,6 +304,6 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def expression(failure: Failure) -> Iterator[Finding]:
-    """A PythonExpression that is no Python once its parts are put together."""
+    """Report a PythonExpression whose joined parts are not valid Python."""
     if failure.facts.get('expression') and failure.type in ('SyntaxError', 'TypeError'):
         yield report(failure)

@@ -1,6 +1,4 @@
-"""Values that are only known when a launch file runs: arguments, configurations, conditions, includes, and what is put
-together too early; parameters, their types, their files, and the rules of the command line.
-"""
+"""Rules about values that are known only when a launch file runs, and about parameters, their files and the command line."""
 
 from __future__ import annotations
 
@@ -50,7 +48,7 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     edits=(('{configuration}', '{near}', 'near'),),
 )
 def no_configuration(failure: Failure) -> Iterator[Finding]:
-    """`LaunchConfiguration('x')`, or $(var x), of what nobody has declared."""
+    """`LaunchConfiguration('x')`, or $(var x), of a name that no action declares."""
     if failure.facts.get('about') == 'launch.no-configuration':
         is_markup = (failure.file or '').endswith(('.xml', '.launch'))
         yield report(failure, xml=failure.facts['configuration'] if is_markup else None)
@@ -64,7 +62,7 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def no_argument(failure: Failure) -> Iterator[Finding]:
-    """An argument without a default that nobody passes."""
+    """Report a missing argument that has no default."""
     match = re.search(r"missing required argument '(.*?)' .*given: \[(.*)\]", failure.message, re.DOTALL)
     if match is not None:
         given = [name for name in match[2].split(', ') if name]
@@ -182,7 +180,7 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def parameter_type(failure: Failure) -> Iterator[Finding]:
-    """Types of parameters never change; integers are no doubles."""
+    """The type of a parameter never changes, and an integer is not a double."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-type':
         pair, value = (facts.get('given'), facts.get('expected')), str(facts.get('value'))
@@ -286,7 +284,7 @@ REMAP_RULE = about(
     level='error',
 )
 def yaml(failure: Failure) -> Iterator[Finding]:
-    """A parameter file that is no YAML."""
+    """Report a parameter file that is not valid YAML."""
     if failure.facts.get('about') == 'launch.yaml':
         has_tab = 'cannot start any token' in str(failure.facts.get('problem'))
         has_star = 'did not find expected alphabetic' in str(failure.facts.get('problem'))

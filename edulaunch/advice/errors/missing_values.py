@@ -114,7 +114,7 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
     hides=('launch.no-configuration',),
 )
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
-    """The declaration stands further below in the same file."""
+    """Report a declaration that follows further below in the same file."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     if match is not None and failure.file and failure.line:
         for number, line in enumerate(_lines(failure.file), 1):
@@ -133,7 +133,7 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
     hides=('launch.no-configuration', 'launch.declared-after-use'),
 )
 def set_in_group(failure: Failure) -> Iterator[Finding]:
-    """A SetLaunchConfiguration or DeclareLaunchArgument of that name stands in the list of a GroupAction of the same file."""
+    """Report a SetLaunchConfiguration or DeclareLaunchArgument of that name in a GroupAction of the same file."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:

@@ -1,4 +1,4 @@
-"""`rclpy.init()`, `spin` and `shutdown`: too early, too late, twice, or with the wrong thing; callbacks, and what they return."""
+"""`rclpy.init()`, `spin` and `shutdown`: too early, too late, twice, or with the wrong argument."""
 
 from __future__ import annotations
 

@@ -70,8 +70,10 @@ _COMMENTS = re.compile(r'^[ \t]*#[^\n]*|<!--.*?-->', re.MULTILINE | re.DOTALL)
     lesson=LESSON,
 )
 def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Nothing asked for it, and its name stands nowhere else in the launch files, not even under a condition that was not
-    met; silent when a file could not be read."""
+    """Report an argument that no launch file uses, not even under a condition that was not met.
+
+    Yield nothing if a file could not be read.
+    """
     declared = [branch for branch in branches(rehearsal) if branch.item is not None and branch.item['kind'] == 'argument']
     if not declared or rehearsal.plan['error'] is not None or any(word.startswith('file ') for word in rehearsal.missing[1]):
         return
@@ -169,7 +171,7 @@ def _commands(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
     level='error',
 )
 def no_package(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """When a package of ours has an executable of that name, and the PATH has none."""
+    """Report an executable that a package of edulaunch has, and the PATH has not."""
     from shutil import which
 
     for branch, item in nodes(rehearsal):

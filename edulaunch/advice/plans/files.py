@@ -62,7 +62,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_sources(path: str) -> str:
-    """Where a file of a share folder lies in the sources of its package, when its package.xml is a link to them."""
+    """Return the place of a share file in the sources of its package, if its package.xml is a link to them."""
     head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
     manifest = os.path.realpath(os.path.join(head, 'share', package, 'package.xml'))
@@ -87,7 +87,7 @@ def is_container(executable: str) -> bool:
     level='error',
 )
 def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Not one of a package that is missing altogether; of a relative path another rule tells more."""
+    """Skip files of a missing package, and relative paths, for which there is another rule."""
     for branch, item in nodes(rehearsal):
         for path in branch.action.missing_parameter_files():
             is_assumed = rehearsal.placeholders is not None and path.startswith(rehearsal.placeholders)
@@ -122,7 +122,7 @@ def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
-    """The value that a dict of the launch file gives behind a parameter file, None when there is none."""
+    """Return the value that a dict sets after a parameter file, or None."""
     sources = item['parameter_sources']
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:

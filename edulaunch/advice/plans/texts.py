@@ -1,4 +1,4 @@
-"""Texts that arrive other than they were meant, and launch files that cannot be visited to their end."""
+"""Rules about strings that do not arrive as intended, and launch files that fail in the dry run."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _texts(value: Any) -> Iterator[str]:
-    """All texts in plain data."""
+    """Yield all strings in plain data."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, dict):
@@ -109,7 +109,7 @@ def _is_number(text: str) -> bool:
     level='error',
 )
 def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """In the words of ROS 2; not told beside a rule that knows more."""
+    """Report the error in the words of ROS 2, unless another rule explains it."""
     error = rehearsal.plan['error']
     if error is not None:
         file, _, line = (error.get('origin') or '').rpartition(':')

@@ -141,7 +141,7 @@ def rate_in_callback(recording: Recording) -> Iterator[Finding]:
     hides=('programs.never-spun', 'turtlesim.slow-commands'),
 )
 def rate_not_spun(recording: Recording) -> Iterator[Finding]:
-    """A program that stands at rate.sleep() while its node is in no executor, in a constructor for instance."""
+    """Report a program that waits in rate.sleep() while no executor spins its node, for example in a constructor."""
     for finding in _of(recording, 'node not spun', 'calls', 'function'):
         if finding.facts['calls'] == 'timer.sleep':
             yield finding

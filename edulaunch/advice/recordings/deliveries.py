@@ -46,7 +46,7 @@ BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'input', 
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
-    """Whether it stands in `wait_for_service` or in `input()`: what it waits for is missing then."""
+    """Whether it stands in `wait_for_service` or in `input()`: then another finding names what is missing."""
     return str(data.get('calls', '')).partition('.')[2] in BLOCKING
 
 
@@ -82,8 +82,8 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
-    """At the end of the run, or of the node: old messages, or a full queue of a student's node. One that is never spun is told of
-    otherwise.
+    """At the end of the run, or of the node: old messages, or a full queue of a student's node. Another rule reports a node
+    that never spins.
     """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
     for fact in recording.facts:
@@ -130,7 +130,10 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
     hides=('messages.not-taken', 'programs.callback-goes-on'),
 )
 def no_server(recording: Recording) -> Iterator[Finding]:
-    """A client that lived a second, of what nobody ever offered; of our own nodes only those that ask."""
+    """Report a client that existed for a second without a server.
+
+    Of edulaunch's own nodes, report only the ones that send a request.
+    """
     served, actions, own = names_of(recording, 'service'), _actions(recording), own_nodes(recording)
     asked = {
         (fact.data['node'], fact.data['name']) for fact in recording.facts if fact.kind in ('request lost', 'server awaited')

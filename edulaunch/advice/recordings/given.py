@@ -100,7 +100,7 @@ SET = 'rcl_interfaces/srv/SetParameters'
 
 
 def _read_in_constructor(recording: Recording, name: str) -> tuple[str, int] | None:
-    """The line of the only reads of a parameter; None when some are elsewhere, or somebody hears of changes."""
+    """Return the line of the only reads of a parameter, or None if there are others or a callback handles changes."""
     place = None
     for file, tree in program_scripts(recording):
         inside = {
@@ -222,7 +222,7 @@ def _number(text: str) -> float | None:
     hides=('programs.died',),
 )
 def arguments_in_one(recording: Recording) -> Iterator[Finding]:
-    """Of a node: an entry that begins with an option and goes on behind a blank."""
+    """Report an entry that begins with an option and continues after a space."""
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
             if re.match(r'--?[a-z][\w-]* \S', word):

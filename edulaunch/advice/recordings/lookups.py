@@ -49,7 +49,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     hides=('programs.died',),
 )
 def unknown_frame(recording: Recording) -> Iterator[Finding]:
-    """A frame that was asked for and never came, in the whole run. A frame that only came late is none."""
+    """A frame that was asked for and never came, in the whole run. A frame that came late is not reported."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:

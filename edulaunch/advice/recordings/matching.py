@@ -41,7 +41,7 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
     level='error',
 )
 def best_effort(recording: Recording) -> Iterator[Finding]:
-    """Told at the end, too, although it happened when the two met."""
+    """Report it at the end, too, although it happened when both were created."""
     return _unfit(recording, 'RELIABILITY')
 
 
@@ -83,7 +83,7 @@ def quality(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def different_types(recording: Recording) -> Iterator[Finding]:
-    """A pair of ends that is joined by neither type, while each of them has nobody else to talk to on that topic."""
+    """Report two ends with different types, if neither of them has another partner on that topic."""
     ends = ends_by_name(recording)
     for mismatch in recording.mismatches:
         if mismatch.why != 'TYPE':
@@ -142,8 +142,8 @@ SOON_S = 0.5
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def unused(recording: Recording) -> Iterator[Finding]:
-    """No node of the program ever had an end of the new name; programs that ended at once are left out, and remappings of a
-    whole group of programs of which one uses it.
+    """Report a remapping whose new name no node of the program uses. Leave out programs that ended at once, and remappings of
+    a group of programs if one of them uses the name.
     """
     used = _used(recording)
     for process in recording.processes:
@@ -216,7 +216,10 @@ def _names(node: NodeRecord) -> list[str]:
     lesson='01_first_launch',
 )
 def same_name(recording: Recording) -> Iterator[Finding]:
-    """Alive at the same time; a node that was started again after its end is no second one, nor are those of `ros2` commands."""
+    """Compare nodes that exist at the same time.
+
+    Ignore a node that was started again after its end, and the nodes of `ros2` commands.
+    """
     origins = {process.name: process.origin for process in recording.processes}
     alive: dict[str, tuple[str, float | None]] = {}
     for node in recording.nodes:

@@ -87,7 +87,7 @@ def _poses(recording: Recording, turtle: str) -> tuple[list[int], list[Any]]:
 
 
 def _at(poses: tuple[list[int], list[Any]], time_ns: int) -> Any:
-    """The last pose before a time; None when there is none."""
+    """Return the last pose before a time, or None."""
     number = bisect_right(poses[0], time_ns) - 1
     return None if number < 0 else poses[1][number]
 

@@ -1,4 +1,4 @@
-"""What is silent between computers: nobody found, another time there, another definition of a type."""
+"""Rules about silent problems between computers: no other computer, another clock, another definition of a type."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _notes(recording: Recording, kind: str) -> Iterator[Note]:
     level='info',
 )
 def alone(recording: Recording) -> Iterator[Finding]:
-    """Not when somebody came later; the hidden node in whose name the bridge asks services is nobody."""
+    """Report nothing if a node appeared later. The hidden node of the bridge does not count."""
     if any(node.process == REMOTE and '/_' not in node.name for node in recording.nodes):
         return
     for note in list(_notes(recording, 'alone'))[-1:]:

@@ -64,7 +64,7 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
     level='error',
 )
 def key_for_no_node(recording: Recording) -> Iterator[Finding]:
-    """A file that gives nobody anything: the rule over launch files does not know a name that only the program says."""
+    """Report a file whose entries match no node. The rule over launch files does not know the names that programs choose."""
     passed_over: dict[str, list[Fact]] = {}
     for fact in recording.facts:
         if fact.kind == 'keys for no node':
@@ -148,7 +148,7 @@ def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
 
 
 def _unread(recording: Recording) -> Iterator[tuple[UnreadArgument, float | None]]:
-    """Those of the run's own launch, and those of each `ros2 launch` that somebody typed, with its end."""
+    """Yield the arguments of the run's own launch, and of each `ros2 launch` that a user typed, with its end."""
     yield from ((argument, None) for argument in recording.launch.unread)
     for fact in recording.facts:
         if fact.kind == 'argument unread':

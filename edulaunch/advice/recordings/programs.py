@@ -1,6 +1,4 @@
-"""Programs that ended by an error, of which launch's own exit code says nothing; runs that were broken off; and what a program
-printed and no screen showed.
-"""
+"""Rules about programs that ended with an error, interrupted runs, and output that no screen showed."""
 
 from __future__ import annotations
 
@@ -32,7 +30,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:
-    """Of a value that cannot stand in for what rclpy keeps there: a dictionary for its list of clients."""
+    """Report a value of another type than rclpy's own, such as a dictionary in place of its list of clients."""
     for fact in recording.facts:
         if fact.kind == 'private name':
             file, line = fact_place(recording, fact)
@@ -53,8 +51,8 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def died(recording: Recording) -> Iterator[Finding]:
-    """Not a program that another one started under its own name, which hears of its end itself; nor a `ros2` command after
-    Ctrl-C, which returns 2 (of `ros2 run` 254). One that was started again and again is told once.
+    """Skip a program that another program started and waits for. Skip a `ros2` command after
+    Ctrl-C, which returns 2 (of `ros2 run` 254). Report a program that was started repeatedly only once.
     """
     for process in recording.processes:
         if process.returncode in ENDED_WELL or _is_child(recording, process) or _is_launch(recording, process):

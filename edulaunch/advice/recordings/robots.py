@@ -95,7 +95,7 @@ MOVABLE = re.compile(
 
 
 def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
-    """Robot state publishers with the movable joints of their robots; not those that mimic another joint."""
+    """Yield robot state publishers with the movable joints of their robots, without joints that mimic another joint."""
     for node in recording.nodes:
         described = (
             recording.parameters(node.name).get('robot_description')

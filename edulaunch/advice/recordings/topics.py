@@ -92,7 +92,7 @@ def _commands(recording: Recording) -> set[str]:
     level='error',
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
-    """Velocities only: of most other topics nobody has to know."""
+    """Report velocities only, because most other topics need no subscription."""
     heard = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):

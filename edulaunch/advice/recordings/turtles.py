@@ -159,7 +159,7 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def pen_off(recording: Recording) -> Iterator[Finding]:
-    """A colour or a width beside off, and nobody ever sets the pen of that turtle down."""
+    """Report a colour or a width together with off, if no request ever switches the pen of that turtle on."""
     down = {row[1] for row in _calls(recording, 'SetPen') if not row[3][4]}
     for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
         if request[4] and any(request[:4]) and service not in down:

@@ -197,7 +197,7 @@ def ended_by_force(recording: Recording) -> Iterator[Finding]:
 
 
 def _named(text: str) -> Iterator[str]:
-    """The program that a line of launch is about: '[ERROR] [listener-2]: process[listener-2] failed to terminate ...'."""
+    """Return the program in a line of launch such as '[ERROR] [listener-2]: process[listener-2] failed to terminate ...'."""
     for line in text.splitlines():
         before, found_it, _ = line.partition('] failed to terminate')
         if found_it:

@@ -45,7 +45,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
     level='error',
 )
 def python_if(scripts: list[Script]) -> Iterator[Finding]:
-    """Of a LaunchConfiguration or a variable that holds one; `.perform(context)` gives a text, which may be compared."""
+    """Of a LaunchConfiguration or a variable that holds one; `.perform(context)` returns a string, which a script may compare."""
     for file, tree in scripts:
         for function in _functions(tree):
             known = _configurations(function)
@@ -173,7 +173,7 @@ def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], fi
 
 
 def _is_in_comment(name: str, file: str) -> bool:
-    """Whether a line that hands the variable over was made a comment: somebody has taken it out for a while."""
+    """Return whether a line that uses the variable is commented out, which is a deliberate choice."""
     from edulaunch.ros.sources.source_package import read_text
 
     return (

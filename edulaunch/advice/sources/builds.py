@@ -119,7 +119,7 @@ def program_left_out(source: Source) -> Iterator[Finding]:
 
 
 def _left_out(source: Source) -> Iterator[str]:
-    """Scripts that start rclpy, that no build installs, and that are no module of a Python package either."""
+    """Report scripts that start rclpy, if no build installs them and they are not modules of a Python package."""
     installed = source.installed
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
     for path, text in _scripts(source) if source.is_certain else ():
@@ -166,7 +166,7 @@ def program_not_executable(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def main_never_called(source: Source) -> Iterator[Finding]:
-    """Of what is installed as a program: no call stands at the top level, not even under `if`."""
+    """Report an installed program without a call at the top level, or under `if`."""
     programs = _programs(source)
     for path, text in _scripts(source):
         tree = parsed(path) if os.path.realpath(path) in programs and 'def main' in text else None

@@ -1,5 +1,5 @@
-"""Files of a package: what no build installs, and what Python cannot read; what the code needs at run time and package.xml
-does not name; and the name of a package, which stands in several files and must be the same in all.
+"""Rules about files of a package that no build installs or Python cannot read, missing dependencies, and package names that
+differ.
 """
 
 from __future__ import annotations

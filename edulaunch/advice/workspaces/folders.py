@@ -1,4 +1,4 @@
-"""What stands around the packages of a workspace."""
+"""Rules about the folders of a workspace and the files around its packages."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _mark(folder: str) -> str | None:
     level='info',
 )
 def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
-    """Nothing else is said of such a package."""
+    """Other rules do not check such a package."""
     for source in workspace.sources:
         if source.is_of_ros_1:
             yield found('package', source.package.name, file=source.package.manifest_file)
