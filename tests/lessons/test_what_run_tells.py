@@ -40,8 +40,8 @@ def test_a_node_that_dies_is_told_with_its_line(walk: Begin, capsys: pytest.Capt
     'old, new, told',
     [
         ('ros__parameters', 'ros_parameters', 'help: write ros__parameters, with two underscores'),
-        ('    background_g', '   background_g', 'line 4 of the YAML file is not valid: did not find expected key'),
-        ('background_g: 86', 'background_g 86', "line 5 of the YAML file is not valid: could not find expected ':'"),
+        ('    background_g', '   background_g', 'line 4 of turtlesim.yaml is not valid YAML: did not find expected key'),
+        ('background_g: 86', 'background_g 86', "line 5 of turtlesim.yaml is not valid YAML: could not find expected ':'"),
         ('background_g: 86', 'background_g: lots', "parameter 'background_g' has invalid type"),
     ],
 )

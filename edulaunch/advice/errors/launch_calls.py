@@ -117,7 +117,7 @@ NOT_A_TEXT = about(
         'put the value into a list: {as_list}=[...]',
         'write the number with a decimal point: {argument}={as_float}',
         'put the pair into a list: remappings=[{one_pair}]',
-        "write each remapping as a tuple: ('{pair}', 'to')",
+        "write each remapping as a pair in parentheses: ('{pair}', 'to')",
         'pass one of these: {expected}',
     ),
     level='error',

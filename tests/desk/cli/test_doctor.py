@@ -33,7 +33,7 @@ def test_a_healthy_launch_file_of_a_package(capsys: pytest.CaptureFixture[str]) 
 
 def test_a_launch_file_that_cannot_be_launched_is_not_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['doctor', str(EXAMPLES / 'launch.fails' / 'failing.launch.py')]) == 1
-    assert 'cannot be launched: ZeroDivisionError' in capsys.readouterr().out
+    assert 'launch cannot run this file: ZeroDivisionError' in capsys.readouterr().out
 
 
 def test_arguments_are_those_of_a_launch(capsys: pytest.CaptureFixture[str]) -> None:
@@ -72,7 +72,7 @@ def test_a_folder_is_judged_by_its_sources_and_by_runs_of_its_launch_files(
     shutil.copy(SAME, tmp_path / 'build' / 'copy.launch.py')
     assert main(['doctor', '.', '--for', '1']) == 1
     out = capsys.readouterr().out
-    assert 'two nodes are called /talker' in out and 'where: a.launch.py:9' in out
+    assert 'two nodes have the name /talker' in out and 'where: a.launch.py:9' in out
     assert out.splitlines()[-3:] == [
         'launch files that were run, 1 simulated seconds each: a.launch.py',
         'b.launch.py was not run: it needs robot:=...',
@@ -91,7 +91,7 @@ def test_sarif_has_the_place_and_the_rule(capsys: pytest.CaptureFixture[str]) ->
         'artifactLocation': {'uri': Path(SAME).as_uri()},
         'region': {'startLine': 9, 'startColumn': 13, 'endLine': 9, 'endColumn': 98},
     }
-    assert result['level'] == 'warning' and result['message']['text'].startswith('two nodes are called /talker')
+    assert result['level'] == 'warning' and result['message']['text'].startswith('two nodes have the name /talker')
 
 
 def test_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
@@ -112,7 +112,7 @@ def test_ros2_doctor_says_what_the_rules_find_behind_ros_own_checks(
     said.clear()
     terminal.ros2('doctor')
     text = ''.join(said)
-    assert text.index('checks passed') < text.index('edulaunch has looked at') < text.index('1. two nodes are called /talker')
+    assert text.index('checks passed') < text.index('edulaunch has looked at') < text.index('1. two nodes have the name /talker')
     recorded = [row.text for row in terminal.recording().output]
     assert not [text for text in recorded if 'two nodes' in text]
 

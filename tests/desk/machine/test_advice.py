@@ -144,7 +144,7 @@ def test_a_wall_is_reported_with_the_launch_file_that_drives_now(desk: Desk) -> 
     assert launched(desk, 'slow.launch.py', 'works 5') == ''
     write(desk, 'fast.launch.py', OWN, setup=DRIVES.format('cmd_vel'), work=SENDS.format(20.0, 0.0))
     reported = launched(desk, 'fast.launch.py', 'works 30')
-    assert reported.startswith('warning: /turtle1 ran into the wall') and 'slow.launch.py' not in reported
+    assert reported.startswith('warning: /turtle1 drove into the wall') and 'slow.launch.py' not in reported
     assert 'fast.launch.py' in reported
 
 

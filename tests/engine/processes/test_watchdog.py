@@ -42,7 +42,7 @@ def test_it_is_stopped_where_it_is_and_the_others_go_on(watched: Any) -> None:
         'RunawayProgramError: program-1 kept its turn for too long without waiting for anything' in wrote and 'in spin\n' in wrote
     )
     assert f'it was stopped at {watched.folder}/program-1.py:' in wrote
-    assert wrote.splitlines()[-1].startswith('  help: a loop goes on and on and never waits')
+    assert wrote.splitlines()[-1].startswith('  help: this loop never waits')
 
 
 def test_a_thread_that_is_stuck_ends_its_program(watched: Any) -> None:

@@ -38,8 +38,8 @@ def test_a_file_that_includes_itself_is_named_with_the_line(
     )
     assert lines[-1] == (
         f'  help: {tmp_path / name}:{line} (IncludeLaunchDescription): launch files include each other in a circle: '
-        f'{name}, {name}; take one of these includes out, '
-        'or give it a condition that is false in the end'
+        f'{name}, {name}; remove one of these includes, '
+        'or give it a condition that becomes false'
     )
 
 
