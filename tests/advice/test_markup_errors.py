@@ -17,10 +17,22 @@ MISTAKES = {
             '1: <zzzz> is not an element of launch files; use another element, such as node, include, arg, group, let, log, timer or executable',
         ),
         ('<launch><rosparam/></launch>', '1: ROS 1 had the element <rosparam>, but ROS 2 does not; write <param>'),
-        ('<launch><machine/></launch>', '1: ROS 1 had the element <machine>, but ROS 2 does not; remove it: ROS 2 has no equivalent of <machine>'),
-        ('<launch>\n<node pkg="a" exec="b" nmae="c"></node>\n</launch>', "2: <node> has no attribute or element 'nmae'; write 'name'"),
-        ('<launch>\n<node pkg="a" exec="b" type="c"></node>\n</launch>', "2: <node> has no attribute or element 'type'; write 'exec'"),
-        ('<launch>\n<node pkg="a" exec="b" ><parm/></node>\n</launch>', "2: <node> has no attribute or element 'parm'; write 'param'"),
+        (
+            '<launch><machine/></launch>',
+            '1: ROS 1 had the element <machine>, but ROS 2 does not; remove it: ROS 2 has no equivalent of <machine>',
+        ),
+        (
+            '<launch>\n<node pkg="a" exec="b" nmae="c"></node>\n</launch>',
+            "2: <node> has no attribute or element 'nmae'; write 'name'",
+        ),
+        (
+            '<launch>\n<node pkg="a" exec="b" type="c"></node>\n</launch>',
+            "2: <node> has no attribute or element 'type'; write 'exec'",
+        ),
+        (
+            '<launch>\n<node pkg="a" exec="b" ><parm/></node>\n</launch>',
+            "2: <node> has no attribute or element 'parm'; write 'param'",
+        ),
         (
             '<launch>\n<node pkg="a" exec="b" param="c"></node>\n</launch>',
             "2: 'param' is an element inside <node>, not an attribute; write it as an element inside <node>",
@@ -39,10 +51,7 @@ MISTAKES = {
             '<launch>\n<remap from="a" to="b"/></launch>',
             '2: <remap> must be inside <node>, not on its own; move it into <node>, or write <set_remap> to apply it to everything that follows',
         ),
-        (
-            '<launch>\n<choice value="a"/></launch>',
-            '2: <choice> must be inside <arg>, not on its own; move it into <arg>',
-        ),
+        ('<launch>\n<choice value="a"/></launch>', '2: <choice> must be inside <arg>, not on its own; move it into <arg>'),
         (
             '<launch>\n<composable_node/></launch>',
             '2: <composable_node> must be inside <node_container>, <load_composable_node>, not on its own; move it into <node_container>, <load_composable_node>',
@@ -74,7 +83,10 @@ MISTAKES = {
             '<launch>\n<log message="$(var x"/></launch>',
             "2: launch cannot read '$(var x': it expects one space and an argument, or ')' at column 8; check that brackets are closed, that quotes come in pairs, and that one space precedes each argument",
         ),
-        ('<launch>\n<group>\n</launch>', '3: the element <group> that starts in line 2 is not closed; write </group> where the element ends'),
+        (
+            '<launch>\n<group>\n</launch>',
+            '3: the element <group> that starts in line 2 is not closed; write </group> where the element ends',
+        ),
         ('<robot/>', "1: the outermost element is <robot>, not 'launch'; put everything into one element named launch"),
     ],
     'x.yaml': [
@@ -82,10 +94,7 @@ MISTAKES = {
         ('launch:\n- node: {exec: a, nmae: b}', "2: 'node' has no attribute or element 'nmae'; write 'name'"),
         ('launch:\n- arg:\n    default: a', "2: 'arg' needs 'name'; add 'name'"),
         ('launch:\n- let: {name: a, valu: b}', "2: 'let' needs 'value'; replace 'valu' with 'value'"),
-        (
-            'launch:\n- arg: {name: a, default: 1}',
-            "2: the value of 'default' has the wrong type for 'arg'; write default: '1'",
-        ),
+        ('launch:\n- arg: {name: a, default: 1}', "2: the value of 'default' has the wrong type for 'arg'; write default: '1'"),
         (
             'launch:\n- executable: {cmd: [ls, -l]}',
             "2: the value of 'cmd' has the wrong type for 'executable'; write cmd: 'ls -l'",
@@ -98,12 +107,18 @@ MISTAKES = {
             'launch:\n- executable: {cmd: ls, shell: 1}',
             "2: the value of 'shell' has the wrong type for 'executable'; write shell: true",
         ),
-        ('launch:\n  node: {exec: a}', "1: the actions in 'launch' must be a list; start each action with a dash, as in `- node: ...`"),
+        (
+            'launch:\n  node: {exec: a}',
+            "1: the actions in 'launch' must be a list; start each action with a dash, as in `- node: ...`",
+        ),
         (
             'launch:\n- timer: {period: 5.0, actions: []}',
             "2: the actions in 'timer' must be a list; put the actions into a list below 'children:'",
         ),
-        ('launch:\n- node:\n  - pkg: a\n  - exec: b', "2: the keys of 'node' are written as a list; remove the dashes, as in `exec: ...`"),
+        (
+            'launch:\n- node:\n  - pkg: a\n  - exec: b',
+            "2: the keys of 'node' are written as a list; remove the dashes, as in `exec: ...`",
+        ),
         ('launch:\n- include: /a/b', "2: 'include' has a value without a key; the key is 'file'; write include: {file: '/a/b'}"),
         (
             'launch:\n- node: {exec: a, param: {name: b}}',
@@ -113,7 +128,10 @@ MISTAKES = {
             'launch:\n- node: {exec: a, output: "screen}',
             '2: launch cannot read this file: found unexpected end of stream; check brackets, quotes and indentation in that line and in the line above',
         ),
-        ('launch: 3', "1: 'launch' must contain a list; write a list below it, and start each item with a dash, as in `- node: ...`"),
+        (
+            'launch: 3',
+            "1: 'launch' must contain a list; write a list below it, and start each item with a dash, as in `- node: ...`",
+        ),
         (
             'launch:\n- node: {exec: a}\n  log: {message: a}',
             "2: one item of 'launch' contains node, log; write a dash for each of node, log, and indent the keys of each by two more columns",

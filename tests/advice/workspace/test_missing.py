@@ -109,7 +109,9 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
         f'no package.xml below {robo.folder} contains <name>qqqqq</name>; check the <name> in the package.xml '
         f'files below {robo.folder}'
     )
-    assert 'change to its workspace with cd, or name the workspace with --workspace DIR' in help_of_facts(missing_package(Index(), 'qqqqq'))
+    assert 'change to its workspace with cd, or name the workspace with --workspace DIR' in help_of_facts(
+        missing_package(Index(), 'qqqqq')
+    )
 
 
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:

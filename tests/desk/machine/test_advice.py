@@ -153,7 +153,10 @@ def test_a_launch_that_runs_in_another_terminal_is_named(desk: Desk) -> None:
     desk.ros2('launch main.launch.py').until('works 5')
     reported = launched(desk, 'main.launch.py', 'works 5')
     assert reported.startswith('warning: two nodes are called /program: one of python3-1 (pid ')
-    assert 'press Ctrl-C in the terminal where `ros2 launch main.launch.py` is running' in reported and 'rename one of them' not in reported
+    assert (
+        'press Ctrl-C in the terminal where `ros2 launch main.launch.py` is running' in reported
+        and 'rename one of them' not in reported
+    )
 
 
 def test_of_many_findings_it_is_said_how_to_see_all(desk: Desk) -> None:

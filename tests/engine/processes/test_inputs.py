@@ -155,4 +155,6 @@ def test_after_a_launch_one_is_told_what_waits_for_input(tmp_path: Path) -> None
     recording = edulaunch.run(tmp_path / 'a.launch.py', duration_s=5.0)
     assert recording.duration_s == 5.0 and recording.processes[1].returncode is None
     assert [(fact.kind, fact.process) for fact in recording.facts] == [('waits for input', 'game-1')]
-    assert [line.partition(' (')[0] for line in recording.warnings] == ['game-1 waits for keyboard input, which it cannot receive']
+    assert [line.partition(' (')[0] for line in recording.warnings] == [
+        'game-1 waits for keyboard input, which it cannot receive'
+    ]

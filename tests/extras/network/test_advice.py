@@ -69,7 +69,9 @@ def test_another_time(place: Any, air: Air) -> None:
     air.now = 110 * 10**9
     link.publish(mouth, text('here'))
     turns(here)
-    assert findings(here) == [('time.other-clock', 'the clock of the computer that runs /real differs from the clock of this computer')]
+    assert findings(here) == [
+        ('time.other-clock', 'the clock of the computer that runs /real differs from the clock of this computer')
+    ]
 
 
 def test_nobody_is_there_until_somebody_comes(machine: Any) -> None:

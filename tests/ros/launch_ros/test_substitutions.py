@@ -65,7 +65,10 @@ def test_a_c_plus_plus_executable_is_found_and_ends_with_a_sentence_while_others
         session.launch(tmp_path / 'robo.launch.py')
         session.run(2.0)
         recording = session.recording()
-    assert f'this program is built from C++ ({tmp_path}/CMakeLists.txt:2), but edulaunch runs only Python programs' in recording.warnings[0]
+    assert (
+        f'this program is built from C++ ({tmp_path}/CMakeLists.txt:2), but edulaunch runs only Python programs'
+        in recording.warnings[0]
+    )
     assert recording.output[-1].text == '[INFO] [launch.user]: goes on\n'
 
 
