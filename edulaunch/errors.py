@@ -61,7 +61,7 @@ class MissingExtra(UnusableInput):
 
 def how_to_install(extra: str) -> str:
     """Return the line of help that says how to install an extra of edulaunch."""
-    return f"in the folder of edulaunch's setup.sh, type: pip install '.[{extra}]'"
+    return f"run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'"
 
 
 class RecordingError(UnusableInput):
