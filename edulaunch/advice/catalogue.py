@@ -28,7 +28,10 @@ REPORTS = (
     'checks',
     'edugrade/library',
     *(f'edugrade/rubrics/{name}.py' for name in ('yaml_behaviour', 'yaml_checks')),
-    *(f'edugrade/{name}.py' for name in ('attempts', 'evidence', 'judging', 'results', 'verdicts')),
+    *(
+        f'edugrade/{name}.py'
+        for name in ('attempts', 'evidence', 'faults', 'grading', 'judging', 'repeated', 'results', 'verdicts')
+    ),
     *(f'edugrade/reports/{name}.py' for name in ('terminal', 'wording')),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
@@ -52,7 +55,24 @@ def messages() -> dict[str, str]:
         for path in _python_files(os.path.join(GRADER, place)):
             for text in _sentences(_tree(path)):
                 found.setdefault(text, f'grader/{os.path.relpath(path, GRADER)}')
+    for name in sorted(os.listdir(os.path.join(GRADER, 'checks'))):
+        if name.endswith('.yaml'):
+            for text in _of_rubric(os.path.join(GRADER, 'checks', name)):
+                found.setdefault(text, f'grader/checks/{name}')
     return found
+
+
+def _of_rubric(path: str) -> Iterator[str]:
+    """The title, and what a student reads of each check of a rubric in YAML."""
+    import yaml
+
+    with open(path, encoding='utf-8') as file:
+        rubric = yaml.safe_load(file)
+    texts = [rubric['title']]
+    for check in rubric['checks']:
+        advice = check.get('try', ())
+        texts += [check.get('say'), *([advice] if isinstance(advice, str) else advice)]
+    yield from (text.replace('{', '{{').replace('}', '}}') for text in texts if text)
 
 
 def _given_to_says(tree: ast.AST) -> Iterator[str]:

@@ -134,12 +134,30 @@ MOST_TRIES = 500
 """Facts that are looked at in one text: whoever writes one that fits everywhere gets it back as it is."""
 
 
+_WORD = re.compile(r"(?<![\w/.:'\"-])[A-Za-z][a-z]+(?![\w/.:'\"=(-])")
+"""A word of a sentence, and not a part of a name, a path, a call or a quotation."""
+MOST_WORDS = 2
+"""Plain words in facts without a translation, beyond those of the template: more of them make a sentence of two languages."""
+
+
 class _Pattern(NamedTuple):
     """A template: the strings before, between and after its fields, their names, and the other language's template."""
 
     texts: tuple[str, ...]
     names: tuple[str, ...]
     template: str
+
+    @property
+    def bare(self) -> list[str]:
+        """The fields without quotation marks around them. A quoted fact may be in any language."""
+        ends = zip(self.texts, self.texts[1:], self.names, strict=False)
+        return [name for before, after, name in ends if not (before[-1:] == after[:1] != '' and after[:1] in '"\'')]
+
+    def explains(self, foreign: list[str]) -> bool:
+        """Whether a sentence in the other language remains one, with these facts that have no translation."""
+        own = sum(len(_WORD.findall(text)) for text in self.texts)
+        lines = [line for fact in foreign for line in fact.splitlines()[:1]]
+        return max((len(_WORD.findall(line)) for line in lines), default=0) <= max(own, MOST_WORDS) - (own < 2)
 
     def facts(self, text: str) -> dict[str, str] | None:
         """Return the values of the fields, each up to the first occurrence of the next string, or None if the template does
@@ -178,16 +196,20 @@ class Retelling:
         """Return how many letters of a message templates explain, and the message in the other language. Of
         several templates that fit, the one that explains most of the text is meant.
         """
-        if text in self._whole:
+        if text in self._whole and (depth == DEEPEST or ' ' in text):  # a fact of one word is a name, not a label
             return len(text), self._whole[text]
-        best = (0, text)
+        best, own = (0, text), 0
         self._tries += 1
         for pattern in self._patterns if depth and self._tries < MOST_TRIES else ():
             facts = pattern.facts(text)
             if facts is not None:
                 translated = {name: self._translated(value, depth - 1) for name, value in facts.items()}
                 known = sum(map(len, pattern.texts)) + sum(letters for letters, _ in translated.values())
-                if known > max(best[0], len(text) // LEAST):
+                foreign = [facts[name] for name in pattern.bare if not translated[name][0]]
+                size = sum(map(len, pattern.texts))
+                is_better = (known, size) > (best[0], own) and known > len(text) // LEAST
+                if is_better and pattern.explains(foreign):
+                    own = size
                     best = known, pattern.template.format_map({name: words for name, (_, words) in translated.items()})
         return best
 

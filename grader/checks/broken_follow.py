@@ -1,7 +1,7 @@
-"""The rubric of broken_follow.launch.py: a chain of three turtles in which three things are broken.
+"""The rubric of broken_follow.launch.py: a chain of three turtles with three mistakes.
 
-Two runs in which the teacher drives at different speeds. Each fault breaks one link of the chain and has one check; the last
-check looks at the end of the chain.
+In its two runs, the teacher drives at different speeds. Each mistake breaks one link of the chain and has one check. The
+last check measures the end of the chain.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from edugrade.source import Place
 
 TURN = 0.5  # rad/s, of the teacher
 SETTLED_S = 12.0
-ELSE = 'look whether something else than the listener drives turtle2'
+ELSE = 'find out whether another node than the listener drives turtle2'
 BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf2_py', 'turtle_tf2_listener')
 
 
@@ -40,31 +40,31 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(needs=[no_node_dies])
 def teacher_drives(run: Evidence) -> None:
-    """The teacher drives a circle at the speed asked for"""
+    """The teacher drives a circle at the requested speed"""
     for name, recording in run.items():
         radius = float(run.scenario(name).arguments['speed']) / TURN
         circle = fit_circle([(x, y) for t, x, y in turtle_track(recording, '/teacher/turtle1/pose') if t > 2.0])
         if not (circle is not None and abs(circle.radius - radius) <= 0.05 * radius):
-            seen = 'no circle' if circle is None else f'a circle of {circle.radius:.2f} m'
+            seen = 'no circle' if circle is None else f'a circle with a radius of {circle.radius:.2f} m'
             raise Failure(
-                'the teacher does not drive as it should',
-                expected=f'a circle of {radius:.2f} m',
+                f'the teacher should drive a circle with a radius of {radius:.2f} m',
+                expected=f'a circle with a radius of {radius:.2f} m',
                 seen=seen,
                 where=run.source.place,
-                try_="leave the teacher's part of the file as it was: it is not broken",
+                try_="restore the teacher's part of the file: it has no mistake",
             )
 
 
 @check(points=3, needs=[teacher_drives])
 def turtle1_copies(run: Evidence) -> None:
-    """turtle1 does what the teacher does"""
+    """turtle1 copies the teacher"""
     require_process(run, 'turtlesim', 'mimic')
     try:
         require_copy(
             run,
             '/teacher/turtle1',
             '/turtle1',
-            'read what the Node of mimic is told under remappings',
+            'check the remappings of the Node of mimic',
             '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')),
         )
     except Failure as failure:
@@ -75,7 +75,7 @@ def turtle1_copies(run: Evidence) -> None:
 @check(points=1, needs=[no_node_dies])
 def turtle1_is_on_tf(run: Evidence) -> None:
     """tf knows where turtle1 is: the frame turtle1 in the frame world"""
-    require_frame(run, 'turtle1', 'world', 'look at the Node of broadcaster1')
+    require_frame(run, 'turtle1', 'world', 'check the Node of broadcaster1')
 
 
 @check(points=3, needs=[no_node_dies])
@@ -87,7 +87,7 @@ def turtle2_is_on_tf(run: Evidence) -> None:
             run,
             'turtle2',
             'world',
-            'look which turtle each broadcaster is told to listen to, and how the listener calls the turtle that it spawns',
+            'compare the turtle name of each broadcaster with the name of the turtle that the listener spawns',
             '\n'.join(loose),
         )
     except Failure as failure:
@@ -103,7 +103,7 @@ def target_is_turtle1(run: Evidence) -> None:
         *LISTENER,
         'target_frame',
         dict.fromkeys(run, 'turtle1'),
-        'write the name of a frame that tf knows; view_frames shows them',
+        'write the name of an existing frame: ros2 run tf2_tools view_frames shows them',
     )
 
 
@@ -119,14 +119,14 @@ def turtle2_follows(run: Evidence) -> None:
 
 
 def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
-    """The same failure, pointing at a Node where one is known."""
+    """Return the same failure with the place of a Node, if it is known."""
     if where is not None:
         failure.where = Place(*where)
     return failure
 
 
 def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:
-    """Where the broadcaster that hears nobody is written."""
+    """Return the place of the broadcaster whose topic has no publisher."""
     recording = run.first
     for position in nodes_of(recording, *BROADCASTER):
         node = recording.nodes[position]

@@ -1,7 +1,7 @@
-"""The rubric of carrot.launch.py: one launch file, two carrots, chosen by a launch argument.
+"""The rubric of carrot.launch.py: a launch argument selects one of two carrots.
 
-Two runs, carrot:=fixed and carrot:=moving. The carrots are told apart by what tf says of the frame carrot1, and by what
-turtle2 does about it.
+It has two runs, carrot:=fixed and carrot:=moving. The checks distinguish the carrots by the frame carrot1 in tf, and by the
+movement of turtle2.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from edugrade.library.parameters import require_parameter
 PACKAGE = 'turtle_tf2_py'
 LISTENER = (PACKAGE, 'turtle_tf2_listener')
 BROADCASTERS = {'fixed': 'fixed_frame_tf2_broadcaster', 'moving': 'dynamic_frame_tf2_broadcaster'}
-LEFT_M = (0.0, 2.0)  # where the fixed carrot hangs, seen from turtle1
+LEFT_M = (0.0, 2.0)  # position of the fixed carrot, seen from turtle1
 SETTLED_S = 15.0
 BOUND_M = 0.3
-FIRST_TURN_S, TURN_S = 4.0, 2.0  # the moving carrot is there by then; how long it takes to swing from left to right and back
-RESTLESS_M = 8.0  # what turtle2 travels at least in 5 s when its goal swings by 20 m
+FIRST_TURN_S, TURN_S = 4.0, 2.0  # the moving carrot exists by then; the time for one swing from left to right and back
+RESTLESS_M = 8.0  # distance that turtle2 drives at least in 5 s when its goal swings by 20 m
 CONDITION = "condition=IfCondition(EqualsSubstitution(LaunchConfiguration('carrot'), '{}'))"
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """Each carrot for about 20 s; how long is not known beforehand."""
+    """Return a run for each carrot, of about 20 s. The student does not know the exact duration."""
     duration_s = random.randint(38, 46) / 2
     fixed, moving = BROADCASTERS
     return [Scenario(fixed, {}, duration_s, defaults={'carrot': fixed}), Scenario(moving, {'carrot': moving}, duration_s)]
@@ -45,12 +45,12 @@ def argument_is_declared(run: Evidence) -> None:
 
 @check(points=1, needs=[argument_is_declared])
 def default_is_fixed(run: Evidence) -> None:
-    """Without an argument the carrot is fixed"""
+    """Without an argument, the carrot is fixed"""
     require_default(run, 'carrot', 'fixed', _starts_fixed)
 
 
 def _starts_fixed(run: Evidence) -> None:
-    """In each run there is the broadcaster of the fixed carrot."""
+    """Require the broadcaster of the fixed carrot in each run."""
     for recording in run.values():
         if not find_processes(recording, PACKAGE, BROADCASTERS['fixed']):
             raise Missing(BROADCASTERS['fixed'], where=run.source.place, try_=f'give its Node {CONDITION.format("fixed")}')
@@ -58,7 +58,7 @@ def _starts_fixed(run: Evidence) -> None:
 
 @check(points=1)
 def turtles_are_there(run: Evidence) -> None:
-    """The launch file brings the two turtles and their frames"""
+    """The launch file starts the two turtles and their broadcasters"""
     require_process(run, *LISTENER)
     for turtle in ('turtle1', 'turtle2'):
         require_frame(run, turtle, 'world', 'include turtle_tf2_demo.launch.py of the package turtle_tf2_py')
@@ -72,12 +72,12 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(points=2, needs=[no_node_dies])
 def one_carrot_at_a_time(run: Evidence) -> None:
-    """Each value of carrot starts its own broadcaster, and not the other one"""
+    """Each value of carrot starts only its own broadcaster"""
     for name, wanted in BROADCASTERS.items():
         started = [executable for executable in BROADCASTERS.values() for _ in find_processes(run[name], PACKAGE, executable)]
         if started != [wanted]:
             raise Mismatch(
-                f'the carrot that is started with {run.scenario(name).words}',
+                f'the broadcaster of the carrot, when launched with {run.scenario(name).words},',
                 wanted,
                 ' and '.join(map(str, started)) or 'no broadcaster of a carrot',
                 where=run.source.place,
@@ -87,13 +87,13 @@ def one_carrot_at_a_time(run: Evidence) -> None:
 
 @check(points=1, needs=[one_carrot_at_a_time])
 def fixed_carrot_hangs(run: Evidence) -> None:
-    """carrot:=fixed hangs the frame carrot1 two metres to the left of turtle1"""
+    """With carrot:=fixed, the frame carrot1 is two metres to the left of turtle1"""
     require_frame(run, 'carrot1', 'turtle1', 'start fixed_frame_tf2_broadcaster of turtle_tf2_py')
     places = [sent.frame.translation[:2] for sent in transforms(run, 'fixed')['carrot1']]
     seen = next((place for place in places if not hypot(place[0] - LEFT_M[0], place[1] - LEFT_M[1]) <= 0.01), None)
     if seen is not None:
         raise Mismatch(
-            'the place of carrot1',
+            'the position of carrot1 relative to turtle1',
             numbers(LEFT_M),
             numbers(seen),
             where=run.source.place,
@@ -103,7 +103,7 @@ def fixed_carrot_hangs(run: Evidence) -> None:
 
 @check(points=1, needs=[one_carrot_at_a_time])
 def moving_carrot_swings(run: Evidence) -> None:
-    """carrot:=moving lets the frame carrot1 swing from one side of turtle1 to the other"""
+    """With carrot:=moving, the frame carrot1 swings from one side of turtle1 to the other"""
     require_frame(run, 'carrot1', 'turtle1', 'start dynamic_frame_tf2_broadcaster of turtle_tf2_py')
     for sides in _sides_in_turns(run):
         if max(sides) - min(sides) >= 5.0:
@@ -131,7 +131,7 @@ def carrot_is_the_target(run: Evidence) -> None:
 
 @check(points=2, needs=[fixed_carrot_hangs, carrot_is_the_target])
 def fixed_carrot_is_reached(run: Evidence) -> None:
-    """turtle2 comes to the fixed carrot, and stays there"""
+    """turtle2 drives to the fixed carrot and stays there"""
     place = place_in(frames_at_end(run, 'fixed'), 'carrot1', 'world')
     require_near(
         run,
@@ -140,29 +140,29 @@ def fixed_carrot_is_reached(run: Evidence) -> None:
         '/turtle2',
         BOUND_M,
         SETTLED_S,
-        'let the listener follow the frame carrot1',
+        'set target_frame of the listener to carrot1',
     )
-    require_arrival(run, 'fixed', '/turtle2', 'let the listener follow the frame carrot1')
+    require_arrival(run, 'fixed', '/turtle2', 'set target_frame of the listener to carrot1')
     require_driver(run, '/turtle2', *LISTENER)
 
 
 @check(points=1, needs=[moving_carrot_swings, carrot_is_the_target])
 def moving_carrot_is_chased(run: Evidence) -> None:
-    """turtle2 runs after the moving carrot without ever coming to rest"""
+    """turtle2 follows the moving carrot without stopping"""
     require_driver(run, '/turtle2', *LISTENER)
     track = [sample for sample in turtle_track(run['moving'], '/turtle2/pose') if 10.0 <= sample[0] < 15.0]
     if not length(track) >= RESTLESS_M:
         raise Failure(
-            'turtle2 rests',
-            expected=f'more than {RESTLESS_M:g} m in 5 s',
-            seen=f'{length(track):.2f} m',
+            'turtle2 does not follow the moving carrot',
+            expected=f'it drives at least {RESTLESS_M:g} m in 5 s',
+            seen=f'it drives {length(track):.2f} m',
             where=run.source.place,
-            try_='let the listener follow the frame carrot1',
+            try_='set target_frame of the listener to carrot1',
         )
 
 
 def _sides_in_turns(run: Evidence) -> Iterator[list[float]]:
-    """How far to the left carrot1 was, for each full turn of the moving carrot; a number that is none counts as 0."""
+    """Yield how far to the left carrot1 was, for each full turn of the moving carrot. NaN counts as 0."""
     sent = transforms(run, 'moving')['carrot1']
     for turn in range(int(FIRST_TURN_S / TURN_S), int(run['moving'].duration_s / TURN_S)):
         during = [item.frame.translation[1] for item in sent if turn * TURN_S <= item.time_s < (turn + 1) * TURN_S]

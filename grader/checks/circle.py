@@ -1,7 +1,7 @@
-"""The rubric of circle.launch.py: a world, a node, and a radius that comes from outside.
+"""The rubric of circle.launch.py: a world, a node, and a radius from a launch argument.
 
-The mark for the movement is given for what the robot's odometry shows in two runs, with two radii that nobody
-can know beforehand; how the launch file gets there is its own business.
+The odometry of the robot decides the points for the movement. Two runs have two radii that the student cannot predict. The
+launch file may reach the result in any way.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ SHORTEST_TRACK_M = 0.5
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A circle of a radius that nobody knows beforehand, and the one that the default gives."""
+    """Return a run with a radius that the student cannot predict, and a run with the default."""
     chosen = random.choice([*range(35, 86), *range(115, 126)]) / 100
     return [Scenario('chosen', {ARGUMENT: f'{chosen:.2f}'}), Scenario('usual', defaults={ARGUMENT: DEFAULT})]
 
@@ -38,14 +38,14 @@ def argument_is_declared(run: Evidence) -> None:
 
 @check(points=2)
 def world_is_there(run: Evidence) -> None:
-    """The launch file brings the world with the robot"""
+    """The launch file starts the robot and its world"""
     for recording in run.values():
         if not odometry_track(recording):
-            included = ', '.join(included_files(recording)) or 'no launch file is included'
+            included = ', '.join(included_files(recording)) or 'no included launch files'
             raise Missing(
-                'the robot (nothing publishes its position on /odom)',
+                'the robot, which publishes its position on /odom,',
                 seen=included,
-                expected='an include of empty_world.launch.py of the package turtlebot3_gazebo',
+                expected='an included empty_world.launch.py of the package turtlebot3_gazebo',
                 where=run.source.place,
                 try_='add IncludeLaunchDescription(...) with the path PathJoinSubstitution('
                 "[FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])",
@@ -60,16 +60,16 @@ def node_is_started(run: Evidence) -> None:
 
 @check(points=1, needs=[argument_is_declared, node_is_started])
 def default_is_one_metre(run: Evidence) -> None:
-    """Without an argument the radius is 1.0"""
+    """Without an argument, the radius is 1.0"""
     require_default(run, ARGUMENT, DEFAULT, _has_the_default)
 
 
 def _has_the_default(run: Evidence) -> None:
-    """Without an argument, the node reads the default."""
+    """Require that the node reads the default without an argument."""
     for name in run:
         seen = _radius_parameter(run, name)
         if seen != float(DEFAULT):
-            text = f'no parameter radius of a node of {EXECUTABLE}' if seen is None else f'the parameter radius is {seen}'
+            text = f'{EXECUTABLE} has no parameter radius' if seen is None else str(seen)
             advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
             raise Mismatch('the parameter radius', DEFAULT, text, where=run.source.place, try_=advice)
 
@@ -91,11 +91,10 @@ def radius_is_passed(run: Evidence) -> None:
     given = find_processes(run.first, PACKAGE, EXECUTABLE)[0].parameter_origins
     if 'radius' not in given:
         raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice, where=_node_place(run))
-    fixed = ', whatever the argument is' if len(set(seen)) == 1 else ''
     raise Mismatch(
         'the parameter radius',
-        ' and '.join(f'{ARGUMENT}:={value:.2f}' for value in wanted),
-        ' and '.join(map(str, seen)) + fixed,
+        '\n'.join(f'{value:g} with {run.scenario(name).words}' for name, value in zip(run, wanted, strict=True)),
+        '\n'.join(f'{value} with {run.scenario(name).words}' for name, value in zip(run, seen, strict=True)),
         where=_node_place(run),
         try_=advice,
     )
@@ -103,18 +102,18 @@ def radius_is_passed(run: Evidence) -> None:
 
 @check(points=4, needs=[world_is_there, no_node_dies])
 def circle_is_driven(run: Evidence) -> None:
-    """The robot drives circles of the radii asked for (measured from /odom)"""
+    """The robot drives circles of the requested radius, measured on /odom"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
     for recording in run.values():
         refuse_strangers(recording, '/cmd_vel', PACKAGE, EXECUTABLE)
     if not all(abs(seen - asked) <= TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
         raise Mismatch(
-            'the radius that the robot drives',
+            'the radius of the circles',
             _metres(wanted),
             _metres(measured),
             where=_node_place(run),
-            try_=f'let the launch argument {ARGUMENT} decide; a fixed number fits one circle only',
+            try_=f'set the radius from the launch argument {ARGUMENT}: a fixed number is right for only one circle',
         )
 
 
@@ -129,24 +128,24 @@ def _radius_parameter(run: Evidence, scenario: str) -> object:
 
 def _measured_radius(run: Evidence, scenario: str) -> float:
     track = since(odometry_track(run[scenario]), SETTLED_S)
-    expected = f'a circle, when launched with {run.scenario(scenario).words}'
+    expected = f'it drives a circle, when launched with {run.scenario(scenario).words}'
     if not length(track) >= SHORTEST_TRACK_M:
         raise Failure(
             'the robot does not move',
             expected=expected,
             where=run.source.place,
-            seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
-            try_=f"compare the topic that {EXECUTABLE} publishes with the robot's: /cmd_vel",
+            seen=f'it drives {length(track):.2f} m in {run[scenario].duration_s:g} s',
+            try_=f'compare the topic that {EXECUTABLE} publishes with the topic of the robot, /cmd_vel',
         )
     circle = fit_circle([(x, y) for _, x, y in track])
     if not (circle is not None and circle.residual <= TOLERANCE * circle.radius):
-        seen = 'a line' if circle is None else f'{circle.residual:.2f} m off the best circle'
+        seen = 'it drives a straight line' if circle is None else f'its track is {circle.residual:.2f} m off the best circle'
         raise Failure(
-            'the robot moves, but not on a circle',
+            'the robot does not drive a circle',
             expected=expected,
             seen=seen,
             where=run.source.place,
-            try_='look whether a second node sends velocities too',
+            try_='find out whether a second node publishes velocities',
         )
     return circle.radius
 

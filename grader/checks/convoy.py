@@ -1,6 +1,6 @@
-"""The rubric of the convoy: a row of turtles, of which each follows the one before it and no other.
+"""The rubric of the convoy: a row of turtles, each of which follows the turtle in front of it.
 
-What counts is where the simulator has the turtles, for any number of followers.
+The positions of the turtles in the simulator decide, for any number of followers.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from edugrade.library.node_graph import require_started
 FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
 ORDER = [
-    'a link of the chain',
-    'does it exist, is it in the tf tree, does its node find the carrot, does it publish? The first that fails is it',
+    'check each link of the chain',
+    'check in this order: the turtle exists, it is in the tf tree, its node finds the carrot, its node publishes',
 ]
 
 
@@ -29,7 +29,7 @@ def scenarios(random: Random) -> list[Scenario]:
 
 
 def followers(run: Evidence) -> Iterator[tuple[str, int]]:
-    """Each run with each number of a turtle that follows in it."""
+    """Yield each run with the number of each turtle that follows in it."""
     for scenario in run:
         for number in range(2, int(run.scenario(scenario).arguments['count']) + 2):
             yield scenario, number
@@ -43,7 +43,7 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(points=2, needs=[no_node_dies])
 def everybody_is_there(run: Evidence) -> None:
-    """There are as many followers as count says, and no more"""
+    """The number of followers is count"""
     for scenario in run:
         wanted = {f'turtle{number}' for where, number in followers(run) if where == scenario} | {'turtle1'}
         seen = {name.split('/')[1] for name in run[scenario].topics if name.startswith('/turtle') and name.endswith('/pose')}
@@ -54,7 +54,7 @@ def everybody_is_there(run: Evidence) -> None:
                 ', '.join(sorted(wanted)),
                 ', '.join(sorted(seen)),
                 where=run.source.place,
-                try_='an include for each, with a condition',
+                try_='include follower.launch.py once for each follower, with a condition',
             )
 
 
@@ -62,11 +62,14 @@ def everybody_is_there(run: Evidence) -> None:
 def everybody_came_after_the_simulator(run: Evidence) -> None:
     """No follower starts before the simulator"""
     for scenario in run:
-        sim = require_started(run, scenario, '/sim', 'the simulator is called sim', 'turtlesim')
+        sim = require_started(run, scenario, '/sim', 'give the simulator the name sim', 'turtlesim')
         nodes = [node for node in run[scenario].nodes if node.name.startswith(('/follower', '/carrot_of'))]
         if not nodes:
             raise Missing(
-                'a follower', seen='no node follower or carrot_of', where=run.source.place, try_='an include for each follower'
+                'a follower',
+                seen='no node whose name begins with follower or carrot_of',
+                where=run.source.place,
+                try_='include follower.launch.py for each follower',
             )
         early = [node.name for node in nodes if node.started_s < sim]
         calls = [call for call in run[scenario].service_calls if call.service == '/spawn' and not call.served]
@@ -75,22 +78,22 @@ def everybody_came_after_the_simulator(run: Evidence) -> None:
                 f'{early[0] if early else "a follower"} does not wait for the simulator',
                 where=run.source.place,
                 try_=[
-                    'an event handler',
-                    'which event says that a process has started? Lesson 5',
-                    'OnProcessStart(target_action=sim, on_start=row)',
+                    'check the event handler',
+                    'find in lesson 5 the event that launch creates when a process has started',
+                    'write OnProcessStart(target_action=sim, on_start=row)',
                 ],
             )
 
 
 def _after(run: Evidence, scenario: str) -> bool:
-    """Whether the simulator's process was begun before those of the followers."""
+    """Whether the process of the simulator started before the processes of the followers."""
     own, sims = (processes_of(run[scenario], *program) for program in (FOLLOWER, SIMULATOR))
     return not own or (bool(sims) and sims[0] < own[0])
 
 
 @check(points=3, needs=[everybody_is_there])
 def each_knows_its_own_leader(run: Evidence) -> None:
-    """Each goes to the carrot of the turtle in front of it, and of no other"""
+    """Each follower drives to the carrot of the turtle in front of it"""
     for scenario, number in followers(run):
         recording, targets = run[scenario], {}
         for node in dict.fromkeys(node.name for node in recording.nodes):
@@ -100,29 +103,29 @@ def each_knows_its_own_leader(run: Evidence) -> None:
         if targets.get(f'turtle{number}') != f'carrot_turtle{number - 1}':
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',
-                expected=f'its target is carrot_turtle{number - 1}',
+                expected=f'the target carrot_turtle{number - 1}',
                 seen=str(targets.get(f'turtle{number}', 'no target')),
                 where=run.source.place_in('follower.launch.py', 'leader'),
                 try_=[
-                    'a parameter of a Node',
-                    'me and target of the node follower',
-                    "parameters=[{'me': me, 'target': ['carrot_', leader]}]",
+                    'check the parameters of the Node',
+                    'set the parameters me and target of the node follower',
+                    "write parameters=[{'me': me, 'target': ['carrot_', leader]}]",
                 ],
             )
 
 
 @check(points=4, needs=[each_knows_its_own_leader])
 def each_is_near_its_carrot(run: Evidence) -> None:
-    """After 20 s each has driven, and is within 0.8 m of its carrot"""
+    """After 20 s, each follower has driven and is within 0.8 m of its carrot"""
     for scenario, number in followers(run):
         *_, (_, x, y, theta) = run[scenario].series(f'/turtle{number - 1}/pose', 'x', 'y', 'theta')
         track = turtle_track(run[scenario], f'/turtle{number}/pose')
         away = hypot(x - BEHIND_M * cos(theta) - track[-1][1], y - BEHIND_M * sin(theta) - track[-1][2])
         if not away <= NEAR_M or not length(since(track, 2.0)) >= 2.0:
             raise Failure(
-                f'turtle{number} is not where its carrot is, when launched with {run.scenario(scenario).words}',
-                expected=f'at most {NEAR_M:g} m from a place {BEHIND_M:g} m behind turtle{number - 1}',
-                seen=f'{away:.2f} m; it has driven {length(track):.1f} m',
+                f'turtle{number} is not at its carrot, when launched with {run.scenario(scenario).words}',
+                expected=f'at most {NEAR_M:g} m from its carrot, {BEHIND_M:g} m behind turtle{number - 1}',
+                seen=f'{away:.2f} m from its carrot, after a drive of {length(track):.1f} m',
                 where=run.source.place,
                 try_=ORDER,
             )

@@ -1,8 +1,7 @@
 """The rubric of follow.launch.py: turtle2 follows turtle1 through tf.
 
-Two runs: turtle1 stands, and turtle1 drives a square. Following is measured from the poses that turtlesim
-publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in
-one of the runs at most.
+In its first run, turtle1 does not move. In its second run, turtle1 drives a square. The checks measure the poses that
+turtlesim publishes. A turtle that only waits at a good position, or drives a fixed path, is near turtle1 in at most one run.
 """
 
 from __future__ import annotations
@@ -18,14 +17,14 @@ from edugrade.library.movement import length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
-# The square is driven at 1 m/s; a follower that drives half the distance in a second lags 1 to 1.7 m behind.
+# turtle1 drives the square at 1 m/s. A follower that drives half of the distance in a second is 1 to 1.7 m behind it.
 BOUNDS_M = {'standing': 0.25, 'moving': 2.5}
 LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 LISTEN = "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]"
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """turtle1 stands, turtle1 moves; how long is not known beforehand."""
+    """Return a run without and a run with movement of turtle1. The student does not know their exact duration."""
     duration_s = random.randint(40, 48) / 2
     return [Scenario('standing', {}, duration_s), Scenario('moving', {'move': 'true'}, duration_s)]
 
@@ -44,7 +43,7 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(needs=[no_node_dies])
 def leader_exists(run: Evidence) -> None:
-    """turtle1 is there"""
+    """The turtle turtle1 exists"""
     for recording in run.values():
         if not turtle_track(recording, LEADER):
             raise Missing(
@@ -64,7 +63,7 @@ def leader_is_on_tf(run: Evidence) -> None:
 
 @check(points=1, needs=[leader_exists])
 def follower_exists(run: Evidence) -> None:
-    """turtle2 is spawned"""
+    """The turtle turtle2 exists"""
     for recording in run.values():
         if not turtle_track(recording, FOLLOWER):
             turtles = [
@@ -76,7 +75,7 @@ def follower_exists(run: Evidence) -> None:
                 expected='a turtle named turtle2',
                 seen='only ' + ', '.join(turtles),
                 where=run.source.place,
-                try_="turtle_tf2_listener spawns it: add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)",
+                try_="add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...), which spawns turtle2",
             )
 
 
@@ -89,21 +88,21 @@ def follower_is_on_tf(run: Evidence) -> None:
 
 @check(points=1, needs=[leader_exists])
 def leader_moves_when_asked(run: Evidence) -> None:
-    """turtle1 stands still, and drives when launched with move:=true"""
+    """turtle1 drives only with move:=true"""
     standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
     if not (standing <= 0.1 and moving >= 2.0):
         raise Failure(
-            'turtle1 does not do as the launch argument move says',
+            'turtle1 ignores the launch argument move',
             where=run.source.place,
             expected='no movement without arguments, a square with move:=true',
-            seen=f'{standing:.1f} m travelled without arguments, {moving:.1f} m with move:=true',
+            seen=f'{standing:.1f} m without arguments, {moving:.1f} m with move:=true',
             try_="give draw_square condition=IfCondition(LaunchConfiguration('move'))",
         )
 
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf])
 def standing_leader_is_reached(run: Evidence) -> None:
-    """turtle2 comes to turtle1 while turtle1 stands, and stays there"""
+    """turtle2 drives to turtle1 and stays there, if turtle1 does not move"""
     _require_near(run, 'standing')
     require_arrival(run, 'standing', '/turtle2', LISTEN)
     require_driver(run, '/turtle2', *LISTENER)
@@ -111,7 +110,7 @@ def standing_leader_is_reached(run: Evidence) -> None:
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf, leader_moves_when_asked])
 def moving_leader_is_followed(run: Evidence) -> None:
-    """turtle2 stays close behind turtle1 while turtle1 moves"""
+    """turtle2 stays close to turtle1 while turtle1 moves"""
     _require_near(run, 'moving')
     require_pursuit(run, 'moving', '/turtle1', '/turtle2', SETTLED_S, LISTEN)
     require_driver(run, '/turtle2', *LISTENER)

@@ -1,6 +1,6 @@
-"""The rubric of large_project: a package whose launch files are used more than once.
+"""The rubric of large_project: a package that uses its launch files more than once.
 
-Two runs with two goals: the carrot, and turtle1 itself.
+Its two runs have two goals: the carrot, and turtle1 itself.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from edugrade.library.following import require_arrival, require_copy, require_dr
 from edugrade.library.frames import frames_at_end, place_in, require_frame
 from edugrade.library.launched import require_process
 from edugrade.library.node_graph import loose_ends, require_node
-from edugrade.library.parameters import node_parameter, require_parameter
+from edugrade.library.parameters import node_parameter, refuse_missing_file, require_parameter
 
 from edulaunch.engine.recording.records import Parameter
 
@@ -27,7 +27,7 @@ TOP, CONFIG = 'launch/large_project.launch.py', 'config/turtlesim.yaml'
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A run for each goal; how long is not known beforehand."""
+    """Return a run for each goal. The student does not know their exact duration."""
     duration_s = random.randint(36, 44) / 2
     return [Scenario(goal, {'goal': goal}, duration_s) for goal in GOALS]
 
@@ -40,13 +40,13 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(points=1, needs=[no_node_dies])
 def first_world_is_there(run: Evidence) -> None:
-    """The first world is there: the node /sim"""
+    """The first world has the node /sim"""
     require_node(run, '/sim', 'turtlesim', 'include world.launch.py')
 
 
 @check(points=2, needs=[no_node_dies])
 def second_world_is_there(run: Evidence) -> None:
-    """The second world is in a namespace of its own: the node /turtlesim2/sim"""
+    """The second world has the node /turtlesim2/sim, in its own namespace"""
     require_node(
         run, '/turtlesim2/sim', 'turtlesim', "add GroupAction([PushRosNamespace('turtlesim2'), include('world.launch.py')])"
     )
@@ -63,34 +63,37 @@ def water_comes_from_the_file(run: Evidence) -> None:
             if parameter.value != WATER[name] or not parameter.origin.startswith('turtlesim.yaml')
         }
         if wrong:
+            refuse_missing_file(run, wrong.values(), 'turtlesim')
             raise Mismatch(
                 f'the water of {node}',
                 ', '.join(f'{name} {value}' for name, value in WATER.items()),
                 ', '.join(f'{name} {parameter.value} (from: {parameter.origin})' for name, parameter in seen.items()),
                 where=run.source.place_in(CONFIG, r'\bros__parameters\b|^\S+:'),
-                try_='in the file, head the parameters with /**: which stands for every node',
+                try_='begin the file with /**: above ros__parameters, because /** matches every node',
             )
 
 
 @check(points=2, needs=[no_node_dies])
 def goal_is_passed_on(run: Evidence) -> None:
-    """The listener's parameter target_frame is the goal that the launch argument names"""
+    """The listener's parameter target_frame is the launch argument goal"""
     require_process(run, *LISTENER)
     require_parameter(
         run,
         *LISTENER,
         'target_frame',
         {name: run.scenario(name).arguments['goal'] for name in run},
-        "give the include of follower.launch.py target_frame=LaunchConfiguration('goal')",
+        "pass target_frame=LaunchConfiguration('goal') to the included follower.launch.py",
         run.source.place_in(TOP, r"^(?!    ros2 ).*\('follower.launch.py'"),
     )
 
 
 @check(points=2, needs=[first_world_is_there, goal_is_passed_on])
 def goal_is_reached(run: Evidence) -> None:
-    """turtle2 comes to the goal, and stays there"""
+    """turtle2 drives to the goal and stays there"""
     for goal in GOALS:
-        require_frame(run, goal, 'turtle1' if goal == 'carrot1' else 'world', 'leave the other includes and nodes in place')
+        require_frame(
+            run, goal, 'turtle1' if goal == 'carrot1' else 'world', 'restore the includes and nodes that the starter file has'
+        )
         place = place_in(frames_at_end(run, goal), goal, 'world')
         require_near(
             run,
@@ -99,15 +102,15 @@ def goal_is_reached(run: Evidence) -> None:
             '/turtle2',
             BOUND_M,
             SETTLED_S,
-            'look whether something else than the listener drives turtle2',
+            'find out whether another node than the listener drives turtle2',
         )
-        require_arrival(run, goal, '/turtle2', 'let the listener follow the goal')
+        require_arrival(run, goal, '/turtle2', 'set target_frame of the listener to the goal')
     require_driver(run, '/turtle2', *LISTENER)
 
 
 @check(points=1, needs=[second_world_is_there])
 def mimic_copies(run: Evidence) -> None:
-    """turtle1 of the second world does what turtle2 does"""
+    """turtle1 of the second world copies turtle2"""
     require_copy(
         run,
         '/turtle2',

@@ -1,6 +1,6 @@
-"""The rubric of static_frame.launch.py: two frames that never move, one of them at a height from outside.
+"""The rubric of static_frame.launch.py: two frames that never move, one of them at the height of a launch argument.
 
-Two runs, with two heights that nobody can know beforehand. What counts is what tf knows, not which program said it.
+Two runs have heights that the student cannot predict. The frames in tf decide, and any program may publish them.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ PUBLISHER = "Node(package='tf2_ros', executable='static_transform_publisher', ar
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A low laser, a high one, and one where the default says; nothing moves, so the runs are short."""
+    """Return runs with a low laser, a high laser, and the default. Nothing moves, so the runs are short."""
     low, high = random.randint(15, 45) / 100, random.randint(80, 150) / 100
     given = [Scenario('low', {ARGUMENT: f'{low:.2f}'}, 5.0), Scenario('high', {ARGUMENT: f'{high:.2f}'}, 5.0)]
     return [*given, Scenario('usual', {}, 5.0, defaults={ARGUMENT: None})]
@@ -44,7 +44,7 @@ def laser_is_on_tf(run: Evidence) -> None:
 
 @check(points=1, needs=[laser_is_on_tf])
 def argument_is_declared(run: Evidence) -> None:
-    """The launch argument height is declared, with a default"""
+    """The launch argument height is declared and has a default"""
     require_default(run, ARGUMENT, None, _require_height)
 
 
@@ -54,24 +54,24 @@ def _height(run: Evidence, name: str) -> float:
         return float(text)
     except ValueError:
         raise Mismatch(
-            f'the default value of {ARGUMENT}', 'a number', text, where=run.source.place, try_="default_value='0.5'"
+            f'the default value of {ARGUMENT}', 'a number', text, where=run.source.place, try_="write default_value='0.5'"
         ) from None
 
 
 def _require_height(run: Evidence) -> None:
-    """In each run, the laser is as high as the argument says."""
+    """Require the laser at the height of the argument in each run."""
     for name in run:
         height = _height(run, name)
         for sent in transforms(run, name).get('laser', ())[-1:]:
             seen = sent.frame.translation[2]
             if not abs(seen - height) <= TOLERANCE_M:
-                advice = f"give --z the LaunchConfiguration('{ARGUMENT}')"
+                advice = f"write '--z', LaunchConfiguration('{ARGUMENT}') in the arguments of its Node"
                 raise Mismatch('the height of the laser', f'{height:g}', f'{seen:g}', where=run.source.place, try_=advice)
 
 
 @check(points=3, needs=[laser_is_on_tf])
 def laser_is_in_its_place(run: Evidence) -> None:
-    """The laser is 0.2 m in front of base_link, and as high as the launch argument says"""
+    """The laser is 0.2 m in front of base_link, at the height of the launch argument"""
     for name in run:
         height = _height(run, name)
         _require_place(
@@ -79,7 +79,7 @@ def laser_is_in_its_place(run: Evidence) -> None:
             name,
             'laser',
             (0.2, 0.0, height),
-            f"in its arguments, write '--x', '0.2' and give --z the LaunchConfiguration('{ARGUMENT}')",
+            f"write '--x', '0.2' and '--z', LaunchConfiguration('{ARGUMENT}') in the arguments of its Node",
         )
 
 
@@ -91,29 +91,32 @@ def camera_is_on_tf(run: Evidence) -> None:
 
 @check(points=2, needs=[camera_is_on_tf])
 def camera_is_in_its_place(run: Evidence) -> None:
-    """The camera is 0.1 m above the laser and looks to the left"""
+    """The camera is 0.1 m above the laser and turned to the left"""
     for name in run:
-        _require_place(run, name, 'camera', (0.0, 0.0, 0.1), "in its arguments, write '--z', '0.1'")
+        _require_place(run, name, 'camera', (0.0, 0.0, 0.1), "write '--z', '0.1' in the arguments of its Node")
         for sent in transforms(run, name)['camera']:
             _require_turn(run, sent.frame)
 
 
 @check(points=1, needs=[no_node_dies])
 def frames_are_static(run: Evidence) -> None:
-    """Both frames are static: said once, known for ever"""
+    """Both frames are static: they are published once and stay valid"""
     for name in run:
         sent = transforms(run, name)
         for child in ('laser', 'camera'):
             if child not in sent:
                 raise Missing(
-                    f'the frame {child}', expected='sent once, on /tf_static', where=run.source.place, try_=f'use {PUBLISHER}'
+                    f'the frame {child}',
+                    expected='published once, on /tf_static',
+                    where=run.source.place,
+                    try_=f'use {PUBLISHER}',
                 )
         moving = [child for child in ('laser', 'camera') if not all(item.frame.is_static for item in sent[child])]
         if moving:
             raise Failure(
-                f'{" and ".join(moving)} comes again and again',
-                expected='sent once, on /tf_static',
-                seen='sent on /tf',
+                f'the frame {" and the frame ".join(moving)} should be static',
+                expected='published once, on /tf_static',
+                seen='published on /tf',
                 where=run.source.place,
                 try_=f'use {PUBLISHER}',
             )
@@ -124,7 +127,7 @@ def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, fl
         if all(abs(seen - asked) <= TOLERANCE_M for seen, asked in zip(frame.translation, wanted, strict=True)):
             continue
         raise Mismatch(
-            f'the place of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
+            f'the position of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
             f'(x, y, z) = {numbers(wanted)}',
             numbers(frame.translation),
             where=run.source.place,
@@ -134,19 +137,19 @@ def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, fl
 
 def _require_turn(run: Evidence, frame: Frame) -> None:
     if not (abs(yaw(frame) - pi / 2) <= TOLERANCE_RAD and tilt(frame) <= TOLERANCE_RAD):
-        lean = f', leaning by {tilt(frame):.2f} rad' if tilt(frame) > TOLERANCE_RAD else ''
+        lean = f' and a tilt of {tilt(frame):.2f} rad' if tilt(frame) > TOLERANCE_RAD else ''
         raise Mismatch(
             'the direction of the camera',
             'a yaw of 1.57 rad, a quarter turn to the left',
             f'a yaw of {yaw(frame):.2f} rad{lean}',
             where=run.source.place,
-            try_="write '--yaw', '1.5708'; angles are in radians, and to the left is positive",
+            try_="write '--yaw', '1.5708' in the arguments of its Node: angles are in radians, and positive to the left",
         )
 
 
 RUBRIC = Rubric(
     title='A laser and a camera on a mast',
-    decoys=0.75,  # a frame that never moves is in tf, whoever published it; what the argument decides is worth the rest
+    decoys=0.75,  # any program can publish a frame that never moves; the launch argument decides the other points
     scenarios=scenarios,
     checks=[
         no_node_dies,

@@ -7,11 +7,11 @@ For the author of a rubric::
 In reading order:
 
 - what was handed in: `submission.py`, `source.py`, `files.py`
-- what is asked: `rubric.py`, `evidence.py`, `library/`; found by `rubrics/`, `course.py`, `variant.py`
-- the runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`; `in_place.py` where nothing can be forked
-- what they came to: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
-- the reports: `reports/`; what a student has done: `attempts.py`, `progress_file.py`
-- who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
+- input: `rubric.py`, `evidence.py`, `library/`, `rubrics/`, `course.py`, `variant.py`
+- runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`, and `in_place.py` on systems without fork
+- results: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
+- output: `reports/`, `attempts.py`, `progress_file.py`
+- entry points: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
 - a plug-in: `classes/`, the tools for whole classes
 """
 

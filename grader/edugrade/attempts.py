@@ -1,4 +1,4 @@
-"""What a student tried is noted in the student's own file; from there comes how much a report gives away. And the hints."""
+"""Records attempts in the progress file of the student, which decides how specific a report is. It also has the hints."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from .results import ALL_PASSED, Report
 from .submission import Submission
 from .variant import variant_for
 
-UNCHANGED = 'unchanged since your last try: did you save?'
-SHORT = 16  # signs of a digest
+UNCHANGED = 'The file has not changed since your last attempt. Save it first.'
+SHORT = 16  # characters of a digest
 
 
 def record_attempt(report: Report, folder: str | None) -> Report:
-    """The report, told as far as the student has come.
+    """Record an attempt, and return the report with the level of advice that the student has reached.
 
-    :param folder: of the progress file; None: nothing is kept, and only the kind of what is missing is told.
+    :param folder: the directory of the progress file. With None, no attempt is recorded, and the advice has the level KIND.
     """
     report = replace(report, why=why_of(report))
     if folder is None or report.earned is None:
@@ -35,12 +35,12 @@ def record_attempt(report: Report, folder: str | None) -> Report:
             level = level_of(mine.attempts, mine.hints, mine.first == text)
             file.save()
     except UnusableInput as error:
-        return replace(report, level=KIND, word=f'Your progress is not kept: {error.message}.')
+        return replace(report, level=KIND, word=f'Your progress cannot be saved: {error.message}.')
     return replace(report, level=level, word=file.word or (UNCHANGED if is_same and not passed else ''))
 
 
 def why_of(report: Report) -> str:
-    """Why an exercise that is done matters on a robot, by the course's manifest; '' for one that is not done or of no course."""
+    """Return why a passed exercise matters on a robot, from the course's manifest, or '' for other submissions."""
     if report.exit_code != ALL_PASSED:
         return ''
     with suppress(UnusableInput):
@@ -49,7 +49,7 @@ def why_of(report: Report) -> str:
 
 
 def opened(exercise: str, level: int, folder: str | None) -> str:
-    """Note that a hint was read. Returns what the student must be told about the file; mostly nothing."""
+    """Record that a student has read a hint. Return a message about the progress file, which is usually ''."""
     if folder is None:
         return ''
     try:
@@ -57,14 +57,15 @@ def opened(exercise: str, level: int, folder: str | None) -> str:
             file.of(exercise).open_hint(level)
             file.save()
     except UnusableInput as error:
-        return f'Your progress is not kept: {error.message}.'
+        return f'Your progress cannot be saved: {error.message}.'
     return file.word
 
 
 def progress_folder(file: str) -> str | None:
-    """Where the progress of a student is kept who works on this file: in the course's folder ``lessons``, else in the course's.
+    """Return the directory of the progress file of the student who works on this file.
 
-    None for what does not lie in a course's folder ``exercises``: a solution, a submission, a file of its own.
+    This is the directory ``lessons`` of the course, or the directory of the course. Return None for a file that is not in a
+    directory ``exercises`` of a course, such as a solution or a submission.
     """
     for folder in here_and_above(os.path.dirname(file)):
         inside, above = os.path.basename(folder) == 'exercises', os.path.dirname(folder)
@@ -77,18 +78,19 @@ def progress_folder(file: str) -> str | None:
 
 
 def find_hint(submission: Submission, level: int) -> str:
-    """A hint for the exercise that this submission belongs to.
+    """Return a hint for the exercise of this submission.
 
-    :param level: 1 asks a question, 2 says where to look, 3 is almost the answer.
-    :raises UnusableInput: when there is no manifest, no such exercise in it, or no such level.
+    :param level: 1 for a question, 2 for the place to look at, 3 for almost the answer.
+    :raises UnusableInput: when there is no manifest, the manifest does not have the exercise, or there is no such level.
     """
     known = read_course(find_course(submission.folder))
     for exercise in known:
         if exercise.name == submission.exercise:
             if not 1 <= level <= len(exercise.hints):
-                raise UnusableInput(f'there is no hint of level {level}', help=f'levels are 1 to {len(exercise.hints)}')
+                raise UnusableInput(f'there is no hint of level {level}', help=f'choose a level from 1 to {len(exercise.hints)}')
             variant, hint = variant_for(exercise.name, '', None), exercise.hints[level - 1]
             return f'{exercise.title}, hint {level} of {LEVELS}: {variant.of(hint) if variant else hint}'
     raise UnusableInput(
-        f'there is no exercise {submission.exercise}', help='exercises: ' + ', '.join(exercise.path for exercise in known)
+        f'there is no exercise {submission.exercise}',
+        help='choose one of these exercises: ' + ', '.join(exercise.path for exercise in known),
     )

@@ -1,8 +1,8 @@
 """Runs without a launch argument, which show its default.
 
-A scenario names in `defaults` the arguments that it does not give. Where the launch file declares another default, or none, the
-run is made again with the argument given: a wrong default costs its own points, and not those of all that hangs on the value.
-A default that is a substitution is compared by what happens: the run with the argument given must be the same run.
+A scenario names in `defaults` the arguments that it does not give. If the launch file declares another default, or none, the
+grader repeats the run with the argument. A wrong default then costs its own points, and not those of other checks. For a
+default that is a substitution, the grader compares the run with a run that has the argument. Both must be identical.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
 def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outcome]:
-    """Return the outcomes. Those that had to be made again are replaced. One for which any default will do, and none is there, is
-    left out.
+    """Return the outcomes with the repeated runs in place of the original ones. A run that accepts any default, but has none,
+    is left out.
 
     :param again: makes runs.
     """
@@ -46,7 +46,7 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outco
 def _with_calculated_given(
     outcomes: Sequence[Outcome], names: Sequence[Mapping[str, str | None]], again: Again
 ) -> dict[int, Outcome]:
-    """Make each run with a calculated default again with the argument given. Return those that are other runs, by place."""
+    """Repeat each run with a calculated default, with the argument. Return the runs that differ, by their positions."""
     found = {}
     places = [place for place, given in enumerate(names) if given]
     made = again([_giving(outcomes[place].scenario, names[place]) for place in places]) if places else []
@@ -85,8 +85,8 @@ def _what_happened(outcome: Outcome) -> tuple[list[Any], list[Any]]:
 
 
 def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str, dict[str, str | None]]]:
-    """For each run the arguments that it has to be given, and why it could not do without them ('' where it could); if there are
-    none, the arguments whose default is calculated.
+    """Return, for each run, the arguments that it needs, the reason or '', and the arguments with a calculated default. The
+    last ones are empty for a run that needs arguments.
     """
     recorded = [outcome.recording for outcome in outcomes if outcome.recording is not None]
     if not recorded:

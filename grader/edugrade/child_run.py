@@ -159,7 +159,7 @@ class ChildRun:
 
     @property
     def was_killed(self) -> bool:
-        """Whether it, its guard or the starter was killed by somebody else, or Python crashed (it may, when memory runs out).
+        """Whether another process killed the child, its guard or the starter, or Python crashed, perhaps without memory.
 
         What ended before the submission was read was no doing of the submission.
         """
@@ -185,7 +185,7 @@ class ChildRun:
         return bool(data)
 
     def read_output(self) -> bool:
-        """Take in what the child printed; False when nobody can print there any more."""
+        """Read what the child printed. Return False when no process can print there any more."""
         data = os.read(self.output, CHUNK_BYTES)
         self.printed_bytes += len(data)
         if len(self.printed) < KEPT_OUTPUT_BYTES:

@@ -83,7 +83,7 @@ def _command(words: list[str]) -> int:
 
 
 def _verb(word: str) -> Callable[[list[str]], int] | None:
-    """The function of a verb that a plug-in brings, ours or another; None when there is none of that name.
+    """Return the function of a command that a plug-in adds, or None for an unknown name.
 
     :raises UnusableInput: when the system lacks what it needs, or it is one of a plug-in that is not installed.
     """
@@ -201,7 +201,7 @@ def _render(report: Report) -> str:
 
 
 def _text(reports: list[Report], refusals: list[Refusal]) -> str:
-    """The reports of those that have something to repair, and a summary of all."""
+    """Return the reports of submissions that have failed checks, and a summary of all."""
     texts = [_render(report) for report in reports if report.exit_code]
     return '\n'.join([*texts, summary(reports, refusals)])
 
@@ -250,7 +250,7 @@ def _refused(refusals: Sequence[Refusal]) -> list[str]:
 
 
 def _show(text: str) -> None:
-    """Print; a reader that has seen enough (``| head``) is no fault of the grader."""
+    """Print a string. A reader that stops early (``| head``) is not an error."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors='backslashreplace')
     try:

@@ -23,12 +23,12 @@ _OURS = (os.path.join(_BESIDE, 'edulaunch', 'course', 'ours', 'exercises'), os.p
 class Exercise(NamedTuple):
     """An entry of the manifest.
 
-    :param file: the launch file, relative to exercises/ and to solutions/; in a folder: the package there.
+    :param file: the launch file, relative to exercises/ and to solutions/. If it is in a directory, the package there.
     :param lesson: the notebook, without its ending, after which the exercise can be done; '' without lessons.
     :param points: all of them.
-    :param hints: LEVELS texts: a question, where to look, almost the answer.
-    :param why: one sentence: why it matters on a robot; '' when nobody says it.
-    :param variants: rows of texts, of which each student has one; first the usual one. See `variant`.
+    :param hints: LEVELS strings, namely a question, where to look, and almost the answer.
+    :param why: one sentence about why it matters on a robot, or ''.
+    :param variants: rows of strings, one of which each student gets. The first one is the usual one. See `variant`.
     :param check_points: points of single checks, other than those of the rubric.
     """
 
@@ -48,7 +48,7 @@ class Exercise(NamedTuple):
 
     @property
     def path(self) -> str:
-        """What a student is given, relative to exercises/: the launch file, or the package's folder."""
+        """The path that a student gets, relative to exercises/: the launch file, or the directory of the package."""
         return self.file.split('/')[0]
 
 
@@ -104,7 +104,7 @@ def here_and_above(folder: str) -> Iterator[str]:
 
 
 def course_manifest(inside: str = '') -> str | None:
-    """The course.toml of the course that the current folder (or the given one) lies in, if it lies in one."""
+    """Return the course.toml of the course around the current directory or the given one, if there is a course."""
     places = (place for folder in here_and_above(inside) for place in (folder, os.path.join(folder, 'exercises')))
     return _manifest_of(places)
 
@@ -112,7 +112,7 @@ def course_manifest(inside: str = '') -> str | None:
 def find_course(folder: str) -> str:
     """The manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
 
-    :raises UnusableInput: when there is none.
+    :raises UnusableInput: when there is no such file.
     """
     path = course_manifest(folder) or _manifest_of(_OURS)
     if path is None:

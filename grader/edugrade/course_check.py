@@ -70,7 +70,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _can_be_run(folder: str, item: Exercise) -> bool:
-    """Whether stub, solution and rubric of an exercise can be read; what is wrong with them was said."""
+    """Whether the starter file, the solution and the rubric of an exercise can be read. Mistakes are already reported."""
     try:
         for kind in (STUBS, SOLUTIONS):
             plan_work(Submission(os.path.join(folder, kind, item.path)), _rubrics(folder)[item.name])
@@ -89,7 +89,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def listed(found: Iterator[str]) -> Iterator[str]:
-    """Yield what a check finds; what keeps it from going on is one more problem, and never a traceback."""
+    """Yield the problems that a check finds. An error of the check is one more problem, and never a traceback."""
     try:
         yield from found
     except UnusableInput as error:
@@ -137,7 +137,7 @@ def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
 
 
 def _rubrics(folder: str) -> dict[str, str]:
-    """The rubrics of this course: its own, else those that come with edugrade."""
+    """Return the rubrics of this course, or the rubrics of edugrade."""
     return rubrics_in(course_rubrics(folder) or rubrics_folder())
 
 
@@ -163,7 +163,7 @@ def _entry(folder: str, item: Exercise, rubrics: dict[str, str]) -> Iterator[str
 
 
 def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
-    """Each row of variants has several texts, and the first of them stands in the stub, in the solution and in the rubric."""
+    """Each row of variants has several strings. The starter file, the solution and the rubric contain the first one."""
     if not item.variants or rubric is None:
         return
     texts = [Submission(os.path.join(folder, kind, item.path)).source.texts().values() for kind in (STUBS, SOLUTIONS)]
@@ -262,7 +262,7 @@ def _gaps(folder: str, item: Exercise) -> Iterator[str]:
 
 
 def _changed(stub: Submission, solution: Submission) -> int:
-    """Lines of the solution's texts that the stub's lack, opening texts and imports left out."""
+    """Return the lines of the solution that are missing in the starter file, without docstrings and imports."""
     from difflib import SequenceMatcher
 
     known = stub.source.bodies()

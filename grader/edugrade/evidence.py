@@ -1,16 +1,17 @@
-"""What a check looks at, and the ways in which it says no.
+"""What a check examines, and the exceptions that it raises when it fails.
 
-A rubric asks for runs (`Scenario`), each comes to something (`Outcome`); those that were recorded are the `Evidence`.
+A rubric asks for runs (`Scenario`). Each run has an `Outcome`. The recorded runs are the `Evidence`.
 
 ::
 
-    Failure           what is wrong, and what would put it right
-    ├── Missing       something that should be there is not; names the nearest thing that is
-    └── Mismatch      something is there, but is not what was asked for
+    Failure           what is wrong, and how to correct it
+    ├── Missing       an expected thing does not exist
+    └── Mismatch      a thing exists with another value
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -27,9 +28,9 @@ class Scenario(NamedTuple):
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
     :param duration_s: simulated seconds.
     :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
-    :param is_interrupted: whether launch gets Ctrl-C at the end, after what is recorded, and the bags are read that are written.
-    :param defaults: arguments that the run does not give, with the default that the launch file should declare for each; None:
-        any default. See `edugrade.bare_runs`.
+    :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
+    :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
+        stands for any default. See `edugrade.bare_runs`.
     """
 
     name: str
@@ -46,15 +47,15 @@ class Scenario(NamedTuple):
 
     @property
     def words(self) -> str:
-        """The arguments, or that there are none: for sentences."""
+        """The arguments for a sentence, or 'no arguments'."""
         return self.command or 'no arguments'
 
 
 class Outcome(NamedTuple):
-    """Either a recording, or in words why there is none.
+    """A recording, or the reason why there is no recording.
 
-    :param kind: 'recorded'; 'unusable' (the launch file cannot be run); 'stopped' (the run did not come to
-        its end); 'broke' (the grader or the engine failed, which is never the student's loss).
+    :param kind: 'recorded', 'unusable' (the launch file cannot be run), 'stopped' (the run did not end normally) or 'broke'.
+        The last one means that the grader or the engine failed, which costs the student no points.
     """
 
     scenario: Scenario
@@ -79,10 +80,10 @@ Found = TypeVar('Found')
 class Evidence(Mapping[str, 'Recording']):
     """The recording of each scenario by its name, in the rubric's order.
 
-    :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
-    :ivar names: what the cells of a notebook have defined, of the names that the rubric of a turn looks at.
-    :ivar bags: what the bags of each scenario hold that is interrupted, by its name.
-    :ivar bare: of each scenario that could not be launched without some of its `defaults`, and was given them: why, which.
+    :ivar source: the lines of the submission, which give the places in reports. Marks never depend on them.
+    :ivar names: values of the notebook's cells, for the names that the rubric of a lesson's check uses.
+    :ivar bags: contents of the bags of each interrupted scenario, by the scenario's name.
+    :ivar bare: the scenarios that could not be launched without some of their `defaults`, with the reason and these names.
     """
 
     def __init__(
@@ -121,7 +122,7 @@ class Evidence(Mapping[str, 'Recording']):
         return next(iter(self._recordings.values()))
 
     def once(self, key: Hashable, find: Callable[[], Found]) -> Found:
-        """What `find` gives, found once for all checks: for what takes long and is asked again and again."""
+        """Return the result of `find`, which is called once for all checks. Use it for slow questions that checks repeat."""
         if key not in self._found:
             self._found[key] = find()
         found: Found = self._found[key]
@@ -132,7 +133,7 @@ class Evidence(Mapping[str, 'Recording']):
         return self._scenarios[name]
 
     def arguments_of(self, name: str) -> Mapping[str, str]:
-        """The launch arguments of a scenario: as they were given, or as their defaults should be, or else are declared."""
+        """Return the launch arguments of a scenario: the given values, then the expected defaults, then the declared ones."""
         scenario = self._scenarios[name]
         found = dict(scenario.arguments)
         for key, wanted in scenario.defaults.items():
@@ -141,7 +142,7 @@ class Evidence(Mapping[str, 'Recording']):
 
 
 def described_defaults(recording: Recording) -> dict[str, str | None]:
-    """The default of each declared launch argument as it is described; None: it has none."""
+    """Return the description of the default of each declared launch argument, or None for an argument without a default."""
     return {item.name: item.default for item in recording.launch.declared}
 
 
@@ -149,21 +150,21 @@ _JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` pr
 
 
 def written_text(described: str) -> str:
-    """The text behind a description such as ``'1' + '.0'``; another substitution stays as it is described."""
+    """Return the string that a description such as ``'1' + '.0'`` stands for. Leave other substitutions as described."""
     if len(described) >= 2 and described[0] == described[-1] == "'":
         return described[1:-1].replace(_JOINT, '')
     return described
 
 
 class Failure(Exception):
-    """Raised by a check: the submission does not do what the check's sentence says.
+    """A check raises this when the submission does not do what the sentence of the check says.
 
-    :param rationale: one sentence that says what is wrong, naming the thing.
-    :param expected: what was looked for, in words or as a value.
-    :param seen: what was there instead.
+    :param rationale: one sentence that says what is wrong, with names and values.
+    :param expected: what the check looked for, in words or as a value.
+    :param seen: what it found instead.
     :param where: (file, line) of the launch action or the file to change.
-    :param try_: the first thing to try; or several texts, of which a student sees the next one after some tries.
-    :param share: of the points, that are given all the same: from 0 up to, not including, 1.
+    :param try_: what to do, beginning with a verb. Of several strings, a student sees the next one after some attempts.
+    :param share: the share of the points that the check still gives: at least 0 and less than 1.
     """
 
     def __init__(
@@ -190,8 +191,8 @@ class Missing(Failure):
     """Something is absent.
 
     :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
-    :param name: the bare name that was looked for; with `among`, the report asks whether the student meant the nearest one.
-    :param among: the names that are there.
+    :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
+    :param among: the names that exist.
     """
 
     def __init__(
@@ -207,14 +208,14 @@ class Missing(Failure):
     ) -> None:
         known = list(among)
         if seen is None:
-            seen = ', '.join(known) if known else 'nothing of the kind'
+            seen = ', '.join(known) if known else 'none'
         super().__init__(f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=try_)
         self.name, self.known, self._may_ask = name, known, try_ is None or isinstance(try_, str)
 
-    def ask(self, texts: Iterable[str]) -> None:
-        """Put the question "did you mean ...?" before the advice, where the student wrote a name that is near to the missing one.
+    def correct(self, texts: Iterable[str]) -> None:
+        """Advise to correct a name that the student wrote and that is near to the missing one, before the other advice.
 
-        :param texts: what the student wrote. A name that stands nowhere in them is no slip of the student's.
+        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
         """
         name, try_ = self.name, self.try_
         if name is None or name in self.known or not self._may_ask:
@@ -222,13 +223,22 @@ class Missing(Failure):
         from edulaunch.engine.nearest import nearest
 
         close = nearest(name, self.known)
-        if close is not None and any(close.rpartition('/')[2] in text for text in texts):
-            question = f'did you mean "{name}" where you wrote "{close}"?'
-            self.try_ = question if try_ is None else f'{question} Otherwise: {try_}'
+        if close is None:
+            return
+        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
+        if any(written.search(text) for text in texts):
+            if try_ is None:
+                self.try_ = f'write "{name}" instead of "{close}"'
+            else:
+                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
+
+
+LONGEST_VALUE = 60
+"""Characters of an expected value that the headline of a mismatch names."""
 
 
 class Mismatch(Failure):
-    """Something is there with another value; both values are shown in full, never shortened."""
+    """Something has another value than the expected one. The report shows both values in full."""
 
     def __init__(
         self,
@@ -240,5 +250,7 @@ class Mismatch(Failure):
         try_: str | Sequence[str] | None = None,
         share: float = 0.0,
     ) -> None:
-        words = f'{thing} is not what was asked for'
+        wanted = str(expected)
+        is_short = len(wanted) <= LONGEST_VALUE and '\n' not in wanted
+        words = f'{thing} should be {wanted}' if is_short else f'{thing} is not as expected'
         super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)

@@ -1,7 +1,7 @@
-"""Faults of the computer: a full disk, no memory, no processes or descriptors left. They cost nobody a mark.
+"""Faults of the computer: a full disk, no memory, no processes or descriptors left. They never cost marks.
 
-An error of a run that could be one of these is looked into: the run is made again, and when it comes to the same, the grader
-tries the computer itself. What works for the grader was the run's own doing.
+After an error that could be such a fault, the grader repeats the run. If the error returns, the grader tests the computer
+itself. If this test works, the run caused the error.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ if TYPE_CHECKING:
 SENTENCES = {
     errno.ENOSPC: 'the disk is full',
     errno.EDQUOT: 'the quota of the disk is used up',
-    errno.EROFS: 'the folder for temporary files cannot be written to',
+    errno.EROFS: 'the directory for temporary files is not writable',
     errno.EIO: 'a disk of this computer does not work',
     errno.ENOMEM: 'this computer has no memory left',
     errno.EMFILE: 'this process has no descriptors left',
     errno.ENFILE: 'this computer has no descriptors left',
     errno.EAGAIN: 'this computer has no processes left',
-    errno.ENOENT: 'the folder for temporary files is not there',
-    errno.EACCES: 'the folder for temporary files cannot be written to',
+    errno.ENOENT: 'the directory for temporary files does not exist',
+    errno.EACCES: 'the directory for temporary files is not writable',
 }
 OF_THE_COMPUTER = frozenset(SENTENCES) - {errno.ENOENT, errno.EACCES}
-"""What no launch file does by itself, as a rule."""
-REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
-REPAIR = 'free what has run out (see df, free and ulimit -a), and grade it again: edugrade batch --resume makes up for it'
+"""Errors that a launch file usually cannot cause."""
+REPORT_IT = 'report this with the launch file and the --json report; it costs no marks'
+REPAIR = 'free disk space, memory or processes (see df, free and ulimit -a), and grade again; a batch continues with --resume'
 _NUMBER = re.compile(r'\[Errno (\d{1,3})\]')
 _LONGEST_LOOK = 200_000
 TRIED_BYTES, TRIED_MEMORY, TRIED_DESCRIPTORS = 1 << 18, 64 << 20, 24
@@ -54,7 +54,7 @@ EXTRAS = {
 
 
 class ComputerFault(Exception):
-    """This computer cannot grade now. The text is a sentence without its full stop."""
+    """This computer cannot grade now. The message is a sentence without its full stop."""
 
 
 def missing_for(recording: Recording) -> tuple[str, str] | None:
@@ -69,7 +69,7 @@ def missing_for(recording: Recording) -> tuple[str, str] | None:
 
 
 def fault_of(error: BaseException) -> str | None:
-    """A sentence on an error that is the computer's; None for another one."""
+    """Return a sentence about a fault of the computer, or None for another error."""
     if isinstance(error, MemoryError):
         return SENTENCES[errno.ENOMEM]
     if isinstance(error, OSError) and error.errno in OF_THE_COMPUTER:
@@ -78,9 +78,9 @@ def fault_of(error: BaseException) -> str | None:
 
 
 def raise_fault(error: BaseException) -> None:
-    """Say so when an error is the computer's.
+    """Raise ComputerFault for an error that is a fault of the computer.
 
-    :raises ComputerFault: then.
+    :raises ComputerFault: for such an error.
     """
     fault = fault_of(error)
     if fault is not None:
@@ -88,7 +88,7 @@ def raise_fault(error: BaseException) -> None:
 
 
 def looks_like_one(outcome: Outcome) -> bool:
-    """Whether what a run came to may be due to the computer: by the numbers and the texts of the errors that it reports."""
+    """Whether the computer may have caused an outcome, judged by the numbers and messages of its errors."""
     text = _text_of(outcome)
     numbers = {int(number) for number in _NUMBER.findall(text)}
     return bool(numbers & OF_THE_COMPUTER) or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
@@ -97,16 +97,16 @@ def looks_like_one(outcome: Outcome) -> bool:
 def _text_of(outcome: Outcome) -> str:
     texts = [outcome.text, outcome.detail]
     if outcome.recording is not None:
-        with suppress(Exception):  # a hostile recording may upset its reader in any way
+        with suppress(Exception):  # a hostile recording can make the reader raise any exception
             programs = outcome.recording.processes
             texts += [json.dumps(program.exception, default=str) for program in programs if program.exception is not None]
     return '\n'.join(text for text in texts if isinstance(text, str))[:_LONGEST_LOOK]
 
 
 def fault_here(folder: str) -> str | None:
-    """Try what a run needs. Gives a sentence on what this computer cannot do now; None when all works.
+    """Test everything that a run needs. Return a sentence about what does not work on this computer, or None.
 
-    :param folder: where to write.
+    :param folder: the directory for the test.
     """
     path = os.path.join(folder, f'.tried-{os.urandom(4).hex()}')
     opened: list[int] = []
@@ -128,27 +128,27 @@ def fault_here(folder: str) -> str | None:
             with suppress(OSError):
                 os.unlink(path)
     except OSError as error:
-        return SENTENCES.get(error.errno or 0, f'this computer refuses what a run needs: {error.strerror}')
+        return SENTENCES.get(error.errno or 0, f'this computer cannot run a submission: {error.strerror}')
     return None
 
 
 def killed_for_memory() -> int:
-    """How many processes the system has killed so far because memory had run out; 0 where it does not tell."""
+    """Return how many processes the system has killed because the memory was full, or 0 where it does not count them."""
     with suppress(OSError, ValueError, StopIteration), open('/proc/vmstat') as file:
         return next(int(line.split()[1]) for line in file if line.startswith('oom_kill '))
     return 0
 
 
 def no_mark_for(outcome: Outcome, fault: str) -> Outcome:
-    """The outcome instead: of a run that the computer has spoilt."""
+    """Return the outcome of a run that a fault of the computer has ended."""
     return outcome._replace(
         kind='broke', recording=None, text=f'not graded: {fault}', try_=REPAIR, where=None, detail=outcome.text
     )
 
 
 def words_of(error: Exception) -> tuple[str, str]:
-    """(what kept a submission from being graded, what to do), for an error that is not the student's."""
+    """Return why a submission was not graded, and what to do, for an error that is not the student's."""
     fault = str(error) if isinstance(error, ComputerFault) else fault_of(error)
     if fault is not None:
         return f'not graded: {fault}', REPAIR
-    return f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT
+    return f'the grader broke: {type(error).__name__}: {error}', REPORT_IT

@@ -19,7 +19,7 @@ BINARY = getattr(os, 'O_BINARY', 0)
 def read_regular(path: str, most: int) -> bytes:
     """The first `most` bytes of a file.
 
-    :raises OSError: when it cannot be read, or is something else: a pipe makes its reader wait for ever, a device never ends.
+    :raises OSError: when it is not a regular file or cannot be read. A pipe would block its reader, and a device has no end.
     """
     with open(os.open(path, os.O_RDONLY | BINARY | getattr(os, 'O_NONBLOCK', 0) | getattr(os, 'O_CLOEXEC', 0)), 'rb') as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
@@ -28,7 +28,7 @@ def read_regular(path: str, most: int) -> bytes:
 
 
 def read_given(path: str, most: int, what: str = '', help: str | None = None) -> bytes:
-    """As `read_regular`, of a file that somebody has named.
+    """Read a file as `read_regular` does, for a path that the user has given.
 
     :param what: it is, with a space behind it: ``'the key '``.
     :raises UnusableInput: when it cannot be read; `ComputerFault` when that is a fault of the computer.
@@ -44,8 +44,8 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
 def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
     """The files below a folder, by their path in it with slashes; each folder's own first, by their names.
 
-    :param is_taken: given a name, and the path in `folder` of what it lies in ('' or with a slash at its end): whether the
-        file is given, or the folder looked into.
+    :param is_taken: whether to take a file or to enter a directory, given its name and the path in `folder` of its parent. This
+        path is '' or ends in a slash.
     """
     for place, folders, names in os.walk(folder):
         here = os.path.relpath(place, folder).replace(os.sep, '/')
@@ -57,8 +57,8 @@ def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[s
 def write_whole(path: str, text: str | bytes) -> None:
     """Write a file; a reader never finds half of it.
 
-    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. What is no regular
-    file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
+    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. A path that is not a
+    regular file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
 
     :raises UnusableInput: when it cannot be written there.
     """

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 
 class Work(NamedTuple):
-    """A submission with what it is graded by; `secret` names the course secret that chose the seed, if one did; `variant` has the
-    values of the student's own exercise.
+    """A submission with its rubric and scenarios. `secret` names the course secret that chose the seed, if there is one.
+    `variant` has the values of the student's own exercise.
     """
 
     submission: Submission
@@ -64,8 +64,8 @@ def plan_work(
     """Find the rubric and choose the seed of a submission.
 
     :param rubric: a rubric's name or file, instead of the one that the submission's name says.
-    :param seed: chooses the values of the runs; default: the course's secret with the student, else the submission's content.
-    :param variant: the values of the student's own exercise; default: what the secret, or the student's copy of the course, says.
+    :param seed: chooses the values of the runs (default: the course's secret with the student, or the submission's content).
+    :param variant: the values of the student's own exercise (default: from the secret or the student's copy of the course).
     :param called: for whom the exercise was made; '' where all have the same.
     :param only: the name of the only check that is wanted, with what it needs.
     :raises UnusableInput: when there is no such rubric, or no such check in it.
@@ -88,9 +88,9 @@ def grade(
 ) -> Iterator[Report]:
     """The report of each piece of work, in order, as soon as it is ready.
 
-    :param workspaces: folders with the student's packages, besides those that are found.
+    :param workspaces: additional directories with the student's packages.
     :param on_outcome: called after each run.
-    :param processors: how many runs go at once; default: as many as there are processors.
+    :param processors: number of parallel runs (default: the number of processors).
     """
     with runner_here(limits, on_outcome, processors) as runner:
         jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
@@ -168,16 +168,16 @@ def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: S
     )
 
 
-COPIED = "this is another student's variant: there is no mark until a teacher has looked at it"
+COPIED = "this is another student's variant, which gets no mark until a teacher has looked at it"
 
 
 def is_copied(work: Work) -> bool:
-    """Whether a text of the submission says that it was made for somebody else."""
+    """Whether a file of the submission has the values of another student's variant."""
     return work.variant is not None and any(map(work.variant.is_of_another, work.submission.source.texts().values()))
 
 
 def _whose(work: Work) -> list[CheckResult]:
-    """What is said of a submission that was evidently made from somebody else's exercise: no mark, a person decides."""
+    """Return the result of a submission that is made from another student's exercise. It has no mark, and a teacher decides."""
     from .results import GRADER_BROKE, OWN_VARIANT, CheckResult
 
     if work.variant is None or not is_copied(work):
@@ -185,18 +185,18 @@ def _whose(work: Work) -> list[CheckResult]:
     return [
         CheckResult(
             OWN_VARIANT,
-            'The file is made from your own exercise',
+            'The file is made from your own starter file',
             GRADER_BROKE,
             reason=COPIED,
             expected=f'Variant {work.variant.tag}, made for {work.variant.student}',
             where=work.submission.source.place,
-            try_='begin with the file that you were given: its names and numbers are yours',
+            try_='start from your own starter file, which has your names and numbers',
         )
     ]
 
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], run: Again) -> list[CheckResult]:
-    """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
+    """Run the scenarios with the student's own nodes again. A result of its own reports differences."""
     from .judging import judged
     from .repeated import difference, has_own_programs, result
 
@@ -213,7 +213,7 @@ WIDTH = 40
 
 @contextmanager
 def progress_bar(total: int) -> Iterator[Callable[[], None]]:
-    """Gives a function to call after each of `total` runs. The bar goes to standard error, and away at the end."""
+    """Yield a function to call after each of `total` runs. The bar is on standard error and disappears at the end."""
     if total == 0 or not sys.stderr.isatty():
         yield lambda: None
         return

@@ -1,4 +1,4 @@
-"""What is asked of a runner: what a run is told, what it may use, what it may read, and the surroundings it gets."""
+"""The input of a runner: the arguments, limits, readable files and environment of a run."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class Limits(NamedTuple):
     :param recording_mib: what it may send back.
     :param sandbox: 'auto' confines as far as the system can, 'require' runs nothing that is not confined wholly, 'off' confines
         nothing but time and memory.
-    :param turn_s: processor time that one turn of a program may take (exercises need a hundredth of it, and a class waits for
-        each endless loop), a single call into C two and a half times that.
+    :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long.
+        Exercises need a hundredth of it, and a class waits for each endless loop.
     """
 
     wall_s: float = 30.0
@@ -81,7 +81,7 @@ class RunRequest:
 
     @property
     def message(self) -> dict[str, Any]:
-        """What the child is told, as plain data."""
+        """Return the input of the child as plain data."""
         return {
             'file': self.submission.file,
             'folder': self.submission.folder,
@@ -164,7 +164,7 @@ def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[str]:
-    """What the run of a submission may read besides: its package and workspaces; a launch file alone only itself."""
+    """Return what else the run may read: its package and workspaces. A launch file alone may read only itself."""
     return [submission.package.path if submission.package else submission.file, *workspaces]
 
 

@@ -1,18 +1,19 @@
-"""Applies a rubric's checks to what the runs came to, in a worker, and gives failures their likely cause.
+"""Applies the checks of a rubric to the outcomes of the runs, and adds the likely cause to each failure.
 
-The causes are what the rules of `edulaunch.advice` find in the runs.
+The causes are findings of the rules of `edulaunch.advice` in the runs.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from .evidence import Evidence, Failure, Missing, Outcome
 from .faults import REPORT_IT, words_of
+from .library.deaths import words_on_deaths
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
 from .source import Place, Source
@@ -22,15 +23,15 @@ if TYPE_CHECKING:
     from edulaunch.advice.rule import Finding
 
 LONGEST_CHECK_S = 5.0  # usual: a thousandth of it
-LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
+LAUNCHES_SENTENCE = 'The launch file starts and runs to the end without an error'
 
 
 def judge(
     checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source, names: Mapping[str, Any] = MappingProxyType({})
 ) -> list[CheckResult]:
-    """The result of each check in the rubric's order, after the one all need: that there is a recording.
+    """Return the result of each check in the rubric's order, after the check that the launch file runs.
 
-    A check runs when all it needs has passed. Without a recording none does: nothing passes without evidence.
+    A check runs when all the checks that it needs have passed. Without a recording, no check runs and no check passes.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
@@ -46,7 +47,7 @@ def judge(
 
 
 def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
-    """The result that the outcomes themselves give; a fault of the grader goes before one of the student."""
+    """Return the result of the outcomes. A fault of the grader comes before a mistake of the student."""
     for kind, status in (('broke', GRADER_BROKE), ('unusable', FAILED), ('stopped', FAILED)):
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
         if bad:
@@ -63,7 +64,7 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
 
 
 def too_much(checks: Sequence[Check], why: str, source: Source) -> list[CheckResult]:
-    """The results of a submission whose runs could not be judged within the limits of a worker."""
+    """Return the results of a submission whose runs could not be judged within the limits of a worker."""
     first = _unseen(CheckResult(LAUNCHES, LAUNCHES_SENTENCE, FAILED), why, source)
     return [first, *(_not_run(check, first, {LAUNCHES: first}) for check in checks)]
 
@@ -71,28 +72,28 @@ def too_much(checks: Sequence[Check], why: str, source: Source) -> list[CheckRes
 def _unseen(result: CheckResult, why: str, source: Source) -> CheckResult:
     return replace(
         result,
-        reason=f'the run left so much behind that it cannot be looked at: {why}',
+        reason=f'the grader cannot judge the recording of this run: {why}',
         where=source.place,
-        try_='look for a node that publishes without pause, or for very many nodes',
+        try_='find a node that publishes without pause, or reduce the number of nodes',
     )
 
 
 def broken(error: Exception) -> CheckResult:
-    """The only result of a submission on which the grader itself broke."""
+    """Return the only result of a submission on which the grader itself broke."""
     reason, try_ = words_of(error)
     return no_mark(reason, try_)
 
 
-def no_mark(reason: str, try_: str = 'look who changes files there, and grade it again') -> CheckResult:
-    """The only result of a submission that got no mark because of what is not the student's."""
+def no_mark(reason: str, try_: str = 'find out who changes files there, and grade again') -> CheckResult:
+    """Return the only result of a submission without a mark, for a reason that is not the student's."""
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=try_)
 
 
 def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
-    """Which launches went wrong, when not all of them did."""
+    """Return which launches failed, or None when all of them failed."""
     if len(bad) == len(outcomes):
         return None
-    return 'only when launched with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
+    return 'it fails only when launched with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
 
 
 def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | None:
@@ -104,8 +105,8 @@ def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | 
 
 def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResult]) -> CheckResult:
     root = results[blocker.root_cause] if blocker.root_cause is not None else blocker
-    verb = 'broke' if root.status == GRADER_BROKE else 'failed'
-    return replace(_plain(check, NOT_RUN), root_cause=root.name, reason=f'because "{root.sentence}" {verb}')
+    reason = f'because "{root.sentence}" broke' if root.status == GRADER_BROKE else f'because "{root.sentence}" failed'
+    return replace(_plain(check, NOT_RUN), root_cause=root.name, reason=reason)
 
 
 def _result(check: Check, evidence: Evidence) -> CheckResult:
@@ -115,10 +116,10 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
     except TooLong as error:
         return _unseen(_plain(check, FAILED), str(error), evidence.source)
     except MemoryError:
-        return _unseen(_plain(check, FAILED), 'memory has run out', evidence.source)
+        return _unseen(_plain(check, FAILED), 'the memory is full', evidence.source)
     except Failure as failure:
         if isinstance(failure, Missing):
-            failure.ask(evidence.source.texts().values())
+            failure.correct(evidence.source.texts().values())
         return replace(
             _plain(check, FAILED),
             reason=failure.rationale,
@@ -140,7 +141,7 @@ def _plain(check: Check, status: str) -> CheckResult:
 
 
 def _words(error: Exception, check: Check) -> str:
-    """Type, text and place of an unexpected exception, without a traceback: the line of the rubric, else where it was raised."""
+    """Return type, message and place of an unexpected exception: the line of the rubric, or the line that raised it."""
     places = []
     trace = error.__traceback__
     while trace is not None:
@@ -152,7 +153,7 @@ def _words(error: Exception, check: Check) -> str:
 
 
 def judged(judge: Callable[[], Sequence[CheckResult]]) -> list[CheckResult]:
-    """What `judge` comes to in a worker; the one result that says so when the grader broke in it.
+    """Return the results of `judge` in a worker, or one result that reports that the grader broke.
 
     :raises Exceeded, Lost: as `in_worker`.
     """
@@ -181,31 +182,37 @@ def _of_row(row: dict[str, Any]) -> CheckResult:
 
 
 LONGEST_S = 2.0  # usual: a hundredth of it
+DIED = ' died with exit code '
 COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
-"""Rubrics tell of dead programs and missing arguments themselves; the arguments of a run are the grader's."""
+"""Rubrics report dead programs and missing arguments themselves. The arguments of a run come from the grader."""
 SHORTEST_NAME = 4
-"""Letters of a name that may be looked for in a text."""
+"""Fewest characters of a name that may be searched in a sentence."""
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """The results, each failed one with the finding that is about the same thing or place. When no finding is about any of them,
-    the one of the most points (it looks at what happened) has the worst. No finding is told twice; marks do not depend on it.
+    """Return the results, each failed one with the finding that is about the same thing or place.
+
+    If no finding is about any of them and no program died, the failed check of the most points has the worst finding.
+    No finding appears twice, and marks do not depend on findings.
     """
     if not evidence or all(result.status != FAILED for result in results):
         return results
-    findings = _findings(evidence, any(' died ' in (result.reason or '') for result in results))
-    kept: list[CheckResult] = []
-    for result in results:
-        cause = next((finding for finding in findings if _is_about(finding, result)), None) if result.status == FAILED else None
-        if cause is not None:
-            findings.remove(cause)
-            result = replace(result, cause=cause)
-        kept.append(result)
-    return kept if any(result.cause for result in kept) else _with_worst(kept, findings)
+    kept = _with_last_line(results, evidence)
+    has_died = any(map(_is_death, kept))
+    findings = _findings(evidence, has_died)
+    for is_about in (_is_near, _is_named, _is_there):  # a finding goes to the check that it fits best
+        for position, result in enumerate(kept):
+            if result.status != FAILED or result.cause is not None:
+                continue
+            cause = next((finding for finding in findings if is_about(finding, result)), None)
+            if cause is not None:
+                findings.remove(cause)
+                kept[position] = replace(result, cause=cause)
+    return kept if has_died or any(result.cause for result in kept) else _with_worst(kept, findings)
 
 
 def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
-    """Of all runs, the worst first; none when there is so much that it takes too long."""
+    """Return the findings of all runs, the worst first, or none when judging takes too long."""
     from edulaunch.advice.judging import in_order
 
     try:
@@ -219,17 +226,49 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
     return [finding for finding in found if finding.rule not in covered]
 
 
-def _is_about(finding: Finding, result: CheckResult) -> bool:
-    if result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line):
-        return True
+def _is_death(result: CheckResult) -> bool:
+    """Whether a program died. What it printed explains the failure, and mistakes of other programs do not."""
+    return ' died ' in result.reason or DIED in (result.seen or '')
+
+
+def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[CheckResult]:
+    """Return the results. If a program died and no check reports that, the first failed check shows its last line."""
+    first = next((result for result in results if result.status == FAILED), None)
+    if first is None or any(' died ' in result.reason for result in results):
+        return list(results)
+    try:
+        with cpu_limit(LONGEST_S):
+            words = words_on_deaths(evidence)
+    except MemoryError:
+        raise
+    except Exception:  # a hostile recording costs this line, and never the mark
+        words = ''
+    alike = (first.reason, first.expected, first.seen, first.where)
+    seen = '\n'.join(filter(None, (first.seen, words)))
+    return [
+        replace(result, seen=seen)
+        if words and result.status == FAILED and (result.reason, result.expected, result.seen, result.where) == alike
+        else result
+        for result in results
+    ]
+
+
+def _is_near(finding: Finding, result: CheckResult) -> bool:
+    return _has_name(result, finding.facts.get('near'))
+
+
+def _is_named(finding: Finding, result: CheckResult) -> bool:
+    return any(_has_name(result, name) for name in (finding.name, finding.name.strip('/')))
+
+
+def _is_there(finding: Finding, result: CheckResult) -> bool:
+    return result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line)
+
+
+def _has_name(result: CheckResult, name: object) -> bool:
     texts = ' '.join(filter(None, (result.sentence, result.reason, result.expected, result.seen)))
-    return any(re.search(rf'(?<![\w/]){re.escape(name)}(?![\w/])', texts) for name in _names(finding))
-
-
-def _names(finding: Finding) -> Iterator[str]:
-    for name in (finding.name, finding.name.strip('/'), finding.facts.get('near')):
-        if isinstance(name, str) and len(name) >= SHORTEST_NAME:
-            yield name
+    is_name = isinstance(name, str) and len(name) >= SHORTEST_NAME
+    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', texts) is not None
 
 
 def _with_worst(results: Sequence[CheckResult], findings: Sequence[Finding]) -> list[CheckResult]:

@@ -1,4 +1,4 @@
-"""``check('circle')`` in a cell: the same rubric as the command, shown where the student works."""
+"""``check('circle')`` in a cell: grades with the same rubric as the command, and shows the report in the notebook."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from edulaunch.errors import UnusableInput
 from .attempts import find_hint, opened, record_attempt
 from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
-from .reports.markup import element, joined
+from .reports.markup import Markup, element, joined
 from .reports.page import report_html
 from .reports.terminal import render
+from .reports.theme import NOTEBOOK
 from .results import ALL_PASSED, Report
 from .rubric import RubricMistake
 from .submission import ENDINGS, Submission
@@ -25,7 +26,7 @@ _BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em;overflow-wrap
 
 
 class CheckReport:
-    """What :func:`check` shows: HTML in a notebook, the same in plain text elsewhere."""
+    """The report that :func:`check` shows, as HTML in a notebook and as plain text elsewhere."""
 
     def __init__(self, report: Report) -> None:
         self.report = report
@@ -48,11 +49,12 @@ class CheckReport:
 
     def _repr_html_(self) -> str:
         head = element('p', element('b', self.headline), f' {self.report.given}', style='margin:.2em 0 .6em')
-        return element('div', joined(head, report_html(self.report)), style=_BOX)
+        theme = element('style', Markup(NOTEBOOK))
+        return element('div', joined(theme, head, report_html(self.report)), style=_BOX, class_='edugrade')
 
 
 class Note:
-    """A few words: a hint, or why nothing was checked."""
+    """A short message: a hint, or the reason why nothing was graded."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -65,17 +67,17 @@ class Note:
 
 
 def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = MappingProxyType({})) -> CheckReport | Note:
-    """Grade an exercise or a lesson's turn, or open a hint; note it in the progress file of the current folder.
+    """Grade an exercise or a task of a lesson, or open a hint, and record it in the progress file.
 
-    :param exercise: the exercise's or turn's name, or the path of a launch file or package.
+    :param exercise: the name of the exercise or task, or the path of a launch file or package.
     :param hint: open the hint of this level (1 to 3) instead.
-    :param names: what the cells have defined.
+    :param names: the names that the cells have defined, with their values.
     """
     try:
         turn = find_turn(os.fspath(exercise))
         if turn is not None:
             if hint is not None:
-                return Note('The hints of a turn stand below its cell.')
+                return Note('The hints of this task are below its cell in the lesson.')
             return CheckReport(record_attempt(grade_turn(exercise, turn, names), os.getcwd()))
         submission = Submission(find_exercise(os.fspath(exercise)))
         return _graded(submission) if hint is None else _hint(submission, hint)
@@ -86,9 +88,9 @@ def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = 
 
 
 def find_exercise(name: str) -> str:
-    """The path, relative where it can be, of a student's file: searched in this folder and in those above it.
+    """Return the path of a student's file, from this directory or one above it, relative where possible.
 
-    :raises UnusableInput: when there is no exercise of that name, or no such file; names the nearest.
+    :raises UnusableInput: when there is no exercise of that name or no such file, with the nearest name.
     """
     known = {entry.name: entry for entry in read_course(find_course(os.getcwd()))}
     if name not in known:
@@ -103,8 +105,8 @@ def find_exercise(name: str) -> str:
                 return os.path.normpath(place)
         folder = os.path.join(folder, os.pardir)
     raise UnusableInput(
-        f'there is no exercises/{entry.path} here or in a folder above',
-        help=f'you are in {os.getcwd()}; give the path: check("some/folder/{entry.path}")',
+        f'there is no exercises/{entry.path} in {os.getcwd()} or in a directory above it',
+        help=f'write the path, such as check("some/directory/{entry.path}")',
     )
 
 
@@ -112,8 +114,8 @@ def _unknown(name: str, known: list[str]) -> UnusableInput:
     from edulaunch.engine.nearest import nearest_few
 
     close = ' or '.join(f'check("{name}")' for name in nearest_few(name, known, 3))
-    question = f'did you mean {close}? ' if close else ''
-    return UnusableInput(f'there is no exercise "{name}"', help=f'{question}All there are: %edulaunch course list')
+    correction = f'write {close}, or ' if close else ''
+    return UnusableInput(f'there is no exercise "{name}"', help=f'{correction}list all exercises with %edulaunch course list')
 
 
 def _graded(submission: Submission) -> CheckReport:

@@ -62,8 +62,8 @@ def edugrade_parser() -> argparse.ArgumentParser:
         '--advice',
         type=int,
         choices=(1, 2, 3),
-        help='how specific the advice is: 1 names the kind of mistake, 2 the missing thing, 3 how to write it '
-        '(default: more specific with each attempt and each hint; 1 outside a course). Does not count as an attempt',
+        help='how specific the advice is. 1 names the kind of mistake, 2 the missing thing, and 3 how to write it. By default, '
+        'each attempt and each hint make it more specific, or it is 1 outside a course. Does not count as an attempt',
     )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level instead of grading')
     return parser
@@ -85,12 +85,12 @@ def add_common(parser: argparse.ArgumentParser) -> None:
         '--seed', type=int, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
     )
     parser.add_argument(
-        '--only', metavar='CHECK', help='grade only this check and those that it depends on; a batch keeps its other results'
+        '--only', metavar='CHECK', help='grade only this check and the checks that it needs; a batch keeps its other results'
     )
     parser.add_argument(
         '--course-secret-file',
         metavar='FILE',
-        help='select the runs from this secret and the name of the student, so that nobody can predict them',
+        help='select the runs from this secret and the name of the student, so that students cannot predict them',
     )
     parser.add_argument(
         '--personal',
@@ -107,15 +107,15 @@ def add_common(parser: argparse.ArgumentParser) -> None:
         '--sandbox',
         choices=('auto', 'require', 'off'),
         default='auto',
-        help='auto: use as much of the sandbox as this system offers (the default); require: refuse to run without all of it '
-        '(the default of a batch); off: no sandbox',
+        help='auto (default) uses what this system offers of the sandbox, require (default of a batch) needs all of it, '
+        'and off uses none',
     )
 
 
 def is_personal(options: argparse.Namespace) -> bool:
     """Whether each student has exercises of his or her own.
 
-    :raises UnusableInput: when that is said without the secret that has chosen them.
+    :raises UnusableInput: for --personal without the secret.
     """
     if options.personal and not options.course_secret_file:
         raise UnusableInput('--personal needs the secret by which the exercises were made', help='--course-secret-file FILE')

@@ -26,7 +26,7 @@ _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 @dataclass
 class Progress:
-    """How far one exercise has come; `first` and `last` name the texts that were graded first and last."""
+    """The progress in one exercise. `first` and `last` are digests of the first and the last graded version."""
 
     done: bool = False
     attempts: int = 0
@@ -37,7 +37,7 @@ class Progress:
     last: str = ''
 
     def attempt(self, earned: float, possible: int, passed: bool, text: str = '') -> bool:
-        """Note a graded try; what was reached once is kept. Returns whether it is the text of the last one: that is no new try.
+        """Record a graded attempt, and keep the best result. Return whether it repeats the last version and does not count.
 
         :param text: a digest of what was graded.
         """
@@ -57,7 +57,7 @@ class Progress:
 
 
 def place_of(folder: str) -> str:
-    """Where the progress is kept of who works in this folder: there, or where PLACE says (what nbval runs is nobody's try)."""
+    """Return the directory of the progress file for work in this directory, or PLACE. Runs of nbval are not attempts."""
     return os.environ.get(PLACE) or folder
 
 
@@ -66,7 +66,7 @@ class ProgressFile:
 
     :param folder: where the file is, or will be.
 
-    :ivar word: what the student must be told about the file, if anything.
+    :ivar word: a message for the student about the file, or ''.
     :ivar predictions: what the student said before looking, by the prediction's name.
     :ivar answers: the letters chosen for each question, in the order in which they were given.
     :ivar explanations: what the student wrote, by the explanation's name.
@@ -89,7 +89,7 @@ class ProgressFile:
     @classmethod
     @contextmanager
     def changing(cls, folder: str) -> Iterator[ProgressFile]:
-        """The file, to be changed and saved while nobody else changes it: of two notebooks at the same time, both count."""
+        """Return the file for changing and saving, with a lock. Attempts of two notebooks at the same time both count."""
         with _locked(place_of(folder)):
             yield cls(folder)
 
@@ -173,7 +173,7 @@ def _progress(table: Any) -> Progress:
 
 
 def _texts(table: dict[Any, Any]) -> dict[Any, str]:
-    """A table of texts, as it must be."""
+    """Return a table of strings, or raise an error."""
     for name, text in table.items():
         if not isinstance(text, str):
             raise ValueError(f'{name} = {text!r} is not a text')
@@ -185,7 +185,7 @@ def _key(name: str) -> str:
 
 
 def _lines(name: str, table: dict[str, Any]) -> str:
-    """A table of texts, or of lists of texts; nothing for an empty one."""
+    """Format a table of strings or of lists of strings. An empty table is left out."""
     lines = [f'{_key(key)} = {json.dumps(value, ensure_ascii=False)}\n' for key, value in table.items()]
     return f'\n[{name}]\n{"".join(lines)}' if lines else ''
 

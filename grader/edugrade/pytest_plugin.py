@@ -65,7 +65,7 @@ class GradedFile(pytest.File):
 
 
 class GradedCheck(pytest.Item):
-    """A check as a test: not run is skipped; points are in the test's properties, which JUnit reports keep."""
+    """A check as a test. A check that was not run is skipped. The test's properties, which JUnit keeps, have the points."""
 
     parent: GradedFile
 

@@ -1,4 +1,4 @@
-"""Whether a run repeats: the runs of a student's own nodes are made twice, and compared."""
+"""Checks whether a run repeats: the grader runs a student's own nodes twice, and compares the recordings."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from typing import TYPE_CHECKING, Any
 from .evidence import Outcome, Scenario
 from .reports.document import digest_of
 from .results import FAILED, PASSED, REPEATS, CheckResult
+from .shortened import shortened
 from .source import Source, comes_with_edulaunch
 from .worker import TooLong, cpu_limit
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
-SENTENCE = 'The same launch gives the same run'
+SENTENCE = 'Two runs of the same launch are identical'
 LONGEST_SEARCH_S = 5.0
 LONGEST_SHOWN = 200
-COMMANDS = ('ros2',)  # programs that are no node of the student's
+COMMANDS = ('ros2',)  # programs that are not a node of the student
 
 
 def has_own_programs(recording: Recording) -> bool:
@@ -35,9 +36,9 @@ def has_own_programs(recording: Recording) -> bool:
 
 
 def difference(one: Outcome, two: Outcome) -> str | None:
-    """The first thing that two runs of one scenario do not share, in words; None when they are the same."""
+    """Return the first difference of two runs of one scenario, in words, or None when they are identical."""
     if two.recording is None:
-        return f'the second run came to no end: {two.text}'
+        return f'the second run did not finish: {two.text}'
     if one.recording is None or digest_of(one) == digest_of(two):
         return None
     try:
@@ -48,7 +49,7 @@ def difference(one: Outcome, two: Outcome) -> str | None:
 
 
 def result(differences: Sequence[tuple[Scenario, str | None]], source: Source) -> CheckResult:
-    """What the student reads of it; it is worth no points."""
+    """Return the result for the report, which has no points."""
     found = next(((scenario, words) for scenario, words in differences if words), None)
     if found is None:
         return CheckResult(REPEATS, SENTENCE, PASSED)
@@ -56,11 +57,11 @@ def result(differences: Sequence[tuple[Scenario, str | None]], source: Source) -
         REPEATS,
         SENTENCE,
         FAILED,
-        reason=f'not deterministic: launched twice with {found[0].words}, the two runs differ',
+        reason=f'two runs with {found[0].words} differ',
         expected='the same messages at the same simulated times',
         seen=found[1],
         where=source.place,
-        try_='take time from node.get_clock() and chance from the module random; leave out os.urandom, addresses and real time',
+        try_='use node.get_clock() and the module random instead of real time, os.urandom and addresses',
     )
 
 
@@ -76,12 +77,12 @@ def _first_pair(one: Iterator[tuple[float, str, Any]], two: Iterator[tuple[float
             known = [event for event in (here, there) if event is not None]
             first = min(known, key=lambda event: event[:2])
             shown = [_short(event[2]) if event is not None and event[:2] == first[:2] else 'nothing' for event in (here, there)]
-            return first[0], f'at {first[0]:.3f} s, {first[1]}: {shown[0]} the one time, {shown[1]} the other'
+            return first[0], f'at {first[0]:.3f} s, {first[1]}: {shown[0]} in the first run, {shown[1]} in the second'
     return None
 
 
 def _events(recording: Recording) -> Iterator[tuple[float, str, Any]]:
-    """All messages, in order of time and topic."""
+    """Return all messages in the order of time and topic."""
     found = [
         (time_ns / 1e9, f'a message on {topic.name}', repr(wire))
         for topic in recording.topics.values()
@@ -91,10 +92,10 @@ def _events(recording: Recording) -> Iterator[tuple[float, str, Any]]:
 
 
 def _texts(recording: Recording) -> Iterator[tuple[float, str, Any]]:
-    """What programs printed, and how they ended."""
+    """Yield the output of the programs and their exit codes."""
     yield from ((item.time_s, f'{item.process} prints', repr(item.text)) for item in recording.output)
     yield from ((item.ended_s or 0.0, f'{item.name} ends', repr(item.returncode)) for item in recording.processes)
 
 
 def _short(text: str) -> str:
-    return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + ' ...'
+    return text if len(text) <= LONGEST_SHOWN else f'{shortened(text, LONGEST_SHOWN)} ...'

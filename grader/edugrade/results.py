@@ -1,4 +1,4 @@
-"""What grading a submission came to, as data. The renderers read this and nothing else."""
+"""The result of grading a submission, as data. The renderers read only this."""
 
 from __future__ import annotations
 
@@ -19,27 +19,28 @@ ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
 VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 LAUNCHES, REPEATS, OWN_VARIANT = OF_NO_RUBRIC = ('launches', 'repeats', 'own_variant')
-"""Checks that no rubric has: whether it runs at all, as it did before, and is the student's own."""
+"""Checks of every submission: it runs, it runs the same way again, and it is the student's own."""
 
 
 def rounded(points: float) -> float:
-    """Points as people write them: two decimals at most, and none where none are needed."""
+    """Round points to at most two decimals, and return an integer where possible."""
     points = round(points, 2)
     return int(points) if points == int(points) else points
 
 
 @dataclass(frozen=True)
 class CheckResult:
-    """One check's verdict.
+    """The result of one check.
 
-    :param name: of the check's function; :param sentence: what the student reads.
-    :param status: one of STATUSES; the four are never merged.
-    :param points: what the check is worth; it is earned only when passed.
-    :param reason: one sentence: why it failed, why it was not run, how the grader broke.
-    :param cause: what the rules of edulaunch find behind it.
-    :param root_cause: name of the check to repair first, for a check that was not run.
-    :param share: of the points, that a failed check gives for what is right.
-    :param steps: what is advised before `try_`, when the rubric says it.
+    :param name: the name of the check's function.
+    :param sentence: the sentence that the student reads.
+    :param status: one of STATUSES.
+    :param points: the points of the check, which a passed check earns.
+    :param reason: one sentence that explains why it failed, why it was not run, or how the grader broke.
+    :param cause: the finding of edulaunch's rules that explains the failure.
+    :param root_cause: the name of the check to correct first, for a check that was not run.
+    :param share: the share of the points that a failed check still earns.
+    :param steps: the advice before `try_`, if the rubric has any.
     """
 
     name: str
@@ -59,7 +60,7 @@ class CheckResult:
 
     @property
     def earned(self) -> float:
-        """The points given: all of them, or of a failed check the share that the check grants. Whole where they can be."""
+        """The earned points: all of them, or the share that a failed check still earns. They are an integer where possible."""
         return rounded(self.points * (1.0 if self.status == PASSED else self.share))
 
 
@@ -67,15 +68,15 @@ class CheckResult:
 class Report:
     """A graded submission.
 
-    :param file: the launch file, absolute; `given` is how the caller named the submission.
-    :param folder: the submission's folder, absolute, and how it is `shown`: '' or with a separator at its end.
-    :param package: the name of the package that it is, if it is one.
-    :param secret: names the course secret that chose the seed, if one did.
-    :param student: whose it is; '' where nobody asked.
-    :param level: how much of the advice people see, see `steps`; data has all of it.
-    :param variant: the values of the student's own exercise, if it has any.
-    :param why: why it matters on a robot, said when all is passed.
-    :param word: what the student must be told besides: that the file is unchanged, that progress cannot be kept.
+    :param file: the absolute path of the launch file. `given` is the path that the caller used.
+    :param folder: the absolute path of the submission's directory. `shown` replaces it in reports.
+    :param package: the name of the package, if the submission is a package.
+    :param secret: the name of the course secret that chose the seed, if there is one.
+    :param student: the name of the student, or ''.
+    :param level: the level of the advice that people see. Data always has all advice.
+    :param variant: the values of a personalised exercise.
+    :param why: why the exercise matters on a robot, for a submission that passes all checks.
+    :param word: a message to the student, for example that the file has not changed or that progress cannot be saved.
     """
 
     file: str
@@ -100,7 +101,7 @@ class Report:
 
     @property
     def sandbox(self) -> dict[str, str]:
-        """For each layer of confinement 'held', or why it did not hold in one of the runs; {} when none was asked for."""
+        """For each layer of the sandbox 'held', or why it failed in one of the runs; {} without a sandbox."""
         found: dict[str, str] = {}
         for outcome in self.outcomes:
             for layer, state in outcome.sandbox.items():
@@ -109,7 +110,7 @@ class Report:
 
     @property
     def refused(self) -> tuple[str, ...]:
-        """Names of the system calls that its recorded runs tried and may not make. (The text of another run has its own.)"""
+        """Names of the forbidden system calls that recorded runs tried to make. Other runs name them in their own messages."""
         return tuple(sorted({name for outcome in self.outcomes if outcome.kind == 'recorded' for name in outcome.refused}))
 
     @property
@@ -119,7 +120,7 @@ class Report:
 
     @property
     def verdict(self) -> str:
-        """What it came to, in words."""
+        """The verdict in words."""
         return VERDICTS[self.exit_code]
 
     @property
@@ -129,12 +130,12 @@ class Report:
 
     @property
     def earned(self) -> float | None:
-        """Points given; None when the grader broke, because then there is no mark."""
+        """The earned points, or None when the grader broke, because then there is no mark."""
         return None if self.exit_code == BROKEN_GRADER else rounded(sum(result.earned for result in self.results))
 
     @property
     def exit_code(self) -> int:
-        """0 all passed, 1 some failed, 2 the launch file cannot be run at all, 3 the grader broke."""
+        """0 for all passed, 1 for some failed, 2 for a launch file that cannot be run, 3 when the grader broke."""
         statuses = {result.status for result in self.results}
         if GRADER_BROKE in statuses:
             return BROKEN_GRADER
@@ -144,7 +145,7 @@ class Report:
 
 
 class Refusal(NamedTuple):
-    """A path that could not be graded at all: how it was given, why, what to try, and what the command ends with for it."""
+    """A path that could not be graded: the given path, the reason, what to do, and the exit code."""
 
     given: str
     reason: str

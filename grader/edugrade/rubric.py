@@ -64,11 +64,11 @@ class Rubric:
     """The scenarios and checks of one exercise.
 
     :param title: the exercise in a few words.
-    :param scenarios: makes the runs from a random generator, which is seeded from the submission: so the
-        values of a run change with every edit and cannot be written into the file beforehand.
-    :param checks: in the order of the report; each stands behind the checks it needs: there can be no circle.
+    :param scenarios: makes the runs from a random generator, which the submission seeds. The values of a run change with
+        every edit, so that a student cannot write them into the file.
+    :param checks: the checks in the order of the report. Each one comes after the checks that it needs.
     :param of: of a lesson's turn: the file that the student writes, relative to the folder of the lessons.
-    :param launch: the text of a launch file that starts it, when it is none itself.
+    :param launch: the content of a launch file that starts the file, for a file that is not a launch file.
     :param beside: other files that an edit may change.
     :param names: instead of a file, what a cell defines: then there are no runs.
     :param decoys: the share of the points that a submission may get which has the solution's names and not its behaviour.
@@ -102,7 +102,7 @@ class Rubric:
         return sha256(self.text).hexdigest()
 
     def part(self, name: str) -> Rubric:
-        """The rubric of one check and of those that it needs.
+        """Return the rubric of one check and of the checks that it needs.
 
         :raises UnusableInput: when there is no such check.
         """
@@ -124,7 +124,7 @@ class Rubric:
     def with_points(self, points: Mapping[str, int]) -> Rubric:
         """The same rubric with other points for some of its checks.
 
-        :raises ValueError: for a check that it does not have, or points that are none.
+        :raises ValueError: for an unknown check or invalid points.
         """
         odd = [name for name in points if name not in {check.name for check in self.checks}]
         if odd:

@@ -29,7 +29,7 @@ class Runner:
 
     :param limits: of each child.
     :param on_outcome: called when a run has ended.
-    :param processors: how many runs go at once; default: as many as there are processors.
+    :param processors: number of parallel runs (default: the number of processors).
     """
 
     def __init__(
@@ -80,13 +80,13 @@ class Runner:
         return [os.path.join(self._home, str(number + 1)) for number in range(self._started)]
 
     def wait(self, job: GradingJob) -> list[Outcome]:
-        """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
+        """Return the outcomes of a submission's runs in the rubric's order. Other runs continue at the same time."""
         while not job.is_done:
             self._turn(LONGEST_NAP_S)
         return [job.outcomes[scenario.name] for scenario in job.scenarios]
 
     def _attend(self, end: int, seconds: float) -> bool:
-        """Go on with the runs until this end can be read, or these seconds are over: a worker judges. Whether it can be read."""
+        """Continue the runs until this end is readable or the time is over, while a worker judges. Return whether it is."""
         self._selector.register(end, selectors.EVENT_READ, lambda: True)
         try:
             return end in self._turn(seconds)
@@ -106,7 +106,7 @@ class Runner:
         return [key.fileobj for key, _ in ready]
 
     def _listen(self, seconds: float) -> list[tuple[selectors.SelectorKey, int]]:
-        """What can be read. The time since the last look, when the grader judged another submission, is no run's own."""
+        """Return the readable ends. The time in which the grader judged another submission does not count for a run."""
         for run in self._running:
             run.deadline += monotonic() - self._listened_at
         ready = self._selector.select(seconds)
@@ -179,7 +179,7 @@ class Runner:
 
 
 def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
-    """How often a run may be begun again: it was killed, it tells of what may be a fault of the computer, or it soon ended."""
+    """Return how often a run may be repeated, because it was killed, ended early, or met a possible fault of the computer."""
     if outcome is None:
         return MOST_TIMES_AGAIN if run.has_begun else MOST_STARTS
     if looks_like_one(outcome):

@@ -1,4 +1,4 @@
-"""Shorter texts for reports: never cut in the middle of a word, and no regular expression is shown to a student."""
+"""Shortens strings for reports, and turns regular expressions into readable lines."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ from collections.abc import Sequence
 _SIGNS = (
     (re.compile(r'\(\?[:=!]|[()^$]'), ''),
     (re.compile(r'-\?'), ''),
-    (re.compile(r'(?:\\d[+*]?(?:\\\.)?)+'), 'NUMBER'),
-    (re.compile(r'\\[wS][+*]?'), 'WORD'),
+    (re.compile(r'\\[bBAZ]'), ''),
+    (re.compile(r'(?:(?:\\d|\[0-9\]|\[\\d\.\])(?:[+*?]|\{\d+(?:,\d*)?\})?(?:\\\.)?)+'), 'NUMBER'),
+    (re.compile(r'(?:\\[wS]|\[[^\]\s]+\])(?:[+*?]|\{\d+(?:,\d*)?\})?'), 'WORD'),
     (re.compile(r'(?:\.|\\s)[+*]\??'), ' ... '),
+    (re.compile(r'(?<=\w)\|(?=\w)'), ' or '),
     (re.compile(r'\\(.)'), r'\1'),
 )
 
 
 def shortened(text: str, most: int) -> str:
-    """Return the beginning of a text, of `most` characters at most, up to the end of a word; a longer word is cut."""
+    """Return at most `most` characters of a string, up to the end of a word. Only a word that is longer is cut."""
     if len(text) <= most:
         return text
     start = text[:most]
@@ -25,13 +27,13 @@ def shortened(text: str, most: int) -> str:
 
 
 def last_lines(texts: Sequence[str], lines: int = 4, most: int = 300) -> str:
-    """Return the last lines of what a program wrote, each of `most` characters at most; '' when it wrote nothing."""
+    """Return the last lines of a program's output, each with at most `most` characters, or '' without output."""
     found = [line for line in ''.join(texts).splitlines() if line.strip()]
     return '\n'.join(line if len(line) <= most else f'{shortened(line, most)} ...' for line in found[-lines:])
 
 
 def readable(pattern: str) -> str:
-    """Return what a regular expression asks for, as text that a person reads: ``messages: NUMBER``."""
+    """Return a line that a regular expression matches, with words for its patterns: ``messages: NUMBER``."""
     for sign, word in _SIGNS:
         pattern = sign.sub(word, pattern)
     return pattern.strip()

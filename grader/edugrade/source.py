@@ -57,7 +57,7 @@ class Source:
     """The lines of a submission.
 
     :param file: the launch file, absolute.
-    :param others: texts of the other files of the package by absolute path, for a submission that is a package.
+    :param others: content of the other files of a package by absolute path.
     """
 
     def __init__(self, file: str, text: str, others: Mapping[str, str] | None = None) -> None:
@@ -74,7 +74,7 @@ class Source:
     def place_in(self, name: str, pattern: str = '') -> Place:
         """A place in another file of the package: the first line that `pattern` matches somewhere.
 
-        :param name: how the file's path ends, such as ``config/turtlesim.yaml``; without such a file: :attr:`place`.
+        :param name: the end of the file's path, such as ``config/turtlesim.yaml``. Without such a file, return :attr:`place`.
         """
         for path, lines in {self.file: self._lines, **self._others}.items():
             if path.endswith(os.sep + name.replace('/', os.sep)):

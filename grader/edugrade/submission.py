@@ -21,13 +21,13 @@ LARGEST_BYTES = 1_000_000
 
 
 class Submission:
-    """A launch file, alone or in a ROS 2 package, that somebody handed in.
+    """The launch file of a student, alone or in a ROS 2 package.
 
     :param path: of the launch file, or of the folder of a package: then the file ``launch/<package>.launch.py`` in it.
     :param root: the folder that was handed in, when it holds more packages than this one.
     :raises UnusableInput: when there is no such launch file; the message says what was found instead.
 
-    :ivar given: the path as it was given.
+    :ivar given: the path that the user gave.
     :ivar launch_path: the launch file, by a path like the given one.
     :ivar file: the launch file, absolute.
     :ivar folder: the package's folder, or that of the launch file; absolute.
@@ -59,7 +59,7 @@ class Submission:
 
     @property
     def shown_folder(self) -> str:
-        """`folder` as a prefix for what is shown: like the given path, '' or with a separator at its end."""
+        """`folder` as a prefix for reports, in the form of the given path: '' or with a separator at its end."""
         inside = os.path.relpath(self.file, self.folder)
         if self.launch_path.endswith(inside):
             return self.launch_path[: -len(inside)]
@@ -110,7 +110,7 @@ def exercise_of(name: str) -> str:
 
 
 def _refuse_links(given: str, file: str, folder: str) -> None:
-    """A link could lead to somebody else's work, such as the solution.
+    """Refuse a link, which could lead to another student's work or to the solution.
 
     :raises UnusableInput: naming it.
     """
@@ -201,7 +201,7 @@ class PackageFolder(NamedTuple):
 
     @property
     def workspace(self) -> str:
-        """What to search for packages: the colcon workspace when this lies in its ``src``, else the package itself."""
+        """Return the directories to search for packages: the colcon workspace around its ``src``, or the package itself."""
         parent = os.path.dirname(self.path)
         while os.path.dirname(parent) != parent:
             if os.path.basename(parent) == 'src':
@@ -217,7 +217,7 @@ class PackageFolder(NamedTuple):
     def texts(self) -> Iterator[tuple[str, bytes]]:
         """(path relative to the package, content) of its text files, in a fixed order; the first MOST_FILES of them.
 
-        Links, pipes, what cannot be read and what lies deeper than DEEPEST_TEXT folders is left out.
+        Links, pipes, unreadable files and files below more than DEEPEST_TEXT directories are left out.
         """
         found = 0
         for path in self._files():
@@ -260,7 +260,7 @@ def _is_generated(name: str) -> bool:
 
 
 def package_above(file: str) -> PackageFolder | None:
-    """The package that a file belongs to, if it lies in one."""
+    """Return the package of a file, if the file is in one."""
     folder = os.path.dirname(os.path.abspath(file))
     for _ in range(DEEPEST):
         package = package_at(folder)

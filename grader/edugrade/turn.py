@@ -1,4 +1,4 @@
-"""``check('radio')`` of a lesson's "Your turn": its rubric lies beside the notebook, in ``checks/``, and says what it looks at.
+"""``check('radio')`` of a lesson's "Your turn". Its rubric is in ``checks/`` beside the notebook, and names what it checks.
 
 A turn is run where the student works, as the cells above it are: in the notebook's own process and folder. It gives the same
 form of report as an exercise, is recorded as one is, and never ends in a traceback.
@@ -30,7 +30,7 @@ SEED = 0
 
 
 def find_turn(name: str) -> str | None:
-    """The rubric of a turn: in ``checks/`` beside the notebook, or of ``lessons`` here or above; None: there is none."""
+    """Return the rubric of a lesson's check: in ``checks/`` beside the notebook or in ``lessons`` above, or None."""
     return turns().get(name)
 
 

@@ -1,8 +1,8 @@
-"""What the secret of a course chooses: runs that nobody can know beforehand, and each student's own variant of an exercise.
+"""The choices of a course secret: runs that students cannot predict, and each student's own variant of an exercise.
 
-An exercise's entry in course.toml lists what may differ, ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``: first the
-text as it stands in stub, solution, rubric and hints, then what may stand in its place. So every one of them is a template, and
-the first of each row is the variant of a course without a secret.
+An exercise's entry in course.toml lists the variants, such as ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``. Each
+row begins with the string of the starter file, the solution, the rubric and the hints. The other strings can replace it. A
+course without a secret has the first string of each row.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class CourseSecret:
 
     @classmethod
     def of(cls, key: bytes) -> CourseSecret:
-        """A secret that is no file: for trying things out."""
+        """Return a secret without a file, for experiments."""
         found = cls.__new__(cls)
         found._key = key
         return found
@@ -68,9 +68,9 @@ MARK = re.compile(r'Variant ([0-9a-f]{8})\b')
 
 
 class Variant(NamedTuple):
-    """What one student's exercise has in the place of the usual texts.
+    """The values that replace the usual strings in one student's exercise.
 
-    :param tag: names the variant; it stands in the student's file.
+    :param tag: names the variant, and is in the student's file.
     """
 
     student: str
@@ -78,7 +78,7 @@ class Variant(NamedTuple):
     values: Mapping[str, str]
 
     def of(self, text: str) -> str:
-        """A text of the course, as this student has it. Only whole words and numbers are replaced, all at once."""
+        """Return a string of the course for this student. Only whole words and numbers are replaced, all at once."""
         if not self.values:
             return text
         words = '|'.join(re.escape(word) for word in sorted(self.values, key=len, reverse=True))
@@ -90,7 +90,7 @@ class Variant(NamedTuple):
         return re.sub(r'^(?=Grade it: )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
 
     def is_of_another(self, text: str) -> bool:
-        """Whether a text says that it was made for somebody else."""
+        """Whether a file belongs to another student's variant."""
         return any(tag != self.tag for tag in MARK.findall(text))
 
 
@@ -143,4 +143,4 @@ def _read(path: str) -> dict[str, Variant]:
         return {}
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise_fault(error)
-        raise UnusableInput(f'{path} cannot be read: {error}', help='copy it anew from your course') from None
+        raise UnusableInput(f'{path} cannot be read: {error}', help='copy it from your course again') from None

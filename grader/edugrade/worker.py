@@ -1,7 +1,7 @@
 """Work that may use so much and no more: in a process of its own, or under a limit of processor time.
 
-A worker is a fork of the grader: it needs nothing sent, and answers with JSON; whatever becomes of it costs one submission only.
-While it works the runs of others go on.
+A worker is a fork of the grader. It needs no input, and answers with JSON. A worker that fails affects only one submission.
+Other runs continue while it works.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Exceeded(Exception):
 
 
 class Lost(Exception):
-    """The worker was killed each time that it was begun (by somebody else: its limits end it in other ways), or is too late."""
+    """Another process killed the worker each time (its limits end it in other ways), or the worker is too late."""
 
 
 @contextmanager
@@ -177,7 +177,7 @@ def _limit(end: int, parent: int) -> None:
 
 
 def _address_space() -> int:
-    """Bytes of it that this process has; 0 where the system does not tell."""
+    """Return the memory of this process in bytes, or 0 on a system that does not report it."""
     with suppress(OSError, ValueError), open('/proc/self/statm') as file:
         return int(file.read().split()[0]) * os.sysconf('SC_PAGE_SIZE')
     return 0

@@ -26,7 +26,7 @@ def everybody_is_there(run: Evidence) -> None:
         if f'turtle{number}' not in run[scenario].frames_at(LATEST_S):
             raise Failure(
                 f'turtle{number} is not in the tf tree, when launched with {run.scenario(scenario).words}',
-                seen=', '.join(sorted(run[scenario].frames_at(LATEST_S))) or 'no frames at all',
+                seen=', '.join(sorted(run[scenario].frames_at(LATEST_S))) or 'no frames',
                 where=run.source.place,
                 try_=ORDER,
             )

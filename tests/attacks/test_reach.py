@@ -238,7 +238,7 @@ def test_there_are_few_of_it(found: dict[str, Any], name: str) -> None:
 def test_the_report_names_the_calls(found: dict[str, Any]) -> None:
     (scenario, *_) = found['report']['scenarios']
     assert {'chown', 'setxattr', 'socket', 'bind', 'sendto', 'ptrace'} <= set(scenario['refused_calls'])
-    assert 'A graded run may not make the system call chown or ' in scenario['text']
+    assert 'The sandbox does not allow the system call chown or ' in scenario['text']
 
 
 def test_the_neighbour_is_as_it_was(found: dict[str, Any]) -> None:

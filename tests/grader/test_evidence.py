@@ -9,19 +9,19 @@ def test_missing_offers_the_nearest_name() -> None:
     failure = Missing('the argument "circle_radius"', name='circle_radius', among=['circle_radious', 'x'], try_='declare it')
     assert failure.rationale == 'the argument "circle_radius" is missing'
     assert failure.seen == 'circle_radious, x'
-    failure.ask(["DeclareLaunchArgument('circle_radious')"])
-    assert failure.try_ == 'did you mean "circle_radius" where you wrote "circle_radious"? Otherwise: declare it'
+    failure.correct(["DeclareLaunchArgument('circle_radious')"])
+    assert failure.try_ == 'write "circle_radius" instead of "circle_radious", or declare it'
 
 
 def test_a_name_that_the_student_did_not_write_is_no_slip() -> None:
     failure = Missing('the topic /turtle1/pose', name='/turtle1/pose', among=['/turtle1/poses'], try_='start it')
-    failure.ask(['Node(package="turtlesim", executable="turtlesim_node")'])
+    failure.correct(['Node(package="turtlesim", executable="turtlesim_node")'])
     assert failure.try_ == 'start it'
 
 
 def test_missing_without_anything_near_says_what_to_try() -> None:
     failure = Missing('the node a', name='alpha', among=[], try_='start it')
-    assert (failure.seen, failure.try_) == ('nothing of the kind', 'start it')
+    assert (failure.seen, failure.try_) == ('none', 'start it')
 
 
 def test_mismatch_shows_both_values_in_full() -> None:

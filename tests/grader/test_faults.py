@@ -36,7 +36,7 @@ def test_errors_of_the_computer_have_sentences_and_others_have_none() -> None:
     assert fault_of(MemoryError()) == 'this computer has no memory left'
     assert fault_of(OSError(errno.ENOENT, 'x')) is None
     assert words_of(ComputerFault('the disk is full'))[0] == 'not graded: the disk is full'
-    assert words_of(KeyError(1))[0] == 'the grader broke on it: KeyError: 1'
+    assert words_of(KeyError(1))[0] == 'the grader broke: KeyError: 1'
 
 
 def test_only_numbers_of_such_errors_are_looked_into() -> None:

@@ -86,7 +86,7 @@ def test_without_a_recording_no_check_is_run() -> None:
 
 def test_a_run_that_fails_with_one_argument_only_says_so() -> None:
     results = judged([good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow'))
-    assert results['launches'].seen == 'only when launched with radius:=1.0'
+    assert results['launches'].seen == 'it fails only when launched with radius:=1.0'
     assert results['good'].status == 'not_run'
 
 
@@ -111,7 +111,7 @@ def test_a_check_that_looks_too_long_fails_and_the_others_are_judged(monkeypatch
 
     results = judge([slow, quick], [Outcome(Scenario('a'), 'recorded', RECORDING)], SOURCE)
     assert [(result.status, result.earned) for result in results[1:]] == [('failed', 0), ('passed', 1)]
-    assert 'cannot be looked at' in results[1].reason
+    assert 'cannot judge the recording' in results[1].reason
 
 
 class Run:
@@ -168,13 +168,7 @@ def test_who_passed_everything_costs_nothing(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_a_report_is_retold_in_german() -> None:
-    result = failed(
-        'first',
-        reason='the frame laser is missing',
-        seen='nothing of the kind',
-        try_='look at the Node of broadcaster1',
-        cause=FRAME,
-    )
+    result = failed('first', reason='the frame laser is missing', seen='none', try_='check the Node of broadcaster1', cause=FRAME)
     german = Reader('de')
     result_in_german = translated(result, german)
     assert result_in_german.reason != result.reason and 'laser' in result_in_german.reason

@@ -25,38 +25,35 @@ for fd in range(3, 30):
 """
 EXIT = 'os._exit(0)\n'
 HOSTILE = {
-    'exits at once': ('import posix as os\n' + EXIT, 'the program ended itself with exit code 0 before the run was over'),
+    'exits at once': ('import posix as os\n' + EXIT, 'the program ended itself with exit code 0 before the end of the run'),
     'exits with a number': (
         'import posix as os\nos._exit(7)\n',
-        'the program ended itself with exit code 7 before the run was over',
+        'the program ended itself with exit code 7 before the end of the run',
     ),
-    'kills itself': ('import posix as os\nos.kill(os.getpid(), 9)\n', 'the program was ended by SIGKILL before the run was over'),
-    'crashes': ('import posix as os\nos.kill(os.getpid(), 11)\n', 'the program was ended by SIGSEGV before the run was over'),
-    'sends garbage': (WRITE_TO_ALL.format('b"hello"') + EXIT, 'what came back from the run is not a recording of it'),
+    'kills itself': ('import posix as os\nos.kill(os.getpid(), 9)\n', 'SIGKILL ended the program before the end of the run'),
+    'crashes': ('import posix as os\nos.kill(os.getpid(), 11)\n', 'SIGSEGV ended the program before the end of the run'),
+    'sends garbage': (WRITE_TO_ALL.format('b"hello"') + EXIT, 'the run did not return a valid recording'),
     'sends a false recording': (
         WRITE_TO_ALL.format('b"R" + (5).to_bytes(8, "big") + b"12345"') + EXIT,
-        'what came back from the run is not a recording of it',
+        'the run did not return a valid recording',
     ),
     'sends half a frame': (
         WRITE_TO_ALL.format('b"R" + (500).to_bytes(8, "big") + b"12345"') + EXIT,
-        'the program ended itself with exit code 0 before the run was over',
+        'the program ended itself with exit code 0 before the end of the run',
     ),
     'sends deep JSON': (
         WRITE_TO_ALL.format('b"U" + (9000).to_bytes(8, "big") + b"[" * 9000') + EXIT,
-        'what came back from the run is not a recording of it',
+        'the run did not return a valid recording',
     ),
-    'announces too much': (
-        WRITE_TO_ALL.format('b"R" + b"\\xff" * 100') + EXIT,
-        'what came back from the run is not a recording of it',
-    ),
+    'announces too much': (WRITE_TO_ALL.format('b"R" + b"\\xff" * 100') + EXIT, 'the run did not return a valid recording'),
     'closes its pipes': (
         'import posix as os\nos.closerange(3, 30)\n' + EXIT,
-        'the program ended itself with exit code 0 before the run was over',
+        'the program ended itself with exit code 0 before the end of the run',
     ),
-    'prints without end': ('import posix as os\nwhile True: os.write(1, b"x" * 100000)\n', 'it printed more than 1 MiB'),
+    'prints without end': ('import posix as os\nwhile True: os.write(1, b"x" * 100000)\n', 'the run printed more than 1 MiB'),
     'leaves a child': (
         'import posix as os\nif os.fork() == 0:\n    while True: pass\n' + EXIT,
-        'the program ended itself with exit code 0 before the run was over',
+        'the program ended itself with exit code 0 before the end of the run',
     ),
 }
 
@@ -79,7 +76,7 @@ def test_a_hostile_submission_gets_a_verdict(tmp_path: Path, text: str, verdict:
 
 def test_an_endless_loop_is_stopped_and_its_line_named(tmp_path: Path) -> None:
     outcome = run(tmp_path, 'x = 1\nwhile True:\n    pass\n', wall_s=0.5)
-    assert (outcome.kind, outcome.text) == ('stopped', 'it did not finish within 0.5 s of real time')
+    assert (outcome.kind, outcome.text) == ('stopped', 'the run did not finish within 0.5 s of real time')
     assert outcome.where is not None
     assert outcome.where.file == str(tmp_path / 'circle.launch.py')
     assert outcome.where.line in (2, 3)
@@ -88,7 +85,7 @@ def test_an_endless_loop_is_stopped_and_its_line_named(tmp_path: Path) -> None:
 def test_blocking_all_signals_does_not_help_a_loop(tmp_path: Path) -> None:
     text = 'import _signal\n_signal.pthread_sigmask(_signal.SIG_BLOCK, range(1, 65))\nwhile True:\n    pass\n'
     outcome = run(tmp_path, text, wall_s=0.5)
-    assert (outcome.kind, outcome.text) == ('stopped', 'it did not finish within 0.5 s of real time')
+    assert (outcome.kind, outcome.text) == ('stopped', 'the run did not finish within 0.5 s of real time')
 
 
 KILL_THE_STARTER = (
@@ -186,13 +183,13 @@ def test_nothing_that_was_started_is_left(tmp_path: Path, sandbox: str) -> None:
 
 def test_a_program_that_starts_itself_is_ended(tmp_path: Path) -> None:
     outcome = run(tmp_path, 'import posix\nwhile True:\n    posix.fork()\n', wall_s=20.0)
-    assert outcome.text in ('it started too many programs', 'it asked for more memory than 2048 MiB')
+    assert outcome.text in ('the run started too many programs', 'the run needed more than 2048 MiB of memory')
 
 
 def test_memory_counts_for_all_processes_of_a_run_together(tmp_path: Path) -> None:
     text = 'import posix\nfor _ in range(6):\n    if posix.fork() == 0:\n        break\nx = bytearray(b"x" * 150_000_000)\n'
     outcome = run(tmp_path, text + 'while True:\n    pass\n', wall_s=20.0, memory_mib=500)
-    assert outcome.text == 'it asked for more memory than 500 MiB'
+    assert outcome.text == 'the run needed more than 500 MiB of memory'
 
 
 def test_the_private_folder_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -210,13 +207,9 @@ def is_alive(pid: int) -> bool:
 
 
 LOOPS = {
-    'that does nothing': ('x = 1\nwhile True:\n    pass\n', 'the launch file never came to its end and was stopped', (2, 3)),
-    'in a pattern': (
-        "import re\nre.match('(a+)+$', 'a' * 60 + 'b')\n",
-        'the launch file never came to its end and was stopped',
-        (2,),
-    ),
-    'in C': ('x = 1\nsum(range(10 ** 13))\n', 'a single call used the processor for seconds and did not come back', (2,)),
+    'that does nothing': ('x = 1\nwhile True:\n    pass\n', 'the launch file did not finish and was stopped', (2, 3)),
+    'in a pattern': ("import re\nre.match('(a+)+$', 'a' * 60 + 'b')\n", 'the launch file did not finish and was stopped', (2,)),
+    'in C': ('x = 1\nsum(range(10 ** 13))\n', 'a single call used the processor for seconds and did not return', (2,)),
 }
 
 

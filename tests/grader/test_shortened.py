@@ -27,6 +27,9 @@ def test_the_last_lines_are_whole() -> None:
         (r'^now: -?\d+\.\d+ -?\d+\.\d+$', 'now: NUMBER NUMBER'),
         (r'newest: (\d+\.\d\d) (\d+\.\d\d), (\d\.\d\d) s old', 'newest: NUMBER NUMBER, NUMBER s old'),
         (r'messages: (\d+)$', 'messages: NUMBER'),
+        (r'^count: [0-9]+\b', 'count: NUMBER'),
+        (r'the (?:red|blue) one', 'the red or blue one'),
+        (r'at [a-z_]{3,} \d{2}', 'at WORD NUMBER'),
     ],
 )
 def test_a_pattern_is_shown_as_text(pattern: str, wanted: str) -> None:

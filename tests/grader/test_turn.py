@@ -70,7 +70,7 @@ def test_a_value_of_another_kind_is_a_failed_check(lessons: Path, value: str, st
 def test_it_is_recorded_and_the_same_text_is_no_try(lessons: Path) -> None:
     (lessons / 'my_launch' / 'water.launch.py').write_text(SIM.replace('{}', "{'background_r': 3}"))
     check('water')
-    assert 'unchanged since your last try' in repr(check('water'))
+    assert 'has not changed since your last attempt' in repr(check('water'))
     (lessons / 'my_launch' / 'water.yaml').write_text('sim: {}')
     assert 'unchanged' not in repr(check('water'))
     assert (ProgressFile('.').of('water').attempts, ProgressFile('.').of('water').points) == (2, 2)

@@ -46,13 +46,13 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
 @pytest.mark.parametrize(
     ('cut', 'text'),
     [
-        ('wall', 'it did not finish within 3 s of real time'),
-        ('printed', 'it printed more than 4 MiB'),
-        ('recording', 'its recording grew larger than 128 MiB'),
-        ('processes', 'it started too many programs'),
-        ('disk', 'it wrote more than 128 MiB or 4096 files'),
-        ('memory', 'it asked for more memory than 2048 MiB'),
-        ('garbage', 'what came back from the run is not a recording of it'),
+        ('wall', 'the run did not finish within 3 s of real time'),
+        ('printed', 'the run printed more than 4 MiB'),
+        ('recording', 'the recording of the run is larger than 128 MiB'),
+        ('processes', 'the run started too many programs'),
+        ('disk', 'the run wrote more than 128 MiB or 4096 files'),
+        ('memory', 'the run needed more than 2048 MiB of memory'),
+        ('garbage', 'the run did not return a valid recording'),
     ],
 )
 def test_a_child_that_was_cut_off(cut: str, text: str) -> None:
@@ -69,7 +69,7 @@ def test_a_launch_file_that_cannot_run_brings_its_own_words() -> None:
 def test_refused_calls_are_named() -> None:
     outcome = judged('U', {'text': 'PermissionError: [Errno 1]'}, refused=['chmod', 'utimensat'])
     assert outcome.refused == ('chmod', 'utimensat')
-    assert outcome.text.splitlines()[1].startswith('A graded run may not make the system call chmod or utimensat: ')
+    assert outcome.text.splitlines()[1].startswith('The sandbox does not allow the system call chmod or utimensat. ')
 
 
 def test_a_broken_engine_is_no_students_fault() -> None:
@@ -83,22 +83,22 @@ def test_a_timeout_names_the_line_where_it_was() -> None:
 
 
 def test_memory_is_named() -> None:
-    assert judged('S', {'reason': 'memory'}).text == 'it asked for more memory than 2048 MiB'
+    assert judged('S', {'reason': 'memory'}).text == 'the run needed more than 2048 MiB of memory'
 
 
 @pytest.mark.parametrize(('letter', 'content'), [('S', {'reason': 'x'}), ('U', [1]), ('B', 'text'), ('R', {})])
 def test_what_makes_no_sense_is_no_recording(letter: str, content: object) -> None:
-    assert judged(letter, content).text == 'what came back from the run is not a recording of it'
+    assert judged(letter, content).text == 'the run did not return a valid recording'
 
 
 @pytest.mark.parametrize(
     ('code', 'text'),
     [
-        (0, 'the program ended itself with exit code 0 before the run was over'),
-        (None, 'the program ended itself before the run was over'),
-        (-signal.SIGKILL, 'the program was ended by SIGKILL before the run was over'),
-        (-99, 'the program was ended by signal 99 before the run was over'),
-        (-signal.SIGXCPU, 'a single call used the processor for seconds and did not come back'),
+        (0, 'the program ended itself with exit code 0 before the end of the run'),
+        (None, 'the program ended itself before the end of the run'),
+        (-signal.SIGKILL, 'SIGKILL ended the program before the end of the run'),
+        (-99, 'signal 99 ended the program before the end of the run'),
+        (-signal.SIGXCPU, 'a single call used the processor for seconds and did not return'),
     ],
 )
 def test_a_child_that_ended_says_how(code: int | None, text: str) -> None:
@@ -112,7 +112,7 @@ def test_what_it_printed_is_kept_for_the_course_author() -> None:
 def test_what_must_be_confined_and_is_not_gets_no_mark() -> None:
     open_files = {'files': 'Function not implemented', 'network': 'held'}
     outcome = judged(limits=Limits(3.0, sandbox='require'), sandbox=open_files)
-    assert (outcome.kind, outcome.text) == ('broke', 'this system does not confine a run: files (Function not implemented)')
+    assert (outcome.kind, outcome.text) == ('broke', 'this system has no complete sandbox: files (Function not implemented)')
     assert judged(limits=Limits(3.0), sandbox=open_files).kind == 'stopped'
     assert judged(limits=Limits(3.0), sandbox=open_files).sandbox == open_files
 
@@ -120,7 +120,7 @@ def test_what_must_be_confined_and_is_not_gets_no_mark() -> None:
 def test_a_guard_that_was_killed_from_outside_costs_no_mark() -> None:
     for how in ({'sandbox': {'files': 'held'}}, {'sandbox': None, 'has_begun': False}):
         outcome = judged(returncode=None, **how)
-        assert (outcome.kind, outcome.text) == ('broke', 'a process of the grader was killed from outside')
+        assert (outcome.kind, outcome.text) == ('broke', 'another program killed a process of the grader')
 
 
 SCENARIO = Scenario('s', {}, 0.2, 3)
@@ -174,4 +174,4 @@ def test_a_launch_that_starts_nothing_did_not_run(tmp_path: Path) -> None:
     text = 'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n'
     outcome = recorded(SCENARIO, failed(tmp_path, text))
     assert outcome is not None
-    assert (outcome.kind, outcome.text) == ('stopped', 'launch ended with exit code 0 and had started nothing')
+    assert (outcome.kind, outcome.text) == ('stopped', 'launch ended with exit code 0 before it started a program')

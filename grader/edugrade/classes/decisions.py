@@ -1,6 +1,6 @@
 """What a teacher decides beside the marks of a batch: other points, comments, and what is taken off for lateness.
 
-Points and comments stand in ``teacher.csv`` in the folder of the results. Grading never writes that file, so they survive it.
+The file ``teacher.csv`` in the directory of the results has the points and comments. Grading never writes it, so they survive.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Late(NamedTuple):
     submitted: Mapping[str, datetime]
 
     def days(self, result: Result) -> int:
-        """How many days a submission is late; 0 when nobody says when it was submitted."""
+        """How many days a submission is late, or 0 when the time of submission is unknown."""
         when = self.submitted.get(str(result.get('student_id') or '')) or self.submitted.get(str(result['student']))
         if when is None:
             return 0
@@ -60,7 +60,7 @@ def decided(results: Sequence[Result], folder: str, late: Late | None = None) ->
     """The results with the points that count. `graded` has those of the grader where they differ; `comment`, `late_days` say why.
 
     :param folder: of the results.
-    :raises UnusableInput: when the teacher's file cannot be read, or names somebody of whom there is no result.
+    :raises UnusableInput: when the teacher's file cannot be read, or names a student without a result.
     """
     decisions = read_decisions(os.path.join(folder, FILE))
     found = [_decided(result, decisions, late) for result in results]

@@ -1,6 +1,6 @@
 """``edugrade similar RESULTS``: submissions that are more alike than the task makes them, side by side.
 
-Fingerprints of code do not change with names, comments, spaces, texts and numbers (winnowing, Schleimer et al. 2003).
+Names, comments, spaces, strings and numbers do not change fingerprints of code (winnowing, Schleimer et al. 2003).
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from ..course import find_course, read_course
 from ..files import write_whole
 from ..reports.markup import Markup, element, html_page, table_row
 from ..reports.terminal import printable
+from ..reports.theme import PAGE
 from ..submission import Submission
 from ..worker import TooLong, cpu_limit
 from .batch.store import Store
@@ -40,7 +41,7 @@ _IMPORT = re.compile(r'^\s*(?:from\s+[\w.]+\s+)?import\s+([^\n#]+)', re.M)
 
 
 class Code(NamedTuple):
-    """The lines of a text, and the lines on which each of its fingerprints begins and ends."""
+    """The lines of a file, and the lines on which each of its fingerprints begins and ends."""
 
     lines: list[str]
     prints: dict[int, tuple[int, int]]
@@ -84,7 +85,7 @@ def _tokens(text: str) -> Sequence[tuple[str, int]]:
 
 
 class Work(NamedTuple):
-    """A submission: whose it is, its path, its texts by name, and its launch graph."""
+    """A submission with its student, its path, its files by name, and its launch graph."""
 
     student: str
     path: str
@@ -93,7 +94,7 @@ class Work(NamedTuple):
 
     @property
     def prints(self) -> set[int]:
-        """All fingerprints of its texts."""
+        """All fingerprints of its files."""
         return {number for code in self.texts.values() for number in code.prints}
 
 
@@ -144,15 +145,18 @@ def _share(
     return round(sum(weights[item] for item in shared) / smaller, 3) if smaller else 0.0
 
 
-STYLE = """
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em; color: #222; }
+STYLE = (
+    f'{PAGE}\n'
+    """
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em; }
 td, th { text-align: left; vertical-align: top; padding: .15em 1.2em .15em 0; }
 .side { display: grid; grid-template-columns: 1fr 1fr; gap: 1em; } pre { overflow-x: auto; margin: 0; }
-mark { background: #ffe9a8; } .same { background: #d9ecff; }
+mark { color: inherit; background: var(--mark); } .same { background: var(--same); }
 """
+)
 WORDS = (
-    'These submissions have more in common than the task and the class explain. Names, comments, texts and numbers make no '
-    'difference here; marked lines are alike. This is a reason to look and to ask, and no proof.'
+    'These submissions have more in common than the task and the class explain. The comparison ignores names, comments, '
+    'strings and numbers. Marked lines are alike. Similarity is a reason to look and to ask, and not a proof.'
 )
 MOST_PAIRS = 100
 MOST_LINES = 2000
@@ -205,7 +209,7 @@ LONGEST_READING_S = 20.0  # for the fingerprints of one submission
 
 
 def main(words: Sequence[str]) -> int:
-    """Print the pairs, and write the page when one is wanted. Whatever is found, the exit code is 0: nobody is judged here."""
+    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
     parser = argparse.ArgumentParser(
         prog='edugrade similar', description='Show submissions that are more alike than the task makes them.'
     )
@@ -234,7 +238,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], list[str]]:
-    """The submissions with their texts, and the paths of those whose texts are no longer there."""
+    """Return the submissions with their files, and the paths of the submissions whose files no longer exist."""
     works, lost = [], []
     for result in results:
         try:

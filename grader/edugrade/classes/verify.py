@@ -1,6 +1,6 @@
 """What a report is worth: ``edugrade verify`` makes its mark again from the same things, ``edugrade sign`` signs it.
 
-Signatures are ed25519, so that nobody can change a report unseen. The keys are PEM files, as OpenSSL writes them.
+Signatures are ed25519, so that every change of a report is visible. The keys are PEM files, as OpenSSL writes them.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def sign_command(words: Sequence[str]) -> int:
 def read_report(path: str) -> dict[str, Any]:
     """A JSON report.
 
-    :raises UnusableInput: when it cannot be read, or is none.
+    :raises UnusableInput: when it cannot be read, or is not a valid key.
     """
     data = read_given(path, LARGEST_REPORT, 'the report ')
     try:
@@ -167,7 +167,7 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
 
 
 def _variant(report: dict[str, Any]) -> Variant | None:
-    """The variant that a report names; what is no such thing changes the rubric, so that its hash differs."""
+    """Return the variant that a report names. An invalid one changes the rubric, so that its hash differs."""
     try:
         found = report['variant']
         return Variant(str(found['student']), str(found['tag']), {str(key): str(text) for key, text in found['values'].items()})
@@ -191,7 +191,7 @@ def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.N
 def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission: Submission) -> Iterator[str]:
     """The seed is that of the text, of the course's secret, or the one that is given here: else the student may have chosen it.
 
-    :raises UnusableInput: when a secret chose it, and is not given.
+    :raises UnusableInput: when a secret chose the seed, and the caller does not have it.
     """
     if options.course_secret_file is None:
         if report['receipt'].get('secret') is not None and options.seed is None:
@@ -228,7 +228,7 @@ def _words(value: Any) -> str:
 def find_submission(report: dict[str, Any], path: str) -> str:
     """The submission with the report's hash: beside the report, here, or where a batch has it.
 
-    :raises UnusableInput: when there is none.
+    :raises UnusableInput: when there is no result.
     """
     file, wanted = str(report.get('submission', {}).get('file')), report['receipt'].get('submission')
     for place in _places(report, file, os.path.abspath(path)):

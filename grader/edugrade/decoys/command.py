@@ -32,8 +32,8 @@ SEED = 7
 
 
 class Paid(NamedTuple):
-    """What a rubric pays for a decoy. `earned` is None when the grader broke; `passed` are the checks with points;
-    `most` is the share that the rubric allows."""
+    """The points that a rubric gives a decoy. `earned` has no value when the grader broke. `passed` has the checks with points,
+    and `most` is the share that the rubric allows."""
 
     exercise: str
     kind: str
@@ -67,7 +67,7 @@ def main(argv: Sequence[str]) -> int:
 def pay(folder: str, names: Sequence[str] = (), limit_s: float = 60.0, kinds: Sequence[str] = KINDS) -> Iterator[Paid]:
     """Yield what each decoy of a course's exercises gets.
 
-    :param names: of the exercises; default: all of them. `kinds` likewise, of decoys.
+    :param names: the names of the exercises (default: all of them). `kinds` are the kinds of decoys (default: all of them).
     :raises UnusableInput: when the folder has no course, or the course no such exercise.
     """
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, 'exercises', MANIFEST)]

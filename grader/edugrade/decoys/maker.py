@@ -27,14 +27,10 @@ OF_RCLPY = ('/rosout', '/parameter_events')
 def decoys(submission: Submission, recording: Recording, folder: str) -> Iterator[tuple[str, str]]:
     """Write the decoys of a solution into a folder, and yield (kind, path of the submission).
 
-    ============ ==========================================================================================
-    kind         what it does
-    ============ ==========================================================================================
-    names        nodes of the same names with the same parameters and endpoints, in one program, silent
-    replay       the same nodes publish and print what was recorded in the first run
-    swapped      the solution's own actions; each Node and each command `python3 ...` runs an idle program
-    own programs a package whose own programs print and publish what was recorded in the first run
-    ============ ==========================================================================================
+    - ``names`` has nodes of the same names with the same parameters and endpoints in one silent program.
+    - ``replay`` has the same nodes, which publish and print what was recorded in the first run.
+    - ``swapped`` has the solution's own actions. Each Node and each command `python3 ...` runs an idle program.
+    - ``own programs`` is a package with programs that print and publish what was recorded in the first run.
 
     :param recording: of the solution's first run.
     """
@@ -66,8 +62,8 @@ def plan(recording: Recording, plays: bool, processes: frozenset[str] | None = N
     """Return what a decoy does, as plain data.
 
     :param plays: whether it publishes and prints, too.
-    :param processes: names of the processes that it stands for; None: all of them.
-    :param step: 1: it publishes every message, 2: every second one ...
+    :param processes: names of the processes that it replaces, or None for all of them.
+    :param step: 1 to publish every message, 2 to publish every second one, and so on.
     """
     nodes = [node for node in recording.nodes if processes is None or node.process in processes]
     entries = [

@@ -1,4 +1,5 @@
-"""What rubrics share: finding processes and topics in a recording, and measuring movements.
+"""Functions that rubrics share: they find processes and topics in a recording, and measure movements.
 
-`launched.py` finds what was started, `stock.py` says whether it is what it is called, `movement.py` measures tracks.
+`launched.py` finds the started programs, `identity.py` finds out which programs they really are, and `movement.py` measures
+tracks.
 """

@@ -44,7 +44,7 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
             expected=f"default_value='{example}'",
             seen='none',
             where=_place(argument),
-            try_='give it a default_value, so that the file can be launched without arguments too',
+            try_='give it a default_value, so that the file can also be launched without arguments',
         )
     return argument
 
@@ -52,15 +52,15 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
 def require_default(
     run: Evidence, name: str, default: str | None, shows: Callable[[Evidence], object] | None = None
 ) -> DeclaredArgument:
-    """A launch argument has a certain default: the same text, in one part or several, or the same number.
+    """Require a default of a launch argument: the same string, in one or several parts, or the same number.
 
-    The runs that do not give it (`Scenario.defaults`) have to be launched without it, and to show it.
+    The runs that do not give the argument (`Scenario.defaults`) must start without it and use the default.
 
-    :param default: None: any will do.
-    :param shows: raises Failure where what happens in these runs is not what the default says.
+    :param default: the default, or None for any default.
+    :param shows: raises Failure when these runs do not use the default.
     :raises Missing: as :func:`require_argument`.
-    :raises Mismatch: when it has another default.
-    :raises Failure: when it is declared so, and the runs without the argument show something else.
+    :raises Mismatch: when the argument has another default.
+    :raises Failure: when the runs without the argument do not use the declared default.
     """
     argument = require_argument(run, name, default or '...')
     seen = written_text(argument.default or '')
@@ -73,11 +73,11 @@ def require_default(
         )
     for scenario in [scenario for scenario in run if name in run.bare.get(scenario, ('', ()))[1]]:
         raise Failure(
-            f'without {name}:=... the launch file does not run as it should',
+            f'the launch file does not run without {name}:=...',
             expected='a run without arguments',
             seen=run.bare[scenario][0],
             where=_place(argument),
-            try_='launch it without arguments: ros2 launch says what is missing',
+            try_='launch it without arguments: ros2 launch prints what is missing',
         )
     if shows is not None and bare:
         try:
@@ -86,7 +86,7 @@ def require_default(
             if failure.share:  # nearly right: that costs its own points
                 return argument
             raise Failure(
-                f'launched without {name}:=..., the launch file does not do what the default value says: {failure.rationale}',
+                f'without {name}:=..., the launch file does not use the default value: {failure.rationale}',
                 expected=failure.expected,
                 seen=failure.seen,
                 where=failure.where,
@@ -96,12 +96,12 @@ def require_default(
 
 
 def is_literal(described: str) -> bool:
-    """Whether a description is that of a text, and of no substitution whose value only a run shows."""
+    """Whether a description is that of a string. The value of any other substitution is known only in a run."""
     return len(described) >= 2 and described[0] == described[-1] == "'"
 
 
 def is_same_value(seen: str, wanted: str) -> bool:
-    """Whether two texts of an argument are the same, or the same number."""
+    """Whether two values of an argument are the same string or the same number."""
     try:
         return seen == wanted or float(seen) == float(wanted)
     except ValueError:

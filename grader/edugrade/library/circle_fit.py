@@ -17,10 +17,10 @@ class Circle(NamedTuple):
 
 
 def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
-    """The circle for which the sum of (|p - c|² - r²)² is smallest (the Kåsa fit); None for a line or a spot.
+    """Return the circle with the smallest sum of (|p - c|² - r²)² (the Kåsa fit). Return None for a line or a spot.
 
-    Exact for points on an arc. They are moved to their mean first, so that a circle far from the origin loses
-    nothing.
+    The result is exact for points on an arc. The points are moved to their mean first, so that a circle far from the
+    origin is as precise as one near it.
     """
     count = len(points)
     if count < 3:

@@ -1,4 +1,4 @@
-"""Numbers that must be near others: with a tolerance, and part of the points for what is nearly right."""
+"""Compares numbers with a tolerance, and gives part of the points for a number that is nearly right."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ def require_close(
     where: tuple[str, int | None] | None = None,
     try_: str | None = None,
 ) -> None:
-    """A number is what it should be, give or take a tolerance; what is no number is not.
+    """Require a number within a tolerance. NaN never passes.
 
-    :param near: a wider tolerance; within it the check fails and gives `share` of its points. 0: there is none.
-    :raises Mismatch: with both numbers and how far they may be apart.
+    :param near: a wider tolerance, or 0. Within it, the check fails but gives `share` of its points.
+    :raises Mismatch: with both numbers and the tolerance.
     """
     off = abs(seen - wanted)
     if off <= tolerance:
         return
     raise Mismatch(
         f'{thing}, when launched with {run.scenario(scenario).words},',
-        f'{wanted:g}, give or take {tolerance:g}',
+        f'{wanted:g} ± {tolerance:g}',
         f'{seen:g}',
         where=where or run.source.place,
         try_=try_,

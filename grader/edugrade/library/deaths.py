@@ -18,14 +18,16 @@ if TYPE_CHECKING:
 DIED = re.compile(r"\[ERROR\] \[([^\]\n]+)\]: process has died \[pid \d+, exit code (-?\d+), cmd '(.*)'\]")
 ERROR = re.compile(r'\[(?:ERROR|FATAL)\]|^\w*(?:Error|Exception)\b')
 USAGE = re.compile(r'^\s|^usage:|^$')
+BROKEN_FILE = re.compile(r"Couldn't parse params file: '--params-file ([^'\n]+)'\. Error: ([^\n]*)")
+LINE = re.compile(r'\bline (\d{1,6})\b')
 LONGEST_LINE = 300
 ENDED_BY_LAUNCH = (-2, -15)  # SIGINT and SIGTERM, when launch shuts down
 
 
 class Death(NamedTuple):
-    """A program that ended with another exit code than 0 before its run was over.
+    """A program that ended with another exit code than 0 before the end of its run.
 
-    :ivar process: its record; None for a real program, of which only launch's own line tells.
+    :ivar process: its record, or None for a real program, which appears only in a line of launch.
     """
 
     name: str
@@ -35,9 +37,9 @@ class Death(NamedTuple):
 
 
 def refuse_dead(run: Evidence) -> None:
-    """Fail when a program died before its run was over: a simulated one, a real one, or one that a shell line started.
+    """Fail when a program died before the end of its run: a simulated one, a real one, or one that a shell started.
 
-    :raises Failure: with the exception's own text and place when one ended it, else with the last line that it printed.
+    :raises Failure: with the message and the place of the exception, or with the last line that the program printed.
     """
     for name, recording in run.items():
         for death in deaths(recording):
@@ -58,8 +60,20 @@ def deaths(recording: Recording) -> Iterator[Death]:
                     yield Death(name, int(code), None, output.time_s)
 
 
+def words_on_deaths(run: Evidence) -> str:
+    """Return a line about the first program that died, with its exception or the last line that it printed, or ''."""
+    for recording in run.values():
+        for death in deaths(recording):
+            error = death.process.exception if death.process else None
+            line = f'{error["type"]}: {error["message"]}' if error is not None else last_line(recording, death.name)
+            if not line:
+                return f'{death.name} died with exit code {death.returncode}'
+            return f'{death.name} died with exit code {death.returncode}: {shortened(line, LONGEST_LINE)}'
+    return ''
+
+
 def last_line(recording: Recording, name: str) -> str:
-    """Return the line that says best why a program died: the last error, else the last line; '' when it printed nothing."""
+    """Return the line that best explains why a program died: the last error, or the last line, or ''."""
     lines: list[str] = []
     for output in getattr(recording, 'output', ()):
         if output.process == name:
@@ -73,23 +87,36 @@ def last_line(recording: Recording, name: str) -> str:
 
 
 def _failure(recording: Recording, death: Death, words: str) -> Failure:
-    rationale = f'{death.name} died after {death.when_s:.1f} s, when launched with {words}'
+    rationale = f'{death.name} died after {death.when_s:.1f} s with exit code {death.returncode}, when launched with {words}'
     origin = death.process.origin if death.process else None
     error = death.process.exception if death.process else None
     if error is not None:
-        at = '' if origin is None else f', at {origin[0]}:{origin[1]}'
+        at = '' if origin is None else f' ({origin[0]}:{origin[1]})'
+        broken = BROKEN_FILE.search(str(error['message']))
+        if broken is not None:
+            return _broken_file(death, broken, at, words)
         return Failure(
             rationale,
             expected='it runs until the end',
             seen=f'{error["type"]}: {error["message"]}',
             where=Place(error['file'], error['line']) if error.get('file') else origin,
-            try_=f'look at what the launch file gives it{at}',
+            try_=f'check the arguments and parameters that the launch file passes to it{at}',
         )
     printed = last_line(recording, death.name)
+    advice = (
+        'correct the mistake that this last line names' if printed else 'start it in a terminal of its own to see why it ends'
+    )
+    return Failure(rationale, expected='it runs until the end', seen=printed or 'no output', where=origin, try_=advice)
+
+
+def _broken_file(death: Death, broken: re.Match[str], at: str, words: str) -> Failure:
+    """Name the parameter file that a program could not read, with the line where the file has one."""
+    file, error = broken.groups()
+    line = LINE.search(error)
     return Failure(
-        rationale,
-        expected='it runs until the end',
-        seen='\n'.join(filter(None, (f'exit code {death.returncode}', printed))),
-        where=origin,
-        try_='repair what its last line says' if printed else 'start it in a terminal of its own to see why it ends',
+        f'{death.name} died because it cannot read the parameter file {file}, when launched with {words}',
+        expected='a file of the form that ROS 2 reads',
+        seen=error,
+        where=Place(file, int(line[1]) if line else None),
+        try_=f'correct this parameter file, which the launch file passes to the node{at}',
     )

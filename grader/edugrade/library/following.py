@@ -1,4 +1,4 @@
-"""Whether one turtle comes to, or stays near, a goal."""
+"""Checks whether a turtle reaches a goal, stays near it, or follows it."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from .launched import refuse_strangers
 from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
 
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
-LAST_S = 1.0  # a turtle is there to the end when its last pose is not older than this
-LEAST_WAY_M = 0.5  # of a turtle that comes to a goal
-LEAST_SHARE = 0.4  # of the way of a moving goal; whoever cuts its corners travels less than the goal
+LAST_S = 1.0  # a turtle exists until the end when its last pose is at most this old
+LEAST_WAY_M = 0.5  # distance that a turtle must drive to reach a goal
+LEAST_SHARE = 0.4  # of the distance of a moving goal; a follower that cuts corners travels less than its goal
 
 
 def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
-    """From a time on until the end, a follower is never farther from its goal than `bound_m` metres.
+    """Require that a follower is never more than `bound_m` metres from its goal after a time.
 
-    :param goal: where the goal is over time.
+    :param goal: the position of the goal over time.
     :param follower: the turtle, such as ``/turtle2``.
     :raises Failure: with the largest distance and when it was.
     """
@@ -24,10 +24,10 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
     is_there = worst is not None and track[-1][0] >= run[scenario].duration_s - LAST_S
     if not (worst is not None and is_there and worst[1] <= bound_m):
         name = follower.strip('/')
-        seen = f'{worst[1]:.2f} m at {worst[0]:.2f} s' if worst is not None and is_there else f'no {name} then'
+        seen = f'{worst[1]:.2f} m away at {worst[0]:.2f} s' if worst is not None and is_there else f'{name} does not exist then'
         raise Failure(
             f'{name} is too far from its goal, when launched with {run.scenario(scenario).words}',
-            expected=f'at most {bound_m:g} m from {since_s:g} s on',
+            expected=f'at most {bound_m:g} m away after {since_s:g} s',
             seen=seen,
             where=run.source.place,
             try_=try_,
@@ -35,38 +35,38 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
 
 
 def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> None:
-    """A turtle that should come to a goal at rest has driven there.
+    """Require that a turtle has driven to a goal that does not move.
 
-    :raises Failure: for one that was there from the beginning.
+    :raises Failure: for a turtle that was at the goal from the beginning.
     """
     track = driven_track(run, scenario, follower)
     if not length(track) >= LEAST_WAY_M:
         raise Failure(
-            f'{follower.strip("/")} does not come to its goal, when launched with {run.scenario(scenario).words}',
-            expected=f'it drives there, at least {LEAST_WAY_M:g} m',
-            seen=f'{length(track):.2f} m travelled: it was there from the beginning',
+            f'{follower.strip("/")} does not drive to its goal, when launched with {run.scenario(scenario).words}',
+            expected=f'it drives at least {LEAST_WAY_M:g} m',
+            seen=f'it drives {length(track):.2f} m: it was at the goal from the beginning',
             where=run.source.place,
             try_=try_,
         )
 
 
 def require_driver(run: Evidence, turtle: str, package: str, executable: str) -> None:
-    """Nobody but one program commands a turtle, so what the turtle does is what this program does.
+    """Require that only one program commands a turtle, so that the turtle shows what this program does.
 
     :param turtle: such as ``/turtle2``.
-    :raises Failure: naming the node that commands it besides, or instead.
+    :raises Failure: with the name of another node that commands the turtle.
     """
     for recording in run.values():
         refuse_strangers(recording, f'{turtle}/cmd_vel', package, executable)
 
 
 def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
-    """From a time on a turtle drives towards a moving one, for at least LEAST_SHARE of the way that the goal travels.
+    """Require that a turtle drives towards a moving one, for at least LEAST_SHARE of the distance that the goal drives.
 
-    Whoever stands in the middle of the goal's path is near it, and does not follow.
+    A turtle that waits in the middle of the goal's path is near the goal, but does not follow it.
 
     :param goal: the moving turtle, such as ``/turtle1``; `follower` likewise.
-    :raises Failure: with both ways.
+    :raises Failure: with both distances.
     """
     recording = run[scenario]
     leader = turtle_track(recording, f'{goal}/pose')
@@ -75,26 +75,26 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
     if not towards >= LEAST_SHARE * way > 0.0:
         raise Failure(
             f'{follower.strip("/")} does not follow {goal.strip("/")}, when launched with {run.scenario(scenario).words}',
-            expected=f'it drives towards {goal.strip("/")} from {since_s:g} s on, which travels {way:.2f} m',
-            seen=f'{towards:.2f} m driven towards it',
+            expected=f'it drives towards {goal.strip("/")}, which drives {way:.2f} m after {since_s:g} s',
+            seen=f'it drives {towards:.2f} m towards {goal.strip("/")}',
             where=run.source.place,
             try_=try_,
         )
 
 
 def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: str = '') -> None:
-    """In every run a turtle drives as far as the one it copies, give or take 5 %; the original must move.
+    """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must move.
 
-    :param hint_seen: what else was seen that explains why it does not.
+    :param hint_seen: another observation that explains the failure.
     :raises Failure: with both distances.
     """
     for scenario, recording in run.items():
         there, here = (length(turtle_track(recording, f'{turtle}/pose')) for turtle in (original, copy))
         if not (there >= 0.5 and abs(here - there) <= 0.05 * there):
-            seen = f'{original} travels {there:.2f} m, {copy} {here:.2f} m'
+            seen = f'{original} drives {there:.2f} m, {copy} drives {here:.2f} m'
             raise Failure(
-                f'{copy} does not do what {original} does, when launched with {run.scenario(scenario).words}',
-                expected='the same movement',
+                f'{copy} does not copy {original}, when launched with {run.scenario(scenario).words}',
+                expected='both drive the same distance',
                 seen='\n'.join(filter(None, (seen, hint_seen))),
                 where=run.source.place,
                 try_=try_,
@@ -102,13 +102,13 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
 
 
 def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
-    """The track of a turtle that drives. Raises Failure for one that was put somewhere (teleported)."""
+    """Return the track of a turtle that drives. Raise Failure for a turtle that was teleported."""
     track = turtle_track(run[scenario], f'{turtle}/pose')
     if not fastest(track) <= FASTEST_M_S:
         raise Failure(
             f'{turtle.strip("/")} jumps, when launched with {run.scenario(scenario).words}',
-            expected=f'it drives, at {FASTEST_M_S:g} m/s at most',
-            seen=f'{fastest(track):.0f} m/s between two poses',
+            expected=f'it drives at {FASTEST_M_S:g} m/s or less',
+            seen=f'it moves at {fastest(track):.0f} m/s between two poses',
             where=run.source.place,
             try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
         )
@@ -116,5 +116,5 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
 
 
 def still(place: tuple[float, float]) -> Track:
-    """The track of a goal that stays where it is."""
+    """Return the track of a goal that does not move."""
     return [(0.0, *place)]

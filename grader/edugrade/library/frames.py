@@ -1,4 +1,4 @@
-"""What a rubric says about tf frames."""
+"""Checks of tf frames."""
 
 from __future__ import annotations
 
@@ -51,17 +51,17 @@ def _transforms(recording: Recording) -> dict[str, list[Sent]]:
 
 
 def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: str = '') -> None:
-    """In every run tf knows a frame by half of the time, to the end, and always in the right parent.
+    """Require a frame in every run: from half of the time until the end, and always with the right parent.
 
-    :param hint_seen: what else was seen that explains why it is missing.
-    :raises Missing: when there is no such frame; names those there are.
-    :raises Failure: when it hangs elsewhere, even for a moment, comes late, or stops coming.
+    :param hint_seen: another observation that explains why the frame is missing.
+    :raises Missing: when there is no such frame, with the names of the existing frames.
+    :raises Failure: when it has another parent even once, appears late, or is no longer published.
     """
     for scenario in run:
         sent = transforms(run, scenario).get(child)
         if sent is None:
             frames = frames_at_end(run, scenario)
-            known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames at all'
+            known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames'
             raise Missing(
                 f'the frame {child}',
                 name=child,
@@ -76,7 +76,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         if elsewhere is not None:
             now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
-                f'{child} hangs in another frame, when launched with {words}',
+                f'the frame {child} has another parent than {parent}, when launched with {words}',
                 expected=parent,
                 seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
@@ -88,9 +88,9 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
 
 
 def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sent], try_: str) -> None:
-    """A frame of a turtle must be where the simulator has the turtle, at every instant; other frames may be anywhere.
+    """Require that the frame of a turtle always has the position of the turtle in the simulator.
 
-    :raises Failure: with both places.
+    :raises Failure: with both positions.
     """
     track = turtle_track(run[scenario], f'/{turtle}/pose') if f'/{turtle}/pose' in run[scenario].topics else []
     times = [sample[0] for sample in track]
@@ -101,7 +101,7 @@ def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sen
         if recent and not min(hypot(sample[1] - x, sample[2] - y) for sample in recent) <= OFF_M:
             raise Failure(
                 f'the frame {turtle} is not where {turtle} is, when launched with {run.scenario(scenario).words}',
-                expected=f'{numbers(recent[-1][1:])} at {item.time_s:.2f} s, as the simulator says',
+                expected=f'{numbers(recent[-1][1:])} at {item.time_s:.2f} s, the position in the simulator',
                 seen=numbers((x, y)),
                 where=run.source.place,
                 try_=try_,
@@ -114,16 +114,16 @@ def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequen
     stays = all(item.frame.is_static for item in sent) or last_s >= duration_s - LAST_S
     if not (first_s <= duration_s / 2 and stays):
         raise Failure(
-            f'{child} is not there all the time, when launched with {run.scenario(scenario).words}',
-            expected=f'from {duration_s / 2:g} s at the latest until the end',
-            seen=f'first sent at {first_s:.2f} s, last at {last_s:.2f} s',
+            f'the frame {child} is not published all the time, when launched with {run.scenario(scenario).words}',
+            expected=f'it is published from {duration_s / 2:g} s at the latest until the end',
+            seen=f'it is first published at {first_s:.2f} s, and last at {last_s:.2f} s',
             where=run.source.place,
             try_=try_,
         )
 
 
 def _misspelt(child: str, frames: Frames) -> list[str]:
-    """The frames that could be this one misspelt: turtle1 is not turtle2 misspelt."""
+    """Return the frames that could be misspellings of this one. For example, turtle1 is not a misspelling of turtle2."""
     return [name for name in frames if sub(r'\d+$', '', name) != sub(r'\d+$', '', child)]
 
 

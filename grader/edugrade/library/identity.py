@@ -33,7 +33,7 @@ def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
 
 
 def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
-    """Whether a process of the confined peer may be a stock program: only those that the trusted peer never hosts."""
+    """Whether a process of the confined peer may be a stock program, which the trusted peer never hosts."""
     package, executable, word = process.package or '', process.executable or '', process.argv[0] if process.argv else ''
     if not is_confined:
         return word == shipped_program(package, executable)

@@ -1,4 +1,4 @@
-"""What a launch started, or what it started instead; and who may publish a topic."""
+"""Finds what a launch started, and checks which programs publish a topic."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 def refuse_strangers(recording: Recording, topic: str, package: str, executable: str | None = None) -> None:
-    """A topic counts only when nobody but programs of a package publish it.
+    """Require that only programs of a package publish a topic.
 
-    :param executable: the program of that package that may; default: all of them.
-    :raises Failure: naming the node that publishes it besides, or instead.
+    :param executable: the only program of that package that may publish it (default: all of them).
+    :raises Failure: with the name of another node that publishes the topic.
     """
     own = set(nodes_of(recording, package, executable))
     for position, node in enumerate(recording.nodes):
@@ -26,10 +26,10 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
             process = process_of(recording, node, position)
             raise Failure(
                 f'{node.name} publishes {topic}, which only a program of {package} may publish',
-                expected=f'{topic} comes from {package} alone',
+                expected=f'only {package} publishes {topic}',
                 seen=f'the process {node.process} publishes it',
                 where=process.origin if process else None,
-                try_='publish on another topic, and move what you want to move with commands',
+                try_='publish on another topic, and move turtles and robots with velocity commands',
             )
 
 
@@ -43,10 +43,10 @@ def _named(recording: Recording, package: str, executable: str) -> list[ProcessR
 
 
 def require_process(run: Evidence, package: str, executable: str) -> ProcessRecord:
-    """The first process of an executable in the first scenario.
+    """Return the first process of an executable in the first scenario.
 
-    :raises Missing: when none was started; names what was.
-    :raises Failure: when something else ran under its name.
+    :raises Missing: when the launch did not start it, with the names of the started executables.
+    :raises Failure: when another program ran under its name.
     """
     found = find_processes(run.first, package, executable)
     if found:
@@ -54,11 +54,11 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
     others = _named(run.first, package, executable)
     if others:
         raise Failure(
-            f'{executable} of the package {package} is not the one that came with edulaunch',
+            f'{executable} of the package {package} is not the program of edulaunch',
             expected=shipped_program(package, executable),
             seen=' '.join(others[0].argv),
             where=others[0].origin,
-            try_=f'take out the prefix of the Node, or give your own package another name than {package}',
+            try_=f'remove the prefix of the Node, or give your own package another name than {package}',
         )
     started = [process.executable or os.path.basename(process.argv[0]) for process in launched(run.first)]
     raise Missing(
@@ -72,20 +72,20 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
 
 
 def launched(recording: Recording) -> list[ProcessRecord]:
-    """Every process but launch itself, which is the first one."""
+    """Return every process except launch itself, which is the first one."""
     known = recording.processes
     return known[1:] if known and known[0].name == 'launch' else list(known)
 
 
 def included_files(recording: Recording) -> list[str]:
-    """Names, without folders, of the launch files that were included; not the launched file itself."""
+    """Return the file names of the included launch files, without the launched file itself."""
     return [os.path.basename(path) for path in recording.includes if path != recording.launch.file]
 
 
 def refuse_shared_names(run: Evidence) -> None:
-    """Two nodes that run at the same time must not have one name: ROS 2 cannot tell them apart.
+    """Refuse two nodes of the same name that run at the same time, because ROS 2 cannot distinguish them.
 
-    :raises Failure: names both programs.
+    :raises Failure: with the names of both programs.
     """
     for recording in run.values():
         owners: dict[str, str] = {}
@@ -93,15 +93,15 @@ def refuse_shared_names(run: Evidence) -> None:
             other = owners.setdefault(node.name, node.process)
             if other != node.process and node.ended_s is None:
                 raise Failure(
-                    f'two nodes are called {node.name}',
+                    f'two nodes have the name {node.name}',
                     where=_place_of(run, recording, node.process),
-                    expected='a name of its own for each node',
-                    seen=f'{other} and {node.process} share it',
+                    expected='each node has its own name',
+                    seen=f'{other} and {node.process} have the same name',
                     try_=f'give {node.process} another name',
                 )
 
 
 def _place_of(run: Evidence, recording: Recording, name: str) -> tuple[str, int | None] | None:
-    """Launch file and line of a process, else of the submission."""
+    """Return the launch file and line of a process, or the place of the submission."""
     origins = [process.origin for process in recording.processes if process.name == name and process.origin is not None]
     return origins[0] if origins else run.source.place

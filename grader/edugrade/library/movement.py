@@ -17,17 +17,17 @@ Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 
 
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
-    """Where a robot was, by its odometry; empty when nobody published any.
+    """Return the track of a robot from its odometry. The track is empty without odometry.
 
-    :raises Failure: when somebody else publishes it, or it carries something else, or positions that are not finite numbers.
+    :raises Failure: when another program publishes the topic, or its messages have no position, or no finite one.
     """
     return _track(recording, topic, 'turtlebot3_gazebo', 'pose.pose.position.x', 'pose.pose.position.y')
 
 
 def turtle_track(recording: Recording, topic: str) -> Track:
-    """Where a turtle was, by its pose topic; empty when nobody published any.
+    """Return the track of a turtle from its pose topic. The track is empty without poses.
 
-    :raises Failure: when somebody else publishes it, or it carries something else, or positions that are not finite numbers.
+    :raises Failure: when another program publishes the topic, or its messages have no position, or no finite one.
     """
     return _track(recording, topic, 'turtlesim', 'x', 'y')
 
@@ -39,28 +39,28 @@ def _track(recording: Recording, topic: str, package: str, x: str, y: str) -> Tr
         wrong = next((time for time, *place in track if not all(map(isfinite, place))), None)
     except (AttributeError, TypeError):
         raise Failure(
-            f'{topic} carries messages without a position',
-            expected=f'messages with {x} and {y} only',
+            f'{topic} has messages without a position',
+            expected=f'only messages with {x} and {y}',
             seen=f'messages of the type {recording.topics[topic].type}',
-            try_=f'publish what is no position on another topic than {topic}',
+            try_=f'publish messages without a position on another topic than {topic}',
         ) from None
     if wrong is not None:
         raise Failure(
             f'a position on {topic} is not a number',
             expected='finite numbers',
             seen=f'nan or inf at {wrong:.2f} s',
-            try_='look for a velocity or a pose that is nan or inf, such as 0.0 / 0.0 in numpy',
+            try_='find a velocity or a pose that is nan or inf, such as 0.0 / 0.0 in numpy',
         )
     return track
 
 
 def length(track: Track) -> float:
-    """Metres travelled along a track."""
+    """Return the length of a track in metres."""
     return sum(hypot(b[1] - a[1], b[2] - a[2]) for a, b in zip(track, track[1:], strict=False))
 
 
 def fastest(track: Track) -> float:
-    """The greatest speed between two samples, in m/s: a turtle that is put somewhere has a great one."""
+    """Return the highest speed between two samples in m/s. A teleported turtle has a very high speed."""
     return max(
         (hypot(b[1] - a[1], b[2] - a[2]) / (b[0] - a[0]) for a, b in zip(track, track[1:], strict=False) if b[0] > a[0]),
         default=0.0,
@@ -68,24 +68,24 @@ def fastest(track: Track) -> float:
 
 
 def since(track: Track, since_s: float) -> Track:
-    """The part of a track from a time on."""
+    """Return the part of a track after a time."""
     return [sample for sample in track if sample[0] >= since_s]
 
 
 def distances(leader: Track, follower: Track) -> list[tuple[float, float]]:
-    """(time, distance) at each sample of the follower, to the leader's newest sample then."""
+    """Return (time, distance) of each sample of the follower, to the leader's newest sample at that time."""
     return [(b[0], hypot(a[1] - b[1], a[2] - b[2])) for a, b in pairs(leader, follower)]
 
 
 def pairs(leader: Track, follower: Track) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]:
-    """Each sample of the follower with the leader's newest sample then: (leader's, follower's)."""
+    """Return each sample of the follower with the leader's newest sample at that time, as (leader's, follower's)."""
     times = [sample[0] for sample in leader]
     newest = [bisect_right(times, sample[0]) - 1 for sample in follower]
     return [(leader[index], sample) for index, sample in zip(newest, follower, strict=True) if index >= 0]
 
 
 def progress_towards(leader: Track, follower: Track) -> float:
-    """Metres that the follower travelled towards the leader, less those away from it; sideways counts nothing."""
+    """Return the metres that the follower drove towards the leader, minus those away from it. Sideways does not count."""
     total = 0.0
     joined = pairs(leader, follower)
     for (goal, here), (_, there) in zip(joined, joined[1:], strict=False):
@@ -97,6 +97,6 @@ def progress_towards(leader: Track, follower: Track) -> float:
 
 
 def farthest(samples: Sequence[tuple[float, float]], since_s: float) -> tuple[float, float] | None:
-    """The (time, distance) of the greatest distance from a time on; None without samples there."""
+    """Return the (time, distance) of the greatest distance after a time, or None without samples."""
     late = [sample for sample in samples if sample[0] >= since_s]
     return max(late, key=lambda sample: sample[1]) if late else None

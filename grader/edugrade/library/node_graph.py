@@ -1,4 +1,4 @@
-"""Who publishes and who listens: what a rubric says about nodes and topics."""
+"""Checks of nodes and topics: which nodes exist, which publish, and which subscribe."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ def require_node(
 ) -> dict[str, Found]:
     """Return, for each run, the first node with this fully qualified name whose program is of this package.
 
-    :param package: the package of the program; None: any program will do.
-    :param executable: the program of that package; default: any of them.
-    :raises Missing: naming the nodes that are there; a node of another program is shown with its process.
+    :param package: the package of the program, or None for any program.
+    :param executable: the program of that package (default: any of them).
+    :raises Missing: with the names of the existing nodes. A node of another program is shown with its process.
     """
     found: dict[str, Found] = {}
     for scenario, recording in run.items():
@@ -59,10 +59,10 @@ def require_node(
 def require_nodes(
     run: Evidence, scenario: str, names: Sequence[str], try_: str | None = None, packages: Mapping[str, str] | None = None
 ) -> None:
-    """Exactly these nodes run; the nodes of `ros2` commands do not count.
+    """Require that exactly these nodes run. The nodes of `ros2` commands do not count.
 
-    :param packages: the package of the program of each node, by the node's name; the others may be of any program.
-    :raises Mismatch: naming both.
+    :param packages: the package of some nodes, by the node's name. The other nodes may be of any program.
+    :raises Mismatch: with both lists.
     :raises Missing: for a node of another program.
     """
     recording = run[scenario]
@@ -97,18 +97,24 @@ def require_listener(
     package: str | None = None,
     executable: str | None = None,
 ) -> None:
-    """Messages come on a topic, and a node of this name listens there.
+    """Require messages on a topic, and a node of this name that subscribes to it.
 
-    :param package: the package of the node's program; None: any program will do. `executable` likewise.
-    :raises Missing: naming who listens.
+    :param package: the package of the node's program, or None for any program. `executable` likewise.
+    :raises Failure: with the names of the subscribers.
     """
     found = require_topic(run, scenario, topic, try_=try_)
     nodes = named_nodes(run[scenario], node, package, executable)
     if not any(name == topic for _, each in nodes for name, _ in each.subscriptions):
-        seen = f'listened to by {", ".join(found.subscriptions) or "nobody"}'
+        seen = f'subscribers of {topic}: {", ".join(found.subscriptions) or "none"}'
         if node in found.subscriptions:
-            seen += f'; this {node} is no program of {package}'
-        raise Missing(f'{node} among those who listen to {topic}', seen=seen, where=run.source.place, try_=try_)
+            seen += f'\nthis {node} is not a program of {package}'
+        raise Failure(
+            f'{node} does not subscribe to {topic}',
+            expected=f'a subscription of {node} to {topic}',
+            seen=seen,
+            where=run.source.place,
+            try_=try_,
+        )
 
 
 def require_started(
@@ -116,7 +122,7 @@ def require_started(
 ) -> float:
     """Return when a node started, in simulated seconds.
 
-    :raises Missing: naming the nodes that are there.
+    :raises Missing: when it never started, with the names of the existing nodes.
     """
     return require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].started_s
 
@@ -126,7 +132,7 @@ def require_ended(
 ) -> float:
     """Return when a node ended before the run was over, in simulated seconds.
 
-    :raises Missing: when it never started, naming the nodes that are there.
+    :raises Missing: when it never started, with the names of the existing nodes.
     :raises Failure: when it ran until the run was over.
     """
     ended_s = require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].ended_s
@@ -134,7 +140,7 @@ def require_ended(
     if ended_s is None:
         raise Failure(
             f'{node} does not end, when launched with {run.scenario(scenario).words}',
-            expected='it ends before the run is over',
+            expected='it ends before the end of the run',
             seen=f'it still runs after {recording.duration_s:.1f} s',
             where=run.source.place,
             try_=try_,
@@ -145,20 +151,25 @@ def require_ended(
 def require_topic(
     run: Evidence, scenario: str, name: str, type_: str | None = None, package: str | None = None, try_: str | None = None
 ) -> TopicRecord:
-    """Messages come on a topic: of this type, and from nobody but programs of this package, where these are given.
+    """Require messages on a topic, of a type, and only from programs of a package where the caller names them.
 
-    :raises Missing: naming the nearest topic; or when nothing was published.
+    :raises Missing: when there is no such topic, with the nearest name.
     :raises Mismatch: for another type.
-    :raises Failure: when somebody else publishes it.
+    :raises Failure: when the topic has no messages, or another program publishes it.
     """
     topics = run[scenario].topics
     found = topics.get(name)
     if found is None or not found.count:
         among = [topic.name for topic in topics.values() if topic.count]
         if found is not None:
-            listeners, speakers = (', '.join(names) or 'nobody' for names in (found.subscriptions, found.publishers))
-            seen = f'listened to by {listeners}, published by {speakers}'
-            raise Missing(f'a message on {name}', seen=seen, where=run.source.place, try_=try_)
+            listeners, speakers = (', '.join(names) or 'none' for names in (found.subscriptions, found.publishers))
+            raise Failure(
+                f'no message is on {name}',
+                expected=f'a node that publishes messages on {name}',
+                seen=f'publishers: {speakers}; subscribers: {listeners}',
+                where=run.source.place,
+                try_=try_,
+            )
         raise Missing(f'the topic {name}', name=name, among=among, where=run.source.place, try_=try_)
     if type_ is not None and found.type != type_:
         raise Mismatch(f'the type of {name}', type_, found.type, where=run.source.place, try_=try_)
@@ -168,7 +179,7 @@ def require_topic(
 
 
 def loose_ends(recording: Recording, package: str, executable: str) -> list[str]:
-    """Describe the topics on which the nodes of an executable have no partner."""
+    """Describe the topics on which the nodes of an executable are the only endpoints."""
     words: list[str] = []
     for position in nodes_of(recording, package, executable):
         words += _loose(recording.nodes[position], recording)
@@ -179,8 +190,8 @@ def _loose(node: NodeRecord, recording: Recording) -> list[str]:
     words = []
     for topic, _ in node.publishers:
         if topic not in ALWAYS_THERE and not recording.topics[topic].subscriptions:
-            words.append(f'{node.name} publishes {topic}, to which nobody listens')
+            words.append(f'{node.name} publishes {topic}, which has no subscriber')
     for topic, _ in node.subscriptions:
         if topic not in ALWAYS_THERE and not recording.topics[topic].publishers:
-            words.append(f'{node.name} listens to {topic}, which nobody publishes')
+            words.append(f'{node.name} subscribes to {topic}, which has no publisher')
     return words

@@ -1,15 +1,16 @@
-"""Values of parameters, and where they came from."""
+"""Checks of parameters: their values, and where the values come from."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.recording.records import Parameter
 
-from ..evidence import Evidence, Mismatch, Missing
+from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..source import Place
-from .identity import nodes_of
+from .identity import nodes_of, processes_of
 from .launched import find_processes
 
 if TYPE_CHECKING:
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
 def parameter_of(recording: Recording, position: int, name: str, wanted: Any = None) -> Parameter | None:
     """Return a parameter of a node as the node read it at its start.
 
-    A value that somebody sets later does not change what the node did with the first one. Where the first one is `wanted` and the
-    last one is not, the last one is returned: the node must keep the value.
+    A later value does not change what the node did with the first one. But if the first value is `wanted` and the last
+    one is not, return the last one, because the node must keep the value.
 
     :param position: of the node in `recording.nodes`.
     """
@@ -61,23 +62,25 @@ def node_parameter(recording: Recording, node: str, package: str, name: str, wan
 
 
 def with_origin(parameter: Parameter | None) -> str:
-    """In words: the value and where it came from."""
+    """Return the value with its origin, for a sentence."""
     return 'no such parameter' if parameter is None else f'{parameter.value} (from: {parameter.origin})'
 
 
 def require_parameter(
     run: Evidence, package: str, executable: str, name: str, wanted: Mapping[str, Any], try_: str, where: Place | None = None
 ) -> None:
-    """In each run, a parameter of an executable's node has its value.
+    """Require the value of a parameter of an executable's node in each run.
 
     :param wanted: the value for each run, by the scenario's name.
-    :param where: what to point at; default: the Node.
-    :raises Missing: when the launch file gives the node no parameter of this name, but others.
-    :raises Mismatch: with the values seen and their origin.
+    :param where: the place for the report (default: the Node).
+    :raises Missing: when the launch file gives the node other parameters, but not this one.
+    :raises Mismatch: with the values and their origins.
+    :raises Failure: when a parameter file of the node does not exist.
     """
     found = {key: find_parameter(run[key], package, executable, name, value) for key, value in wanted.items()}
     if all(seen is not None and seen.value == wanted[scenario] for scenario, seen in found.items()):
         return
+    refuse_missing_file(run, (parameter for parameter in found.values()), package, executable)
     process = find_processes(run.first, package, executable)[0]
     given = process.parameter_origins
     where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
@@ -92,8 +95,40 @@ def require_parameter(
     )
 
 
+INSTALL = 'add this file to data_files in setup.py, or correct its path in the launch file'
+NOT_A_FILE = re.compile(r'Parameter file path is not a file: ([^\n]+)')
+
+
+def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], package: str, executable: str | None = None) -> None:
+    """Fail when wrong parameters have no value of the launch file, and launch has reported a parameter file that is missing.
+
+    :param wrong: the parameters that do not have their value, or None for one that the node does not have.
+    :raises Failure: with the path of the file and the place of the Node.
+    """
+    if any(parameter is not None and parameter.origin != 'default' for parameter in wrong):
+        return
+    for recording in run.values():
+        missing = next(
+            (
+                found[1]
+                for row in getattr(recording, 'output', ())
+                if row.process == 'launch' and (found := NOT_A_FILE.search(row.text))
+            ),
+            '',
+        )
+        if missing:
+            own = [recording.processes[position] for position in processes_of(recording, package, executable)]
+            raise Failure(
+                f'the parameter file {missing} does not exist',
+                expected='a parameter file at this path',
+                seen='launch starts the node without the parameters of this file',
+                where=run.source.own(own[0].origin if own else None),
+                try_='create this file, or correct its path in the launch file' if '/share/' not in missing else INSTALL,
+            )
+
+
 def _by_run(run: Evidence, texts: Mapping[str, str]) -> str:
-    """One text when all runs agree, else a text for each run with its arguments."""
+    """Return one string when all runs agree, or one line for each run with its arguments."""
     if len(set(texts.values())) == 1:
         return next(iter(texts.values()))
     return '\n'.join(f'{text} with {run.scenario(name).words}' for name, text in texts.items())

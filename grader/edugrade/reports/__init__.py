@@ -1,1 +1,1 @@
-"""Reports: one document, and what a terminal, a page, JUnit and a learning platform make of it."""
+"""Reports as JSON, for a terminal, as a web page and as JUnit XML."""

@@ -1,4 +1,4 @@
-"""The JSON report. docs/report.md describes it; FORMAT grows when a reader of the old one could err."""
+"""Makes the JSON report, which docs/report.md describes. FORMAT increases when programs for the old format could fail."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ USUAL = ('/rosout', '/parameter_events')
 
 
 def launch_graph(recording: Recording | None) -> list[str]:
-    """One line for each program (with the parameters it was given) and for each connection (who tells whom what), sorted.
+    """Return a sorted line for each program, with the names of its parameters, and for each connection between two programs.
 
-    Names of nodes and topics are left out: a copy with other names has the same graph. [] for what cannot be looked at.
+    The lines have no names of nodes and topics, so that a copy with other names has the same graph. A recording that cannot
+    be read has the graph [].
     """
     if recording is None:
         return []
@@ -64,14 +65,14 @@ def _connections(recording: Recording) -> list[str]:
 
 
 def explanation(check: Mapping[str, Any]) -> list[str]:
-    """What stands below the reason of a check, as lines ``label: text`` of what there is."""
+    """Return the lines ``label: value`` below the reason of a check."""
     where = None if check['where'] is None else Place(**check['where'])
     fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
     return [f'{label}: {text}' for label, text in fields.items() if text]
 
 
 def receipt(made: Work | Report) -> dict[str, Any]:
-    """Hashes of the submission's and the rubric's texts, the engine's version, the seed, which course secret chose it."""
+    """Return the hashes of the submission and the rubric, the version of edulaunch, the seed, and the name of the secret."""
     return {
         'submission': made.sha256,
         'rubric': made.rubric_sha256,
@@ -86,7 +87,7 @@ LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
 
 
 def document(report: Report) -> dict[str, Any]:
-    """A report as plain data. Paths in the submission's folder are relative, so that copies report alike."""
+    """Return a report as plain data. Paths in the submission's directory are relative, so that copies have equal reports."""
     paths = ShortPaths(report.folder, package=report.package)
     digests, graph = _looked_at(report.outcomes)
     return {
@@ -113,7 +114,7 @@ def _variant(variant: Variant) -> dict[str, Any]:
 
 
 def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
-    """The digest of each run, and the launch graph of the first: by a worker, for they look at all of a recording."""
+    """Return the digest of each run and the launch graph of the first one. A worker reads the whole recordings."""
     try:
         digests, graph = in_worker(lambda: [[digest_of(each) for each in outcomes], launch_graph(outcomes[0].recording)])
     except Exceeded:
@@ -122,7 +123,7 @@ def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]
 
 
 def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit_code: int) -> dict[str, Any]:
-    """Several reports as plain data, with the paths that could not be graded."""
+    """Return several reports as plain data, with the paths that could not be graded."""
     return {
         'format': FORMAT,
         'exit_code': exit_code,
@@ -132,7 +133,7 @@ def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit
 
 
 def json_text(data: dict[str, Any]) -> str:
-    """The text of a document."""
+    """Return a document as JSON."""
     return json.dumps(data, indent=2, ensure_ascii=False) + '\n'
 
 
@@ -152,7 +153,7 @@ def _scenario(outcome: Outcome, digest: str | None, paths: ShortPaths) -> dict[s
 
 
 def digest_of(outcome: Outcome) -> str | None:
-    """The hash of everything that happened; None without a recording, or with one that is too large for it."""
+    """Return the hash of a recording, or None without a recording or for a recording that is too large."""
     try:
         with cpu_limit(LONGEST_DIGEST_S):
             return None if outcome.recording is None else outcome.recording.digest()
@@ -168,7 +169,7 @@ def digest_of(outcome: Outcome) -> str | None:
 
 
 def _cause(finding: Finding, paths: ShortPaths) -> dict[str, Any]:
-    """A finding with its sentences in English, whatever the reader's language."""
+    """Return a finding with its sentences in English, for readers of every language."""
     from edulaunch.advice import Reader, rendered
 
     words = rendered(finding, Reader())

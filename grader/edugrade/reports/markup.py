@@ -1,4 +1,4 @@
-"""HTML that cannot be spoilt by what is written in it: every text is escaped when it becomes part of an element."""
+"""Writes HTML. Every string is escaped when it becomes part of an element, so that no content can change the page."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ class Markup(str):
 
 
 def element(tag: str, /, *children: str, **attributes: str) -> Markup:
-    """An element. Children that are no Markup are plain text.
+    """Return an element. Children that are not Markup are plain text.
 
-    :param attributes: with an underscore at the end where the name is a word of Python (``class_``), and inside it for a
-        hyphen (``http_equiv``).
+    :param attributes: names end in an underscore where they are words of Python (``class_``). An underscore inside a name
+        stands for a hyphen (``http_equiv``).
     """
     words = ''.join(f' {key.rstrip("_").replace("_", "-")}="{escape(visible(value))}"' for key, value in attributes.items())
     if tag in VOID:
@@ -29,23 +29,23 @@ def element(tag: str, /, *children: str, **attributes: str) -> Markup:
 
 
 def joined(*children: str) -> Markup:
-    """Several pieces one after the other."""
+    """Join several pieces."""
     return Markup(''.join(child if isinstance(child, Markup) else escape(visible(child)) for child in children))
 
 
 def table_row(*cells: str, kind: str = 'td') -> Markup:
-    """A line of a table.
+    """Return a row of a table.
 
-    :param kind: 'th' for its head.
+    :param kind: 'th' for the header.
     """
     return element('tr', *(element(kind, cell) for cell in cells))
 
 
 def html_page(title: str, style: str, *body: str, policy: str = POLICY, meta: Sequence[Markup] = ()) -> str:
-    """A whole page.
+    """Return a whole page.
 
-    :param policy: what the browser may load for it.
-    :param meta: more elements for its head.
+    :param policy: what the browser may load for the page.
+    :param meta: more elements for the head of the page.
     """
     head = element(
         'head',
@@ -59,5 +59,5 @@ def html_page(title: str, style: str, *body: str, policy: str = POLICY, meta: Se
 
 
 def visible(text: str) -> str:
-    """Without control characters and half characters, which HTML has no place for."""
+    """Replace control characters and halves of characters, which HTML does not allow."""
     return ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in text)

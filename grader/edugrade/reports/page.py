@@ -1,4 +1,4 @@
-"""Reports as HTML: in a cell of a notebook, or the page of ``--html`` with pictures and replays, which needs no network."""
+"""Writes reports as HTML: in a cell of a notebook, or as the page of ``--html`` with pictures and replays."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from ..evidence import Outcome
 from ..results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Refusal, Report
 from ..worker import Exceeded, Lost, cpu_limit, in_worker
 from .markup import Markup, element, html_page, joined, table_row
-from .terminal import MARKS, MORE, next_step, points_line, says_less, why_line
+from .terminal import MARKS, MORE, best_explained, next_step, of_one_cause, points_line, says_less, why_line
+from .theme import PAGE, colour
 from .wording import ShortPaths, at_level, explained, points_of, translated
 
 if TYPE_CHECKING:
@@ -19,22 +20,24 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'unsafe-inline'"
-STYLE = """
-body { font: 16px/1.45 system-ui, sans-serif; max-width: 62em; margin: 2em auto; padding: 0 1em; color: #222;
-  overflow-wrap: anywhere; }
+STYLE = (
+    f'{PAGE}\n'
+    """
+body { font: 16px/1.45 system-ui, sans-serif; max-width: 62em; margin: 2em auto; padding: 0 1em; overflow-wrap: anywhere; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.25em; margin: 2em 0 .2em; }
 table.sum { border-collapse: collapse; } table.sum th, table.sum td { text-align: left; padding: .2em 1.2em .2em 0; }
-table.sum tr + tr { border-top: 1px solid #ddd; }
+table.sum tr + tr { border-top: 1px solid var(--line); }
 details { margin: .6em 0; } summary { cursor: pointer; } figure { margin: .5em 0; }
-img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color: #555; }
+img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color: var(--faint); }
 @media print { iframe { display: none; } }
 """
+)
 
 
 def page(reports: Sequence[Report], refusals: Sequence[Refusal], is_small: bool = False) -> str:
-    """The whole page. Nothing that a student wrote is markup in it, and the browser is told to load nothing.
+    """Return the whole page. Strings of the student are never markup in it, and its policy forbids loading anything.
 
-    :param is_small: for one of the many pages of a class: pictures with few colours, and the command for a replay in its place.
+    :param is_small: for the pages of a class. Pictures have few colours, and a command replaces the replay.
     """
     parts = [_summary(reports, refusals)] if len(reports) + len(refusals) > 1 else []
     parts += [_section(report, number, is_small) for number, report in enumerate(reports)]
@@ -54,7 +57,7 @@ def _summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> Markup:
 
 
 def _verdict(report: Report) -> Markup:
-    return element('b', report.verdict, style=f'color:{COLOURS[FAILED if report.exit_code else PASSED]}')
+    return element('b', report.verdict, style=f'color:{colour(FAILED if report.exit_code else PASSED)}')
 
 
 def _section(report: Report, number: int, is_small: bool) -> Markup:
@@ -67,7 +70,7 @@ def _section(report: Report, number: int, is_small: bool) -> Markup:
             'p',
             f'{report.given}: ',
             _verdict(report),
-            f' (rubric {report.rubric}, seed {report.seed}, text {report.sha256[:12]})',
+            f' (rubric {report.rubric}, seed {report.seed}, submission {report.sha256[:12]})',
             class_='small',
         ),
         report_html(report),
@@ -86,25 +89,23 @@ def _refused(refusal: Refusal) -> Markup:
     )
 
 
-COLOURS = {PASSED: '#1a6e2e', FAILED: '#a3231f', NOT_RUN: '#7a5b00', GRADER_BROKE: '#6b2a8c'}
 _MARK = 'display:inline-block;min-width:4.6em;font-weight:bold;color:'
 _FIELDS = 'border-collapse:collapse;margin:.3em 0 .3em 4.6em'
-_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;opacity:.75;white-space:nowrap'
+_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;white-space:nowrap'
 _VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:monospace;padding:.1em 0'
 
 
 def report_html(report: Report) -> Markup:
-    """What to repair first, what was not run for it, what is right, points and the next step."""
+    """Return failed checks, checks that were not run, passed checks, points and the next step, as in the terminal."""
     from edulaunch.advice import reader_here
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
     results = [paths.result(translated(at_level(result, report.level), reader)) for result in report.results]
     repair = [
-        _failed(result, paths, reader, report.level)
+        _failed(alike, paths, reader, report.level)
         for status in (GRADER_BROKE, FAILED)
-        for result in results
-        if result.status == status
+        for alike in of_one_cause([result for result in results if result.status == status])
     ]
     right = [_line(result, reader) for result in results if result.status == PASSED]
     word = [element('p', element('b', reader.retells(report.word)))] if report.word else []
@@ -121,26 +122,28 @@ def report_html(report: Report) -> Markup:
 
 
 def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
-    mark = element('span', reader.says(MARKS[result.status]), style=_MARK + COLOURS[result.status])
+    mark = element('span', reader.says(MARKS[result.status]), style=_MARK + colour(result.status))
     return element(
         'div', mark, result.sentence, element('small', points_of(result, reader)), style=f'margin:.15em 0 .15em {indent}'
     )
 
 
-def _failed(result: CheckResult, paths: ShortPaths, reader: Reader, level: int) -> Markup:
+def _failed(alike: Sequence[CheckResult], paths: ShortPaths, reader: Reader, level: int) -> Markup:
+    """The checks that fail for one reason, with one explanation."""
+    result = best_explained(alike)
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
         for label, text in explained(result, paths, reader, level).items()
     ]
     reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
-    return joined(_line(result, reader), reason, element('table', *rows, style=_FIELDS))
+    return joined(*(_line(each, reader) for each in alike), reason, element('table', *rows, style=_FIELDS))
 
 
 def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
-    """The checks that were not run, under the one to repair."""
+    """Yield the checks that were not run, under the failed check that they need."""
     waiting = [result for result in results if result.status == NOT_RUN]
     for reason in dict.fromkeys(result.reason for result in waiting):
-        mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + COLOURS[NOT_RUN])
+        mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + colour(NOT_RUN))
         yield element('div', mark, f'{reason}:', style='margin:.15em 0')
         yield element(
             'ul',
@@ -159,7 +162,7 @@ LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
 
 
 def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
-    """One run under a heading that unfolds: how it was launched, and what could be seen."""
+    """Return one run under a heading that opens: its arguments, its picture and its replay."""
     scenario = outcome.scenario
     heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
     inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording, is_small)
@@ -168,7 +171,7 @@ def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
 
 
 def _drawn(recording: Recording, is_small: bool) -> Markup:
-    """What can be seen, drawn by a worker: a run that cannot be drawn costs nobody the page."""
+    """Return the picture and the replay, made by a worker. If the worker fails, the page has a sentence instead."""
     try:
         return Markup(in_worker(lambda: joined(*_seen(recording, is_small))))
     except (Exceeded, Lost, RuntimeError) as error:
@@ -186,16 +189,16 @@ def _seen(recording: Recording, is_small: bool) -> Iterator[Markup]:
 
 
 def _picture(recording: Recording, is_small: bool) -> Markup | None:
-    """The turtles at the end of the run; the frames when nothing moved, the nodes when there are no frames either."""
+    """Return the turtles at the end of the run, or the frames if nothing moved, or the nodes if there are no frames."""
     for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
         try:
             with cpu_limit(LONGEST_DRAWING_S):
                 picture = plot()
                 png = _with_few_colours(picture.png()) if is_small else picture.png()
             data = base64.b64encode(png).decode('ascii')
-        except ValueError:  # the view says that there is nothing for it to show
+        except ValueError:  # this view has nothing to show
             continue
-        except Exception as error:  # such as a ring of frames: one run that cannot be drawn costs nobody the page
+        except Exception as error:  # such as a loop of frames: the rest of the page must not fail
             return _not_drawn('picture', error)
         image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
         return element('figure', image, element('figcaption', picture.caption))
@@ -203,7 +206,7 @@ def _picture(recording: Recording, is_small: bool) -> Markup | None:
 
 
 def _with_few_colours(png: bytes) -> bytes:
-    """The same picture in a fifth of the bytes."""
+    """Return the same picture with a fifth of the bytes."""
     import io
 
     from PIL import Image
@@ -214,7 +217,7 @@ def _with_few_colours(png: bytes) -> bytes:
 
 
 def _replay(recording: Recording) -> Markup | None:
-    """The player, which stands in a frame of its own: it can reach neither this page nor the network."""
+    """Return the player in its own frame, in which it can reach neither this page nor the network."""
     try:
         with cpu_limit(LONGEST_DRAWING_S):
             return Markup(recording.replay().html())

@@ -1,4 +1,4 @@
-"""The report for people. Marks are words; colour only repeats them."""
+"""Renders the report for a terminal. Colours only repeat the words of the statuses."""
 
 from __future__ import annotations
 
@@ -28,24 +28,25 @@ if TYPE_CHECKING:
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
 WIDTH = 100
-MORE = 'The advice says more with each try that you save, and with each hint that you open (--hint 1).'
+MORE = 'The advice becomes more specific with each attempt that you save, and with each hint that you open (--hint 1).'
 INDENT = ' ' * 9
 
 
 def render(report: Report, *, colour: bool = False) -> str:
-    """The whole report: what to repair, what was not run for it, what is right, points, the next step."""
+    """Return the whole report: failed checks, checks that were not run, passed checks, points, and the next step."""
     from edulaunch.advice import reader_here
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
     results = [paths.result(translated(at_level(result, report.level), reader)) for result in report.results]
     mark = partial(_coloured_mark if colour else _plain_mark, reader)
-    title = reader.retells(f'{report.given}: {reader.retells(report.title)} (rubric {report.rubric}, seed {report.seed})')
+    seed = reader.retells(f'(rubric {report.rubric}, seed {report.seed})')
+    title = f'{report.given}: {reader.retells(report.title)} {seed}'
     lines = [printable(title), *([printable(reader.retells(report.word))] if report.word else []), '']
     for status in (GRADER_BROKE, FAILED):
-        for alike in _of_one_cause([*_of(status, results)]):
+        for alike in of_one_cause([*_of(status, results)]):
             lines += [mark(status) + _title(result, reader) for result in alike]
-            lines += _explanation(alike[0], paths, reader, report.level)
+            lines += _explanation(best_explained(alike), paths, reader, report.level)
     lines += _not_run(results, mark, reader)
     lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
     lines += ['', *textwrap.wrap(refusal_of(report.refused), WIDTH)] if report.refused else []
@@ -60,12 +61,17 @@ def _of(status: str, results: list[CheckResult]) -> Iterator[CheckResult]:
     return (result for result in results if result.status == status)
 
 
-def _of_one_cause(results: Sequence[CheckResult]) -> list[list[CheckResult]]:
-    """The results in blocks: those that fail for the same reason, at the same place, stand together under one explanation."""
+def of_one_cause(results: Sequence[CheckResult]) -> list[list[CheckResult]]:
+    """Return the results in blocks. Checks that fail for the same reason at the same place share one explanation."""
     blocks: dict[object, list[CheckResult]] = {}
     for result in results:
         blocks.setdefault((result.reason, result.expected, result.seen, result.where), []).append(result)
     return list(blocks.values())
+
+
+def best_explained(alike: Sequence[CheckResult]) -> CheckResult:
+    """Return the result of a block whose explanation the report shows: the first one with a cause, or the first one."""
+    return next((result for result in alike if result.cause is not None), alike[0])
 
 
 def _plain_mark(reader: Reader, status: str) -> str:
@@ -87,7 +93,7 @@ def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader, level: 
 
 
 def _wrapped(label: str, text: str) -> Iterator[str]:
-    """A text under its label, line by line; what is indented in it stays so."""
+    """Yield the lines of a string after their label, each with its indentation."""
     margin = INDENT + (f'{label:<10}' if label else '')
     for line in printable(text).splitlines():
         indent = ' ' * (len(line) - len(line.lstrip()))
@@ -103,12 +109,12 @@ def _wrapped(label: str, text: str) -> Iterator[str]:
 
 
 def printable(text: str) -> str:
-    """Without control characters: a submission's texts must not move the cursor or repaint the report."""
+    """Replace control characters, so that output of a submission cannot move the cursor or overwrite the report."""
     return ''.join(sign if sign.isprintable() or sign == '\n' else '?' for sign in text)
 
 
 def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Reader) -> Iterator[str]:
-    """The checks that were not run, folded under the one to repair."""
+    """Yield the checks that were not run, under the failed check that they need."""
     reasons = dict.fromkeys(result.reason for result in _of(NOT_RUN, results))
     for reason in reasons:
         yield f'{mark(NOT_RUN)}{reason}:'
@@ -117,17 +123,17 @@ def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Rea
 
 
 def why_line(report: Report) -> str:
-    """Why it matters, for whoever has done it."""
+    """Return the sentence on robots that a student reads after passing all checks."""
     return f'On a robot: {report.why}'
 
 
 def says_less(report: Report) -> bool:
-    """Whether there is advice that is kept back as yet."""
+    """Whether the report does not yet show all of its advice."""
     return report.level < ALL and report.exit_code == SOME_FAILED
 
 
 def points_line(report: Report) -> str:
-    """How much of it passed, and the mark."""
+    """Return a sentence with the number of passed checks and the points."""
     mark = f'{report.earned} of {report.possible} points'
     if report.earned is None:
         mark = f'no mark, because {_why_none(report)}'
@@ -142,10 +148,10 @@ def _why_none(report: Report) -> str:
 
 
 def sandbox_line(reports: Sequence[Report]) -> str:
-    """What the submissions could not do while they ran; '' when nothing ran."""
+    """Return a sentence about the layers of the sandbox that confined the runs, or '' without runs."""
     states = [report.sandbox for report in reports]
     if not any(states):
-        return 'sandbox: off. What ran could read, write and send what you can.' if states else ''
+        return 'sandbox: off. The submission could read, write and send everything that you can.' if states else ''
     missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}
     held = [layer for state in states[:1] for layer in state if layer not in missing]
     words = f'sandbox: {", ".join(held) or "nothing"} confined'
@@ -153,15 +159,15 @@ def sandbox_line(reports: Sequence[Report]) -> str:
 
 
 def next_step(report: Report) -> str:
-    """The closing line: the one thing to do now."""
+    """Return the closing line with the next thing to do, which is always about the first failed check."""
     if report.exit_code == ALL_PASSED:
-        return 'Next: done. Take the next exercise, or change something and predict what the report will say.'
+        return 'Next: start another exercise, or change a value here and predict the next report.'
     if any(result.name == OWN_VARIANT for result in report.results):
-        return 'Next: begin with the file that you were given, or ask your teacher to look at this one.'
+        return 'Next: start from your own starter file, or ask your teacher to look at this one.'
     if report.exit_code == BROKEN_GRADER:
-        return 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
+        return 'Next: show this report and the launch file to your teacher. This is not your mistake.'
     first = next(_of(FAILED, list(report.results)))
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         lines = ', '.join(str(gap.line) for gap in report.gaps)
-        return f'Next: repair "{first.sentence}" and grade again. Comments "# TODO" are left on these lines: {lines}'
-    return f'Next: repair "{first.sentence}" and grade again.'
+        return f'Next: correct "{first.sentence}" and grade again. These lines still have a "# TODO" comment: {lines}'
+    return f'Next: correct "{first.sentence}" and grade again.'

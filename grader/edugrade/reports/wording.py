@@ -1,8 +1,8 @@
-"""How results are told to people: how much at which level, in the reader's language, with short paths.
+"""Words results for people: the advice of a level, the reader's language, and short paths.
 
-A rubric's author may give the steps of an advice (``try: [first, second, third]``). Of a single piece of advice the steps before
-it are made here: the kind of thing that it speaks of, and the advice itself without what stands in brackets. Reports are made in
-English, and retold (`edulaunch.advice.reader`).
+A rubric's author may write the steps of an advice (``try: [first, second, third]``). For a single advice, this module makes
+the earlier steps. The first step is the kind of thing to check. The second step is the advice without the content of its
+brackets. The grader writes reports in English and translates them at the end (`edulaunch.advice.reader`).
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 KIND, THING, ALL = LEVELS = 1, 2, 3
 TRIES = {THING: 2, ALL: 4}
-"""From which different text on a level is reached."""
+"""The attempt at which a student reaches a level."""
 
 ARTICLES = ('a ', 'an ', 'the ', 'one ', 'two ')
 KINDS = {
-    'compare the names letter by letter with the task': ('did you mean',),
+    'compare the names letter by letter with the task': (' instead of "',),
     'a DeclareLaunchArgument': ('DeclareLaunchArgument',),
     'an IncludeLaunchDescription': ('IncludeLaunchDescription',),
     'a static_transform_publisher': ('static_transform_publisher',),
@@ -42,19 +42,23 @@ KINDS = {
     'a frame': ('view_frames', 'the frame '),
     'a broadcaster of a frame': ('broadcaster',),
     'a file that the package installs': ('data_files',),
+    'a parameter file': ('create this file', 'this parameter file'),
+    'the output of a node': (' log ', ' logs ', ' print ', ' prints '),
     'a launch argument': ('argument',),
-    'a topic that a node listens to': ('listen',),
-    'a topic that somebody publishes on': ('publish',),
+    'a subscription of a node': ('subscri', 'listen'),
+    'a publisher of a node': ('publish',),
     'a Node': ('the node /', 'Node'),
 }
-"""Kinds of things, and the words of an advice, or else of what is wrong, that speak of one; the first that is found counts."""
+"""Kinds of things to check, with the words of an advice or a reason that belong to each. The first kind that fits counts."""
 _INSIDE = ((re.compile(r'(?<=[\w=])\([^()\[\]]*\)'), '\0'), (re.compile(r'(?<=[\w=])\[[^()\[\]]*\]'), '\1'))
 _DEEPEST = 6
+LAUNCHED = ', when launched with '
+_CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
-    """The result as it is told at a level: with less advice; at KIND without a cause, unless an error ended a program."""
-    if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:  # no task: said at once
+    """Return the result with the advice of a level. At KIND it has no cause, unless an error ended a program."""
+    if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:  # not part of the task, so nothing is hidden
         return result
     given = (*result.steps, result.try_)
     step = given[min(level, len(given)) - 1] if result.steps else None
@@ -66,7 +70,7 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
 
 
 def _has_ended(result: CheckResult) -> bool:
-    """Whether a program could not go on: what Python or ROS 2 said of it is no answer, and nobody finds it without."""
+    """Whether an error ended a program. Its cause does not reveal the answer, and a student needs it to continue."""
     from edulaunch.advice.rule import rule_named
 
     cause = result.cause
@@ -74,19 +78,18 @@ def _has_ended(result: CheckResult) -> bool:
 
 
 def kind_of(result: CheckResult) -> str:
-    """The kind of thing that a result is about, in a sentence."""
-    advice = result.try_ or ''
-    for text in (advice.partition('Otherwise: ')[2] or advice, result.reason, result.sentence):
+    """Return an advice that only names the kind of thing to check."""
+    for text in (_CORRECTED.sub('', result.try_ or ''), result.reason.partition(LAUNCHED)[0], result.sentence):
         thing = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
         if thing is not None and not thing.startswith(ARTICLES):
             return thing
         if thing is not None:
-            return f'add what is missing: {thing}' if result.reason.endswith('missing') else f'check {thing}'
-    return without_code(result.try_) if result.try_ else 'compare what was expected with what was seen'
+            return f'add {thing}, or correct the existing one' if result.reason.endswith('missing') else f'check {thing}'
+    return without_code(result.try_) if result.try_ else 'compare the expected value with the seen value'
 
 
 def without_code(advice: str) -> str:
-    """An advice without what stands in the brackets of its code: ``Node(...)``, ``parameters=[...]``."""
+    """Return an advice without the content of its brackets, such as ``Node(...)`` and ``parameters=[...]``."""
     for _ in range(_DEEPEST):
         before = advice
         for pattern, sign in _INSIDE:
@@ -97,7 +100,7 @@ def without_code(advice: str) -> str:
 
 
 def level_of(tries: int, hints: list[int], untouched: bool) -> int:
-    """How much is said after so many different texts and with these hints open; of what was tried first only the kind."""
+    """Return the level of advice after some attempts with these hints open. The first attempt has the level KIND."""
     if untouched:
         return KIND
     reached = max((level for level, least in TRIES.items() if tries >= least), default=KIND)
@@ -117,14 +120,12 @@ WORDS = (
     'no mark',
     '{earned} of {points}',
     '{first} m and {second} m',
-    'failed',
-    'broke',
 )
-"""Marks and labels: single words, which no search for sentences finds."""
+"""Statuses and labels of one word, which the catalogue cannot recognise as sentences."""
 
 
 def translated(result: CheckResult, reader: Reader) -> CheckResult:
-    """A result with its sentences in the reader's language."""
+    """Return a result with its sentences in the reader's language."""
     return replace(
         result,
         sentence=reader.retells(result.sentence),
@@ -136,16 +137,19 @@ def translated(result: CheckResult, reader: Reader) -> CheckResult:
 
 
 def _maybe(text: str | None, reader: Reader) -> str | None:
-    return None if text is None else reader.retells(text)
+    if text is None:
+        return None
+    whole = reader.retells(text)
+    return whole if whole != text else '\n'.join(map(reader.retells, text.split('\n')))
 
 
 def points_of(result: CheckResult, reader: Reader) -> str:
-    """What a check earned, in brackets; '' where there is nothing to earn."""
+    """Return the points of a check in brackets, or '' for a check without points."""
     return f'  [{reader.retells(f"{result.earned} of {result.points}")}]' if result.points else ''
 
 
 def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int = ALL) -> dict[str, str]:
-    """What stands below the reason of a failed check: label -> text, of what there is and is told at this level."""
+    """Return the lines below the reason of a failed check, by their labels, for a level of advice."""
     where = None if result.where is None else str(result.where)
     fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
     if result.cause is not None:
@@ -166,11 +170,11 @@ _HOME = re.compile(r'edugrade-[0-9a-f]{16}/\d+')  # the private folder of a run
 
 
 class ShortPaths:
-    """Writes texts of one report.
+    """Shortens the paths in the sentences of a report.
 
-    :param folder: the submission's folder, absolute.
-    :param shown: what is written in its place: '' or a path that ends in a separator.
-    :param package: the package that this folder is, if it is one.
+    :param folder: the absolute path of the submission's directory.
+    :param shown: its replacement, which is '' or a path that ends in a separator.
+    :param package: the name of the package in this directory, if it is a package.
     """
 
     def __init__(self, folder: str, shown: str = '', package: str | None = None) -> None:
@@ -179,12 +183,12 @@ class ShortPaths:
         self._package = package
 
     def text(self, text: str | None) -> str | None:
-        """A text with short paths, of LONGEST_TEXT characters at most; None stays None."""
+        """Return a string with short paths, and with at most LONGEST_TEXT characters. Return None for None."""
         if text is None:
             return None
         if len(text) > LONGEST_TEXT:
             start = shortened(text, LONGEST_TEXT)
-            text = f'{start} ... and {len(text) - len(start)} characters more'
+            text = f'{start} ... and {len(text) - len(start)} more characters'
         text = text.replace(self._folder, self._shown).replace(_ENGINE, 'edulaunch/')
         if 'edulaunch-' in text or 'edugrade-' in text:
             text = _WORD.sub(lambda word: self._of_word(word[0]), text)
@@ -195,7 +199,7 @@ class ShortPaths:
         return Addresses().steady(text)
 
     def _of_word(self, word: str) -> str:
-        """A word without the generated beginning of a path."""
+        """Return a word without the generated beginning of a path."""
         installed = _last(_INSTALLED, word)
         if installed is not None:
             package = installed['package']
@@ -204,11 +208,11 @@ class ShortPaths:
         return word if home is None else '~' + word[home.end() :]
 
     def place(self, place: Place | None) -> Place | None:
-        """A place with a short path."""
+        """Return a place with a short path."""
         return None if place is None else Place(self.text(place.file) or '', place.line)
 
     def result(self, result: CheckResult) -> CheckResult:
-        """A result with short paths in all its texts."""
+        """Return a result with short paths in all its strings."""
         return replace(
             result,
             reason=self.text(result.reason) or '',

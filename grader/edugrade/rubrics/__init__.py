@@ -1,1 +1,1 @@
-"""Rubrics: where they are found, and those that are written in YAML."""
+"""Finds rubrics, and reads rubrics in YAML."""

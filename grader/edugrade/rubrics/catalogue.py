@@ -27,7 +27,7 @@ def rubrics_folder() -> str:
 
 
 def course_rubrics(inside: str = '') -> str | None:
-    """The folder ``rubrics`` of the course that the current folder lies in: beside its course.toml, or beside the folder of that.
+    """Return the directory ``rubrics`` of the current course, beside its course.toml or one level above.
 
     Only the current folder (or the given one) and those above it are looked into: never what was handed in.
     """
@@ -45,7 +45,7 @@ def exercises() -> list[str]:
 
 
 def _rubrics() -> dict[str, str]:
-    """The file of each rubric by the exercise's name; the course's own go before those that come with edugrade."""
+    """Return the file of each rubric by the exercise's name. Rubrics of the course come before rubrics of edugrade."""
     own = course_rubrics()
     return {**rubrics_in(rubrics_folder()), **(rubrics_in(own) if own else {})}
 
@@ -65,7 +65,7 @@ def find_rubric(
     :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
     :param submission: the folder that was handed in: a rubric in it would be the student's own.
     :param personal: makes the text of a student's own variant of its text.
-    :raises UnusableInput: when there is none, naming those there are.
+    :raises UnusableInput: when there is no such rubric, with the names of the existing ones.
     :raises RubricMistake: when it cannot be loaded.
     """
     if given is not None and _is_file(given):
@@ -116,7 +116,7 @@ def _is_file(given: str) -> bool:
 def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubric:
     """The rubric in a file.
 
-    :raises UnusableInput: when it cannot be read, or is none.
+    :raises UnusableInput: when it cannot be read, or is not a rubric.
     :raises RubricMistake: when there is a mistake in it.
     """
     try:
@@ -145,7 +145,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
 
 
 def _module(path: str, data: bytes) -> ModuleType:
-    """Run the file of a rubric. Whatever it raises is said with the line of it that is to blame."""
+    """Run the file of a rubric. An exception becomes a message with the line of the rubric."""
     spec = spec_from_loader(f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}', None)
     assert spec is not None  # only a loader that declines gives None
     module = module_from_spec(spec)

@@ -1,4 +1,4 @@
-"""Checks of a YAML rubric that compare what a program reports with what happened in the worlds and on the topics."""
+"""Checks of YAML rubrics that compare the output of a program with the worlds and the topics."""
 
 from __future__ import annotations
 
@@ -6,62 +6,65 @@ import os
 import re
 from bisect import bisect_right
 
-from ..evidence import Evidence, Mismatch, Missing
+from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
-from ..shortened import last_lines, readable
+from ..shortened import last_lines, readable, shortened
 from ..source import is_shipped
 from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
-LEAST_LINES = 3
-FOUND_AFTER_S = 0.5  # a recorder that polls has found a topic by then
-SENT_WITH_S = 0.05  # a line may come this long before or after the message that it counts
+LEAST_LINES, LONGEST_COMMAND = 3, 100
+FOUND_AFTER_S = 0.5  # a recorder that polls has discovered a topic by then
+SENT_WITH_S = 0.05  # largest time between a message and the line that counts it
 
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')
 def counts(run: Evidence, wanted: Wanted) -> None:
-    """A program prints how many messages came on some topics, after each of them. The first group of `pattern` is the number."""
+    """Require that a program prints the number of messages of some topics. The first group of `pattern` is the number."""
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
         seen = [(time_s, float(found[1])) for time_s, found in lines]
         thing = f'the count that {wanted["executable"]} prints, when launched with {one.words},'
         if not seen:
-            raise Missing(f'a count in what {wanted["executable"]} prints', seen=_last_lines(one), **one.advice)
+            asked = readable(str(wanted['pattern']))
+            raise Failure(f'{wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice)
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not low <= number <= high:
                 raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', **one.advice)
         if len(seen) < len(times) - 1:
-            raise Mismatch(thing, f'a line after each of {len(times)} messages', f'{len(seen)} lines', **one.advice)
+            raise Mismatch(thing, f'on a line after each of {len(times)} messages', f'{len(seen)} lines', **one.advice)
 
 
-@kind('{executable} says where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')
+@kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')
 def tells_place(run: Evidence, wanted: Wanted) -> None:
-    """A program prints where a turtle was some time ago. The groups of `pattern` are x, y and the age in seconds."""
+    """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds."""
     for one in wanted.of_each(run):
         track = turtle_track(one.recording, f'/{one.text("turtle").strip("/")}/pose')
         lines = _lines(one)
         if len(lines) < LEAST_LINES:
-            thing = f'{LEAST_LINES} such lines in what {wanted["executable"]} prints, when launched with {one.words}'
-            raise Missing(
-                thing, expected=wanted['example'] or readable(str(wanted['pattern'])), seen=_last_lines(one), **one.advice
+            asked = wanted['example'] or readable(str(wanted['pattern']))
+            raise Failure(
+                f'{wanted["executable"]} prints {len(lines)} lines of the expected form, when launched with {one.words}',
+                expected=f'at least {LEAST_LINES} lines such as\n{asked}',
+                seen=_last_lines(one),
+                **one.advice,
             )
         for time_s, found in lines:
             x, y, age = (float(found[group]) for group in (1, 2, 3))
-            asked, thing = one.number('ago'), f'what {wanted["executable"]} says at {time_s:.2f} s'
+            asked, thing = one.number('ago'), f'the position that {wanted["executable"]} prints at {time_s:.2f} s'
             if not abs(age - asked) <= 0.06:
-                raise Mismatch(thing, f'a place that is {asked:g} s old', f'{age:g} s old', **one.advice)
+                raise Mismatch(thing, f'{asked:g} s old', f'{age:g} s old', **one.advice)
             away = _distance(track, time_s - age, x, y)
             if not away <= one.tolerance(0.05):
                 place = _at(track, time_s - age)
-                advice = (
-                    f'({place[1]:.2f}, {place[2]:.2f}), where {wanted["turtle"]} was' if place else 'no line: nobody knew it then'
-                )
-                raise Mismatch(thing, advice, f'({x:.2f}, {y:.2f})', **one.advice)
+                if place is None:
+                    raise Failure(f'{thing} is from before the first pose', seen=f'({x:.2f}, {y:.2f})', **one.advice)
+                raise Mismatch(thing, f'({place[1]:.2f}, {place[2]:.2f})', f'({x:.2f}, {y:.2f})', **one.advice)
 
 
 def _topics(one: OfRun) -> list[str]:
@@ -74,7 +77,7 @@ def _message_times(one: OfRun, topic: str) -> list[float]:
 
 
 def _lines(one: OfRun) -> list[tuple[float, re.Match[str]]]:
-    """The lines of the program's output that fit the pattern, with their times."""
+    """Return the lines of the program's output that match the pattern, with their times."""
     pattern, found = re.compile(str(one.wanted['pattern'])), []
     for row in rows_of(one.recording, 'output', one.wanted['package'], one.wanted['executable']):
         output = one.recording.output[row]
@@ -84,7 +87,7 @@ def _lines(one: OfRun) -> list[tuple[float, re.Match[str]]]:
 
 def _last_lines(one: OfRun) -> str:
     rows = rows_of(one.recording, 'output', one.wanted['package'], one.wanted['executable'])
-    return last_lines([one.recording.output[row].text for row in rows]) or 'nothing is printed'
+    return last_lines([one.recording.output[row].text for row in rows]) or 'no output'
 
 
 def _at(track: Track, time_s: float) -> tuple[float, float, float] | None:
@@ -93,14 +96,14 @@ def _at(track: Track, time_s: float) -> tuple[float, float, float] | None:
 
 
 def _distance(track: Track, time_s: float, x: float, y: float) -> float:
-    """How far a place is from where the turtle was at about that time, in m; infinite where nobody knows."""
+    """Return the distance of a position from the turtle at about that time in m. It is infinite without a pose."""
     near = [sample for sample in track if abs(sample[0] - time_s) <= 0.05]
     return min((max(abs(sample[1] - x), abs(sample[2] - y)) for sample in near), default=float('inf'))
 
 
-@kind('robot_state_publisher has a description in which {child} hangs on {parent}', 'child parent')
+@kind('The robot description has a joint from {parent} to {child}', 'child parent')
 def described(run: Evidence, wanted: Wanted) -> None:
-    """The description of a robot that came on /robot_description has a joint between two links."""
+    """Require a joint between two links in the robot description on /robot_description."""
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
         refuse_strangers(one.recording, found.name, 'robot_state_publisher')
@@ -108,12 +111,12 @@ def described(run: Evidence, wanted: Wanted) -> None:
         links = _links(str(texts[-1])) if texts else {}
         child, parent = one.text('child'), one.text('parent')
         if links.get(child) != parent:
-            seen = ', '.join(f'{link} on {above}' for link, above in links.items()) or 'no joint'
-            raise Missing(f'a joint from {parent} to {child} in the description', seen=seen, **one.advice)
+            seen = ', '.join(f'{above} to {link}' for link, above in links.items()) or 'no joint'
+            raise Missing(f'the joint from {parent} to {child} in the robot description', seen=seen, **one.advice)
 
 
 def _links(text: str) -> dict[str, str]:
-    """The parent of each link that a robot description names, by the link; nothing for text that is no description."""
+    """Return the parent of each link of a robot description, or {} for an invalid description."""
     from xml.etree import ElementTree
 
     try:
@@ -124,9 +127,9 @@ def _links(text: str) -> dict[str, str]:
     return {child.get('link', ''): parent.get('link', '') for child, parent in ends if child is not None and parent is not None}
 
 
-@kind('A bag holds what was published on {topic}', 'topic')
+@kind('A bag contains the messages of {topic}', 'topic')
 def bag(run: Evidence, wanted: Wanted) -> None:
-    """Launch gets Ctrl-C at the end, and a bag that was written has the messages of a topic as they were published."""
+    """Require a bag with the messages of a topic, after launch has received Ctrl-C."""
     for one in wanted.of_each(run):
         topic, bags = one.text('topic'), run.bags[one.scenario]
         require_topic(one.run, one.scenario, topic, try_=wanted.try_)
@@ -134,20 +137,20 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
         thing = f'a bag with the messages of {topic}, when launched with {one.words},'
         if not bags:
-            raise Missing(thing, seen='no bag is written when launch is interrupted', **one.advice)
+            raise Missing(thing, seen='no bag after Ctrl-C', **one.advice)
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]
         if not counts:
             known = sorted({name for each in bags for name in each['topics']})
             raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.advice)
         count, known = max(counts, key=lambda each: each[1])
         if not len(late) <= known == count:
-            seen = f'{count} messages in the bag, {known} of which were published'
-            raise Mismatch(f'what the bag holds of {topic}', f'{len(times)} messages as they were published', seen, **one.advice)
+            seen = f'{count} messages, {known} of them are published ones'
+            raise Mismatch(f'the content of the bag for {topic}', f'the {len(times)} published messages', seen, **one.advice)
 
 
 @kind('The launch file is written in {format}', 'format')
 def written_in(run: Evidence, wanted: Wanted) -> None:
-    """The file itself is of this format, and what it starts stands in files of this format; stock files may be of any."""
+    """Require this format of the file, and of the files that start its nodes. Files of edulaunch may have any format."""
     ending = f'.{str(wanted["format"]).lower()}'
     for one in wanted.of_each(run):
         started = [process.file for process in one.recording.processes if process.file]
@@ -155,16 +158,16 @@ def written_in(run: Evidence, wanted: Wanted) -> None:
         other = next((file for file in files if not file.endswith(ending) and not is_shipped(file)), None)
         if other is not None:
             seen = os.path.basename(other)
-            raise Mismatch('the format of the launch file', f'a file that ends in .launch{ending}', seen, **one.advice)
+            raise Mismatch('the format of the launch file', f'.launch{ending}', seen, **one.advice)
 
 
 @kind('The launch file runs {words}', 'words')
 def command(run: Evidence, wanted: Wanted) -> None:
-    """A command is started, by the launch file or by one of its programs."""
+    """Require that the launch file or one of its programs runs a command."""
     asked = str(wanted['words']).split()
     for one in wanted.of_each(run):
         lines = [' '.join(process.argv).split() for process in one.recording.processes]
         known = [[os.path.basename(line[0]), *line[1:]] for line in lines if line]
         if not any(line[place : place + len(asked)] == asked for line in known for place in range(len(line))):
-            seen = '\n'.join(' '.join(line)[:100] for line in known[1:]) or 'nothing'
+            seen = '\n'.join(shortened(' '.join(line), LONGEST_COMMAND) for line in known[1:]) or 'no command'
             raise Missing(f'the command {wanted["words"]}', seen=seen, **one.advice)

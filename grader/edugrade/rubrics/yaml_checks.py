@@ -1,4 +1,4 @@
-"""The checks that a YAML rubric may ask for, in ROS terms: each is a function of the name that the rubric writes."""
+"""The checks of YAML rubrics, in ROS terms. Each is a function with the name that the rubric uses."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import node_parameter as read_parameter
-from ..library.parameters import require_parameter
-from ..shortened import last_lines, readable
+from ..library.parameters import refuse_missing_file, require_parameter
+from ..shortened import last_lines, readable, shortened
 from .yaml_wanted import OfRun, Wanted
 
 if TYPE_CHECKING:
@@ -27,12 +27,13 @@ if TYPE_CHECKING:
 
 Function = Callable[[Evidence, Wanted], None]
 LAST_LOOK_S = 0.5
+LONGEST_VALUE = 1000
 MEASURE = 'tolerance near share'
 PROGRAM = 'package executable'
 
 
 class Kind(NamedTuple):
-    """A kind of check: its function, its fields, those it cannot do without, and what the student reads."""
+    """A kind of check: its function, its fields, its required fields, and the sentence for the student."""
 
     function: Function
     fields: tuple[str, ...]
@@ -44,7 +45,7 @@ KINDS: dict[str, Kind] = {}
 
 
 def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], Function]:
-    """Make a kind of check of a function, with the fields that it needs and those that it may have."""
+    """Register a function as a kind of check, with its required and its optional fields."""
 
     def make(function: Function) -> Function:
         KINDS[function.__name__] = Kind(function, (*needs.split(), *may.split()), tuple(needs.split()), sentence)
@@ -53,76 +54,79 @@ def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], 
     return make
 
 
-@kind('The launch argument {name} is declared, with a default', 'name', 'default shows')
+@kind('The launch argument {name} is declared and has a default', 'name', 'default shows')
 def argument(run: Evidence, wanted: Wanted) -> None:
-    """A launch argument is declared: with this default, or with any. The runs without it show the default."""
+    """Require a declared launch argument with this default, or with any default, which the runs without it use."""
     default = str(wanted['default']) if 'default' in wanted else None
     require_default(run, wanted['name'], default, wanted.shows)
 
 
 @kind('The launch file starts {executable} of {package}', 'package executable')
 def process(run: Evidence, wanted: Wanted) -> None:
-    """A program is started."""
+    """Require that the launch file starts a program."""
     require_process(run, wanted['package'], wanted['executable'])
 
 
 @kind('No node dies before the end')
 def alive(run: Evidence, wanted: Wanted) -> None:
-    """No process ends with an exit code before the run is over."""
+    """Require that no process ends with an error before the end of the run."""
     refuse_dead(run)
 
 
 @kind('There is a node {name} of the package {package}', 'name package', 'executable')
 def node(run: Evidence, wanted: Wanted) -> None:
-    """A node of a package has this name."""
+    """Require a node of a package with this name."""
     for one in wanted.of_each(run):
         name, package = one.text('name'), wanted['package']
         both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
         require_node(one.alone, name, package, wanted.try_ or f'give the Node of {package} {both}', wanted['executable'] or None)
 
 
-@kind('These nodes run, and no others: {are}', 'are', 'package')
+@kind('Only these nodes run: {are}', 'are', 'package')
 def nodes(run: Evidence, wanted: Wanted) -> None:
-    """Exactly these nodes run; `package` is that of all, or a table of packages by the nodes' names."""
+    """Require exactly these nodes. `package` is the package of all, or a table of packages by the nodes' names."""
     names, package = [str(name) for name in wanted['are']], wanted['package'] or None
     packages = package if isinstance(package, dict) else dict.fromkeys(names, package) if package else None
     for scenario in run:
         require_nodes(run, scenario, names, wanted.try_, packages)
 
 
-@kind('{node} hears what is published on {topic}', 'node topic', PROGRAM)
+@kind('{node} subscribes to {topic}', 'node topic', PROGRAM)
 def hears(run: Evidence, wanted: Wanted) -> None:
-    """A node listens to a topic on which messages come."""
+    """Require that a node subscribes to a topic that has messages."""
     for one in wanted.of_each(run):
         topic = one.text('topic')
         advice = wanted.try_ or f"give the Node remappings=[(..., '{topic}')]"
         require_listener(run, one.scenario, one.text('node'), topic, advice, *one.program())
 
 
-@kind('{node} starts when it should', 'node at', f'after {PROGRAM} {MEASURE}')
+@kind('{node} starts at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
-    """A node starts at a time, or so long after the start of another node."""
+    """Require that a node starts at a time, or a time after the start of another node."""
     _happens(run, wanted, 'start', require_started)
 
 
-@kind('{node} ends when it should', 'node at', f'after {PROGRAM} {MEASURE}')
+@kind('{node} ends at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def ends(run: Evidence, wanted: Wanted) -> None:
-    """A node ends at a time, or so long after the start of another node."""
+    """Require that a node ends at a time, or a time after the start of another node."""
     _happens(run, wanted, 'end', require_ended)
 
 
-@kind('The launch is shut down when it should', 'at', MEASURE)
+@kind('The launch shuts down at the right time', 'at', MEASURE)
 def shuts_down(run: Evidence, wanted: Wanted) -> None:
-    """The launch itself ends at a time, before the run is over."""
+    """Require that the launch itself ends at a time before the end of the run."""
     for one in wanted.of_each(run):
         ended = [
             process.ended_s for process in one.recording.processes if process.name == 'launch' and process.ended_s is not None
         ]
         if not ended:
-            raise Missing(
-                'the end of the launch', expected='it is shut down', seen='it goes on until the run is over', **one.advice
+            raise Failure(
+                f'the launch does not shut down, when launched with {one.words}',
+                expected=f'it shuts down after {one.number("at"):g} s',
+                seen='it continues until the end of the run',
+                **one.advice,
             )
-        one.require_close('the end of the launch in s', ended[0], one.number('at'), 0.3)
+        one.require_close('the end of the launch (in s)', ended[0], one.number('at'), 0.3)
 
 
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
@@ -131,47 +135,49 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
         other, *program = one.other('after')
         since_s = require_started(run, one.scenario, other, wanted.try_, *program) if other else 0.0
         words = f'the {what} of {one.text("node")}' + (f' after the start of {other}' if other else '')
-        one.require_close(f'{words} in s', time_s - since_s, one.number('at'), 0.3)
+        one.require_close(f'{words} (in s)', time_s - since_s, one.number('at'), 0.3)
 
 
-@kind('Somebody publishes on {name}', 'name', f'type package rate {MEASURE}')
+@kind('A node publishes on {name}', 'name', f'type package rate {MEASURE}')
 def topic(run: Evidence, wanted: Wanted) -> None:
-    """Messages come on a topic: of a type, from a package, at a rate."""
+    """Require messages on a topic: of a type, from a package, at a rate."""
     for one in wanted.of_each(run):
         found = require_topic(run, one.scenario, wanted['name'], wanted['type'] or None, wanted['package'] or None, wanted.try_)
         if 'rate' in wanted:
             rate = found.count / one.recording.duration_s
-            one.require_close(f'the rate of {found.name} in Hz', rate, wanted['rate'], 0.2 * wanted['rate'])
+            one.require_close(f'the rate of {found.name} (in Hz)', rate, wanted['rate'], 0.2 * wanted['rate'])
 
 
-@kind('The parameter {name} of {executable} has its value', 'package executable name value')
+@kind('The parameter {name} of {executable} has the right value', 'package executable name value')
 def parameter(run: Evidence, wanted: Wanted) -> None:
-    """A parameter of an executable's node has this value."""
+    """Require a value of a parameter of an executable's node."""
     require_process(run, wanted['package'], wanted['executable'])
     values = {one.scenario: one.same_type('value') for one in wanted.of_each(run)}
     advice = wanted.try_ or f"give the Node parameters=[{{'{wanted['name']}': ...}}]"
     require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
 
 
-@kind('The parameter {name} of {node} has its value', 'node package name value')
+@kind('The parameter {name} of {node} has the right value', 'node package name value')
 def node_parameter(run: Evidence, wanted: Wanted) -> None:
-    """A parameter of a node has this value."""
+    """Require a value of a parameter of a node."""
     for one, found, advice in _parameters(run, wanted):
         asked = one.same_type('value')
         if found is None or found.value != asked or isinstance(found.value, bool) != isinstance(asked, bool):
+            refuse_missing_file(one.alone, [found], wanted['package'])
             seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
-            thing = f'{wanted["name"]} of {one.text("node")}, when launched with {one.words}'
+            thing = f'{wanted["name"]} of {one.text("node")}, when launched with {one.words},'
             raise Mismatch(thing, str(asked), seen, where=run.source.place, try_=advice)
 
 
-@kind('The parameter {name} of {node} is as it should be', 'node package name', 'at_least at_most origin')
+@kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')
 def measured_parameter(run: Evidence, wanted: Wanted) -> None:
-    """A parameter of a node lies between bounds, and comes from where it should."""
+    """Require a parameter of a node between bounds and from an origin."""
     for one, found, advice in _parameters(run, wanted):
         low, high = wanted.get('at_least', -inf), wanted.get('at_most', inf)
         value = None if found is None else found.value
         is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if found is None or not (is_number and low <= value <= high and str(wanted['origin']) in found.origin):
+            refuse_missing_file(one.alone, [found], wanted['package'])
             seen = 'no such parameter' if found is None else f'{value!r}, from {found.origin}'
             bounds = [f'at least {low:g}'] * ('at_least' in wanted) + [f'at most {high:g}'] * ('at_most' in wanted)
             asked = ' and '.join(bounds + [f'from {wanted["origin"]}'] * ('origin' in wanted))
@@ -179,28 +185,30 @@ def measured_parameter(run: Evidence, wanted: Wanted) -> None:
 
 
 def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, str]]:
-    """For each run the parameter of the node, which has to be there, and what to advise."""
+    """Yield for each run the parameter of the node, which must exist, and the advice."""
     for one in wanted.of_each(run):
         node, name = one.text('node'), wanted['name']
-        advice = wanted.try_ or f'ros2 param get {node} {name} shows the value; look in the launch file for what sets it'
+        advice = (
+            wanted.try_ or f'check what sets {name} of {node} in the launch file: ros2 param get {node} {name} prints its value'
+        )
         require_node(one.alone, node, wanted['package'], advice)
         asked = one.same_type('value') if 'value' in wanted else None
         yield one, read_parameter(one.recording, node, wanted['package'], name, asked), advice
 
 
-@kind('{name} has its value', 'name is')
+@kind('{name} has the right value', 'name is')
 def defined(run: Evidence, wanted: Wanted) -> None:
-    """A cell has defined this name, with this value."""
+    """Require that a cell defines this name with this value."""
     name, asked = wanted['name'], wanted['is']
     if name not in run.names:
         raise Missing(name, expected=f'{name} = ...', try_=wanted.try_ or f'run the cell that defines {name}')
     if run.names[name] != asked:
-        raise Mismatch(name, repr(asked), repr(run.names[name])[:1000], try_=wanted.try_)
+        raise Mismatch(name, repr(asked), shortened(repr(run.names[name]), LONGEST_VALUE), try_=wanted.try_)
 
 
 @kind('{node} logs {pattern}', 'node pattern', f'example {PROGRAM}')
 def logs(run: Evidence, wanted: Wanted) -> None:
-    """A node says a line that fits."""
+    """Require that a node logs a line that matches a pattern."""
     for one in wanted.of_each(run):
         logger = one.text('node').strip('/').replace('/', '.')
         logs, (package, executable) = one.recording.logs, one.program()
@@ -209,19 +217,20 @@ def logs(run: Evidence, wanted: Wanted) -> None:
         if not _fits(wanted, lines):
             seen = last_lines([f'{text}\n' for text in lines]) or 'it logs nothing'
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            raise Missing(f'such a line of {wanted["node"]}', expected=asked, seen=seen, **one.advice)
+            thing = f'{one.text("node")} does not log the expected line, when launched with {one.words}'
+            raise Failure(thing, expected=asked, seen=seen, **one.advice)
 
 
 @kind('{executable} prints {pattern}', 'package executable pattern', 'example')
 def prints(run: Evidence, wanted: Wanted) -> None:
-    """A program prints a line that fits."""
+    """Require that a program prints a line that matches a pattern."""
     for one in wanted.of_each(run):
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
         lines = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in lines for line in text.splitlines())):
-            thing = f'such a line in what {wanted["executable"]} prints, when launched with {one.words},'
+            thing = f'{wanted["executable"]} does not print the expected line, when launched with {one.words}'
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            raise Missing(thing, expected=asked, seen=last_lines(lines) or 'nothing is printed', **one.advice)
+            raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
 
 
 def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
@@ -229,26 +238,30 @@ def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
     return any(pattern.search(line[:1000]) for line in lines)
 
 
-@kind('{turtle} stands in its place at the end', 'turtle', f'x y {MEASURE}')
+@kind('{turtle} is at its position at the end', 'turtle', f'x y {MEASURE}')
 def place(run: Evidence, wanted: Wanted) -> None:
-    """A turtle is somewhere when the run is over."""
+    """Require the position of a turtle at the end of the run."""
     for one in wanted.of_each(run):
         track = _turtle(one, 'turtle')
         if not track:
-            advice = {**one.advice, 'try_': wanted.try_ or 'who spawns it?'}
-            raise Missing(f'the turtle {wanted["turtle"]}', seen='no pose of it', **advice)
+            advice = {**one.advice, 'try_': wanted.try_ or f'spawn {wanted["turtle"]} with the service /spawn'}
+            raise Missing(f'the turtle {wanted["turtle"]}', seen='no pose of this turtle', **advice)
         if track[-1][0] < one.recording.duration_s - LAST_LOOK_S:
-            advice = {**one.advice, 'try_': wanted.try_ or 'who takes it away?'}
-            raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=f'its last pose, at {track[-1][0]:.2f} s', **advice)
+            advice = {
+                **one.advice,
+                'try_': wanted.try_ or f'find out what removes {wanted["turtle"]}: a call of /kill, /reset or /clear',
+            }
+            seen = f'its last pose is at {track[-1][0]:.2f} s'
+            raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=seen, **advice)
         for axis, key in enumerate(('x', 'y'), 1):
             if key in wanted:
-                one.require_close(f'{key} of {wanted["turtle"]} at the end in m', track[-1][axis], one.number(key), 0.05)
+                one.require_close(f'{key} of {wanted["turtle"]} at the end (in m)', track[-1][axis], one.number(key), 0.05)
 
 
 @kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')
 def frame(run: Evidence, wanted: Wanted) -> None:
-    """A frame hangs in another one, in a place, turned by an angle."""
-    child, advice = wanted['child'], wanted.try_ or 'look at what ros2 run tf2_tools view_frames shows'
+    """Require a frame with its parent, position and yaw."""
+    child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
@@ -257,7 +270,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
             place = sent.frame.translation
             for axis, key in enumerate(('x', 'y', 'z')):
                 if key in wanted:
-                    thing = f'{key} of {child} in {sent.frame.parent} (its place is {numbers(place)})'
+                    thing = f'{key} of {child} in {sent.frame.parent} (its position is {numbers(place)})'
                     one.require_close(thing, place[axis], one.number(key), 0.01, advice)
             if 'yaw' in wanted:
                 asked = one.number('yaw')
@@ -265,15 +278,15 @@ def frame(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, advice)
 
 
-@kind('{turtle} moves by at least {at_least} m', 'at_least', 'turtle odometry share driver')
+@kind('{turtle} drives at least {at_least} m', 'at_least', 'turtle odometry share driver')
 def travels(run: Evidence, wanted: Wanted) -> None:
-    """A turtle or the robot travels so far."""
+    """Require that a turtle or the robot drives a distance."""
     for one, who, track in _tracks(run, wanted):
         way, asked = length(track), one.number('at_least')
         if not way >= asked:
             share = way / asked if wanted['share'] and isfinite(way) else 0.0
             raise Failure(
-                f'{who} travels too little, when launched with {one.words}',
+                f'{who} drives less than {asked:g} m, when launched with {one.words}',
                 expected=f'at least {asked:g} m',
                 seen=f'{way:.2f} m',
                 share=min(share, wanted['share'] or 0.0),
@@ -283,24 +296,24 @@ def travels(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{turtle} drives a circle with the radius {radius}', 'radius', f'turtle odometry since driver {MEASURE}')
 def circle(run: Evidence, wanted: Wanted) -> None:
-    """A turtle or the robot drives a circle."""
+    """Require that a turtle or the robot drives a circle."""
     for one, who, track in _tracks(run, wanted):
         found = fit_circle([(x, y) for _, x, y in since(track, wanted['since'] or 2.0)])
         radius = one.number('radius')
         if found is None or not found.residual <= max(one.tolerance(0.02 * radius), 0.05 * radius):
             raise Failure(
-                f'{who} drives no circle, when launched with {one.words}',
+                f'{who} does not drive a circle, when launched with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'{length(track):.2f} m travelled, on no circle',
+                seen=f'it drives {length(track):.2f} m, but not on a circle',
                 **one.advice,
             )
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
 
 
-@kind('{follower} stays close to {goal}, within {within} m', 'follower goal within', 'since driver')
+@kind('{follower} stays within {within} m of {goal}', 'follower goal within', 'since driver')
 def follows(run: Evidence, wanted: Wanted) -> None:
-    """A turtle comes to another one, and goes after it when that moves."""
-    advice = wanted.try_ or 'look at the frames that the listener asks tf for'
+    """Require that a turtle drives to another one, and follows it when it moves."""
+    advice = wanted.try_ or 'check the frames that the listener looks up in tf'
     goal, follower = (f'/{wanted[key].strip("/")}' for key in ('goal', 'follower'))
     for one in wanted.of_each(run):
         start, track = wanted['since'] or one.recording.duration_s / 2, _turtle(one, 'goal')
@@ -315,13 +328,13 @@ def _turtle(one: OfRun, key: str) -> Track:
 
 
 def _require_driver(one: OfRun, turtle: str) -> None:
-    """Where the rubric names a driver, nobody else commands the turtle, or the robot."""
+    """Require that only the driver of the rubric commands the turtle or the robot, if the rubric names one."""
     if one.wanted['driver']:
         require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split())
 
 
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:
-    """For each run who moves, and where it was."""
+    """Yield for each run the name and the track of the turtle or the robot."""
     for one in wanted.of_each(run):
         _require_driver(one, str(wanted['turtle']))
         if wanted['turtle'] and wanted['driver']:

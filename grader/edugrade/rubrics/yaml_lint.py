@@ -1,5 +1,5 @@
-"""What a rubric in YAML should not do although it can be read: give points for a name that any node may have, or for a default
-that no run shows."""
+"""Finds weak checks in a valid YAML rubric. Such a check gives points for a name that any node may have, or for a default that
+no run shows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAMED = ('ends', 'hears', 'logs', 'nodes', 'starts')
 def points_for_names(file: str) -> Iterator[str]:
     """Yield a sentence for each check of a rubric that gives points for a node of a name without a package.
 
-    A check that needs a `command` check is none of them: a command of `ros2` has no package.
+    A check that needs a `command` check is not one of them, because a command of `ros2` has no package.
 
     :param file: the path of a rubric that can be read.
     """

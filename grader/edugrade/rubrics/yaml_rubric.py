@@ -1,4 +1,4 @@
-"""Rubrics without Python: runs and checks as YAML. Every mistake in one is said with its file and line."""
+"""Reads rubrics without Python: runs and checks as YAML. An error message names the file and the line of a mistake."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
 
 
 def _default(node: yaml.Node, problem: Problem) -> str | None:
-    """The default that an argument should have; null: any."""
+    """Return the default that an argument should have, or None (null in YAML) for any default."""
     if not isinstance(node, yaml.ScalarNode):
         raise problem(node, 'a default is a text, or null where any default will do')
     return None if _value(node, problem) is None else str(node.value)
@@ -186,27 +186,30 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     return Check(
         name,
         words.get('say') or kind.sentence.format_map(wanted.shown),
-        _with_steps(lambda run: kind.function(run.only(only), wanted), steps),
+        _with_steps(lambda run: kind.function(run.only(only), wanted), steps, last),
         points,
         tuple(known[each] for each in names),
     )
 
 
 def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
-    """What a check advises: one text, or several, from the kind of thing to how it is written."""
+    """Return the advice of a check: one string, or several that become more specific."""
     found = _value(node, problem)
     texts = found if isinstance(found, list) else [found]
     if not texts:
-        raise problem(node, 'try is a text, or a list of texts that say more and more')
+        raise problem(node, 'try must be a string, or a list of strings that become more specific')
     return [str(text) for text in texts]
 
 
-def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
+def _with_steps(function: CheckFunction, steps: Sequence[str | None], last: str | None) -> CheckFunction:
+    """Return a check whose failures have the steps before the advice of the rubric. A failure with its own advice has none."""
+
     def checked(run: Evidence) -> None:
         try:
             function(run)
         except Failure as failure:
-            failure.steps = tuple(filter(None, steps))
+            if failure.try_ == last:
+                failure.steps = tuple(filter(None, steps))
             raise
 
     return checked if steps else function
@@ -226,7 +229,7 @@ def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Sce
 
 
 def _refuse_unknown_proofs(node: yaml.Node, known: Mapping[str, Check], problem: Problem) -> None:
-    """Refuse `shows` with what is no list of checks' names."""
+    """Refuse `shows` with anything except a list of checks' names."""
     for item in node.value:
         for kind in (pair[1] for pair in item.value if isinstance(pair[1], yaml.MappingNode)):
             for part in (value for key, value in kind.value if key.value == 'shows'):

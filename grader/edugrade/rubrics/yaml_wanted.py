@@ -1,4 +1,4 @@
-"""What a check of a YAML rubric asks for: values, which may name an argument of the run, and numbers that are calculated."""
+"""The values of a check in a YAML rubric, which may contain launch arguments and calculations."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
 
 
 class Wanted(dict[str, Any]):
-    """What a check of a rubric asks for; values may have ``$(arg name)`` in them, the launch argument of the run.
+    """The values of a check. They may contain ``$(arg name)``, the launch argument of the run.
 
-    :ivar shows: applies the checks that show in a run what a default says.
+    :ivar shows: applies the checks that show the effect of a default in a run.
     """
 
     shows: Callable[[Evidence], object] | None = None
@@ -41,20 +41,20 @@ class Wanted(dict[str, Any]):
 
     @property
     def shown(self) -> Wanted:
-        """As a sentence says it: ``$(arg speed)`` is speed, and the parts of a list have commas between them."""
+        """The values for a sentence: ``$(arg speed)`` is speed, and commas separate the parts of a list."""
         parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
         parts = {key: readable(text) if key == 'pattern' else text for key, text in parts.items()}
         return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
 
     def of_each(self, run: Evidence) -> Iterator[OfRun]:
-        """What it asks of each run."""
+        """Return the values for each run."""
         return (OfRun(self, run, scenario) for scenario in run)
 
     def refuse_odd_values(self) -> None:
-        """Raise ValueError for a tolerance or another measure that is no number, or a share that is none."""
+        """Raise ValueError for an invalid number, share, node or pattern."""
         for key in ('tolerance', 'within', 'since', 'rate', 'near'):
             if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
-                raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
+                raise ValueError(f'{key} is {self[key]!r}; write a number that is at least 0')
         after = self.get('after')
         if isinstance(after, dict) and not {'node'} <= set(after) <= {'node', 'package', 'executable'}:
             raise ValueError(f'after is {after!r}; write the name of a node, or {{node: NAME, package: PACKAGE}}')
@@ -62,20 +62,20 @@ class Wanted(dict[str, Any]):
             try:
                 calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
             except ValueError:
-                raise ValueError(f'{key} is {self[key]!r}; a number, $(arg NAME), or such with + - * / between them') from None
+                raise ValueError(f'{key} is {self[key]!r}; write a number, $(arg NAME), or a calculation with + - * /') from None
         if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
-            raise ValueError(f'share is {self["share"]!r}, and no number between 0 and 1')
+            raise ValueError(f'share is {self["share"]!r}; write a number between 0 and 1')
         try:
             re.compile(str(self['pattern']))
         except re.error as error:
-            raise ValueError(f'pattern is no regular expression: {error}') from None
+            raise ValueError(f'pattern is not a valid regular expression: {error}') from None
 
 
 class OfRun:
-    """What a check asks of one run.
+    """The values of a check for one run.
 
     :ivar alone: the evidence of this run.
-    :ivar told: for a Failure: where to look, and what the rubric advises.
+    :ivar advice: the place and the advice for a Failure.
     """
 
     def __init__(self, wanted: Wanted, run: Evidence, scenario: str) -> None:
@@ -90,7 +90,7 @@ class OfRun:
         return self.wanted['package'] or None, self.wanted['executable'] or None
 
     def text(self, key: str) -> str:
-        """A value as text."""
+        """Return a value as a string."""
         return self.filled(self.wanted[key])
 
     def other(self, key: str) -> tuple[str, str | None, str | None]:
@@ -100,19 +100,19 @@ class OfRun:
         return self.filled(found.get('node', '')), found.get('package'), found.get('executable')
 
     def filled(self, value: object) -> str:
-        """Return a value as text, with the launch arguments of the run in it."""
+        """Return a value as a string, with the launch arguments of the run in it."""
         arguments = self.run.arguments_of(self.scenario)
         return ARGUMENT.sub(lambda found: arguments[found[1]], str(value))
 
     def number(self, key: str) -> float:
-        """A value as a number; it may have to be calculated."""
+        """Return a value as a number, which may be a calculation."""
         try:
             return calculated(self.text(key))
-        except ValueError:  # a default that is no number
+        except ValueError:  # a default that is not a number
             raise Mismatch(f'the value of {self.wanted[key]}', 'a number', self.text(key), **self.advice) from None
 
     def same_type(self, key: str) -> Any:
-        """A value as YAML reads it: ``$(arg radius)`` is 0.5 when radius:=0.5."""
+        """Return a value as YAML reads it: ``$(arg radius)`` is 0.5 when radius:=0.5."""
         if not isinstance(self.wanted[key], str) or not ARGUMENT.search(self.wanted[key]):
             return self.wanted[key]
         import yaml
@@ -120,11 +120,11 @@ class OfRun:
         return yaml.safe_load(self.text(key))
 
     def tolerance(self, usual: float) -> float:
-        """The tolerance that the rubric gives, or else the usual one."""
+        """Return the tolerance of the rubric, or the usual one."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
     def require_close(self, thing: str, seen: float, asked: float, usual: float, try_: str | None = None) -> None:
-        """A number is what it should be, by the rubric's tolerance (else the usual one); within `near` a share is given.
+        """Require a number within the rubric's tolerance, or within the usual one. Within `near`, the check gives a share.
 
         :raises Mismatch: with both numbers.
         """
@@ -134,14 +134,14 @@ class OfRun:
 
 
 def calculated(text: str) -> float:
-    """The value of numbers with + - * / and brackets between them: ``5.544 + 4 * 0.3``.
+    """Return the value of a calculation with numbers, + - * / and brackets: ``5.544 + 4 * 0.3``.
 
     :raises ValueError: for anything else.
     """
     try:
         return _value(ast.parse(text.strip(), mode='eval').body)
     except (SyntaxError, ZeroDivisionError, RecursionError, KeyError):
-        raise ValueError(f'{text!r} is no number, and nothing that is calculated of numbers with + - * / and brackets') from None
+        raise ValueError(f'{text!r} is not a number or a calculation with + - * / and brackets') from None
 
 
 def _value(node: ast.expr) -> float:

@@ -54,7 +54,7 @@ def _topics(folder: str, end_ns: int, published: Published) -> dict[str, list[in
 
 
 def _refuse_odd_files(folder: str) -> None:
-    """Raise ValueError for a folder that is no bag, or too large a one."""
+    """Raise ValueError for a directory that is not a bag, or is too large."""
     import yaml
 
     states = {name: os.lstat(os.path.join(folder, name)) for name in os.listdir(folder)}

@@ -1,4 +1,4 @@
-"""The system calls that a run may make, and names of those that it may not: ``name:number on x86-64:number on 64-bit ARM``.
+"""The allowed system calls, and the names of the others, as ``name:number on x86-64:number on 64-bit ARM``.
 
 What is in none of these tables is refused as well. A number above NEWEST is unknown here: the C library then takes an older call.
 """

@@ -91,8 +91,8 @@ def repeat_temporary_names(seed: int) -> None:
 def limit_single_calls(seconds: float) -> None:
     """End the process when one call into C (``9**9**9``, a slow pattern) uses that much processor time or more.
 
-    While Python itself works, the limit moves on with it; a call that does not come back is ended by the system (SIGXCPU), after
-    the place was printed.
+    While Python itself works, the limit moves on with it. If a call does not return, the system ends the process with SIGXCPU
+    after the place was printed.
     """
     try:
         import faulthandler

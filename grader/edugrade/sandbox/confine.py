@@ -27,8 +27,8 @@ DEVICES = ('/dev/null', '/dev/zero', '/dev/full', '/dev/urandom', '/dev/random',
 class Confinement:
     """What every run is confined to, made ready once.
 
-    :param readable: what all runs may read: Python, its packages, the engine; `listable`: folders of which they see the names.
-    :param shown: what of the file system all runs see; `hidden`: folders in it that are empty for them.
+    :param readable: the paths that all runs may read. In `listable` directories they see only the names.
+    :param shown: the part of the file system that all runs see. `hidden` directories in it are empty.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Confinement:
 
         :param readable: what this run may read besides, such as its submission.
         :param home: the only folder that it may write to.
-        :param notes: to the guard, which then hears of each call that is refused.
+        :param notes: the socket of the guard, which receives each refused call.
         """
         state = dict.fromkeys(LAYERS, HELD)
         privileges = _tried(lambda: prctl(PR_SET_NO_NEW_PRIVS, 1))
@@ -118,7 +118,7 @@ def _tried(act: Callable[[], int | None]) -> int | str:
 def _drop_capabilities(keep_reading: bool) -> int:
     """Take the rights of root from this process and from what it starts.
 
-    :param keep_reading: root goes on reading files of others, as it must to grade them; where files are confined only.
+    :param keep_reading: root continues to read files of other users, as it must for grading, if files are confined.
     """
     kept = 1 << CAP_DAC_READ_SEARCH if keep_reading else 0
     for capability in range(LAST_CAPABILITY + 1):

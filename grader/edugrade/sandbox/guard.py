@@ -1,6 +1,6 @@
-"""Stands between the starter and one run: it begins the run, watches all that the run starts, and ends all of it.
+"""The guard is between the starter and one run: it starts the run, watches all its processes, and ends all of them.
 
-It is no part of what is confined. Orphans of the run become its children (it is their subreaper), so that nothing gets away.
+The guard itself is not confined. Orphans of the run become its children (it is their subreaper), so that no process escapes.
 """
 
 from __future__ import annotations
@@ -25,14 +25,15 @@ PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
 
 
 def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[socket.socket], NoReturn]) -> NoReturn:
-    """Begin a run in a process of its own, tell its pid and how it ended; end all it started, then this process.
+    """Start a run in its own process, and send its pid and its end. Then end all processes that it started, and this process.
 
-    :param link: to the runner. It gets lines of JSON: ``{"pid": 77, "guard": 76}``, then ``{"status": -9}``, or ``"cut"``:
-        ``"processes"``, ``"memory"`` or ``"disk"`` for a run that used too much; the last one with ``"refused"``, names of system
-        calls, when there were any. When its other end is closed, the run is ended; when this end is, all is over.
+    :param link: the socket to the runner, which gets lines of JSON. The first line is ``{"pid": 77, "guard": 76}``. The last
+        line has ``"status": -9``, or ``"cut"`` with ``"processes"``, ``"memory"`` or ``"disk"`` for a run that used too much.
+        It also has ``"refused"`` with names of system calls, if there are any. When the runner closes its end, the guard ends
+        the run. When the guard closes its end, everything is over.
     :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
     :param memory_bytes: for all processes of the run together.
-    :param begin: what the run does, given a socket on which it sends what hears of its refused calls.
+    :param begin: the code of the run, which gets a socket for the descriptor that receives its refused calls.
     """
     with suppress(OSError):
         prctl(PR_SET_CHILD_SUBREAPER, 1)
@@ -128,7 +129,7 @@ class _Watch:
 
 
 def _fits(folder: str) -> bool:
-    """Whether no more lies in a folder than a run may write. (A run with a view of its own has its limit from the system.)"""
+    """Whether a directory has at most what a run may write. (The system limits a run that has its own view.)"""
     count, size = 0, 0
     pending = [folder]
     while pending:
@@ -145,7 +146,7 @@ def _fits(folder: str) -> bool:
 
 
 def end_all(pid: int) -> None:
-    """Kill a process of ours, its group and every descendant of this process, until none is left."""
+    """Kill a child process, its group and every descendant of this process, until none is left."""
     while True:
         with suppress(OSError):
             os.killpg(pid, signal.SIGKILL)
@@ -161,7 +162,7 @@ def end_all(pid: int) -> None:
 
 
 def descendants(pid: int) -> list[int]:
-    """All processes that a process started, and those that these started; [] where the system does not tell (it needs /proc)."""
+    """Return all descendants of a process, or [] on a system without /proc."""
     found: list[int] = []
     pending = [pid]
     while pending:

@@ -42,7 +42,7 @@ def version() -> int:
 
 
 def open_paths(paths: Sequence[str]) -> list[int]:
-    """Descriptors that stand for these paths; those that are not there are left out."""
+    """Open descriptors for these paths, without the paths that do not exist."""
     found = []
     for path in paths:
         try:

@@ -1,7 +1,7 @@
-"""A filter of system calls (seccomp): a list of what a run may call; all else is refused.
+"""A filter of system calls (seccomp) with a list of the allowed calls. It refuses all others.
 
-The filter is written out here, so that no library is needed. A refused call fails with EPERM, as one without the right to it.
-Where the kernel can (Linux 5.0), a *listener* hears of each refused call, so that the report names it: see `guard.py`.
+This module writes the filter itself, so that it needs no library. A refused call fails with EPERM, as without permission.
+Where the kernel can (Linux 5.0), a *listener* receives each refused call, so that the report names it. See `guard.py`.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ def restrict(program: bytes) -> None:
 def restrict_with_listener(program: bytes) -> int:
     """As `restrict`, for a program that `has_listener`. Gives the listener, a descriptor.
 
-    :raises OSError: when the kernel has none, or somebody else listens to this process already.
+    :raises OSError: when the kernel has no listeners, or this process already has one.
     """
     content = _Program(len(program) // 8, program)
     return syscall(SECCOMP[column_here() or 0], SET_MODE_FILTER, NEW_LISTENER, ctypes.byref(content))

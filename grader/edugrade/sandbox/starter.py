@@ -4,11 +4,11 @@ Started by `starter_link.py` as a script of its own, with an environment made fo
 It reads no submission: a run does so after the fork, confined, in a process, session and folder of its own, with `child.py`. So
 every run begins from the same clean state, and loading 400 modules is paid for once and not for each run.
 
-The standard library's forkserver does less: its children inherit the caller's environment and hash seed, it unpickles what it is
-sent, forgets a child's pid before the group could be killed, and has no place for a guard.
+The forkserver of the standard library is not enough. Its children inherit the caller's environment and hash seed. It unpickles
+its input, forgets a child's pid before the group could be killed, and has no place for a guard.
 
-A message is JSON with its length in four bytes before it: first what every run may read, then for each run its job, and with that
-three descriptors: the channel, the output and the guard's link.
+A message is JSON after four bytes with its length. The first message has the paths that every run may read. Then each run has a
+message with its job and three descriptors: the channel, the output and the guard's link.
 """
 
 from __future__ import annotations

@@ -1,18 +1,14 @@
 """The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer, and answers.
 
-It answers the runner with two frames: a letter, eight bytes of length, content. The first is the confined peer's, sent before
-that reads anything of the submission.
+It answers the runner with two frames of a letter, eight bytes of length, and content. The first frame, ``C``, is JSON with the
+layers of confinement. It comes from the confined peer before that peer reads anything of the submission.
 
-====== ===========================================================================
-letter content
-====== ===========================================================================
-C      JSON: which layers of confinement hold; then one of
-R      what this peer recorded: a line of JSON (the provenance of its rows, and what the bags hold), then the recording's bytes
-U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
-S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other peer sent nonsense),
-       'broken' (it says that edulaunch broke in it)
-B      JSON: edulaunch itself broke, here
-====== ===========================================================================
+The second frame has one of these letters:
+- ``R`` is the recording of this peer: a line of JSON with the provenance of its rows and the contents of the bags, then bytes.
+- ``U`` is JSON for a launch file that cannot be run, with the message of ROS 2.
+- ``S`` is JSON for a stopped run, with 'timeout', 'memory', 'recording' (too large), 'protocol' (invalid frames) or 'broken'.
+  The last one stands for an error of edulaunch in the other peer.
+- ``B`` is JSON for an error of edulaunch in this peer.
 """
 
 from __future__ import annotations
@@ -59,7 +55,7 @@ class TrustedPeer:
         self._link = ours
 
     def run(self) -> NoReturn:
-        """Tell the runner what confines the other peer, run with it, and answer."""
+        """Send the runner the confinement of the other peer, run with it, and answer."""
         state = read_words(self._words)
         if state[:1] != b'C':
             self._answer(b'B', b'{"text": "the process for the submission ended before it had read anything of it"}')
@@ -98,7 +94,7 @@ class TrustedPeer:
         return json.dumps([*provenance, *found]).encode() + b'\n' + recording
 
     def _bags_after_interrupt(self, trusted: Any) -> list[dict[str, Any]]:
-        """Let time go on while launch and its programs end, which does not count, and read the bags that they have written."""
+        """Let launch and its programs end after the recorded part, and read the bags that they have written."""
 
         def over(error: Exception) -> NoReturn:
             raise error
@@ -166,7 +162,7 @@ def send(channel: int, letter: bytes, content: bytes) -> None:
 
 
 def read_words(words: int) -> bytes:
-    """One whole frame from a pipe, b'' when there is none."""
+    """Read one whole frame from a pipe, or return b'' at its end."""
     data = b''
     with suppress(BlockingIOError):
         while len(data) < LONGEST_WORDS and not _is_whole(data):

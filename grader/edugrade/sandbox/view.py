@@ -1,4 +1,4 @@
-"""A tree of folders of its own for a run: what it may not read is not there, so that no name and no size of it is seen.
+"""Gives a run its own tree of directories. Files that it may not read do not exist in it, and neither do their names and sizes.
 
 It needs a mount namespace: root may make one, and so may ordinary users where the system lets them make user namespaces. The tree
 is a file system in memory, into which is bound what may be read. All of it is read-only, devices too: no mode and no time of a
@@ -27,7 +27,7 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
     """Let this process, and what it starts, see only these places from now on.
 
     :param home: the run's own folder, which is empty; it is the current folder afterwards.
-    :param shown: places that are there, with all below them; those that do not exist are left out.
+    :param shown: existing places, with everything below them. Other places are left out.
     :param hidden: folders in them that are empty.
     :raises OSError: when the system makes no namespaces for this user. Nothing has changed then.
     """
@@ -56,7 +56,7 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
 class _Tree:
     """The tree that is being made.
 
-    :param root: where it lies for now.
+    :param root: its temporary path.
     """
 
     def __init__(self, root: str) -> None:

@@ -53,7 +53,7 @@ def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
 
     results = graded('broken_follow', deaf)
     assert statuses(results) == {'turtle1_copies': 'failed', 'turtle2_follows': 'not_run'}
-    assert results['turtle1_copies'].seen.endswith('/mimic publishes /output/cmd_vel, to which nobody listens')
+    assert results['turtle1_copies'].seen.endswith('/mimic publishes /output/cmd_vel, which has no subscriber')
     assert results['turtle1_copies'].where == (FILE, 11)
 
 
@@ -67,7 +67,7 @@ def test_a_broadcaster_that_hears_nobody_is_pointed_at() -> None:
         )
 
     result = graded('broken_follow', silent)['turtle2_is_on_tf']
-    assert result.seen == 'turtle1 in world\n/b2 listens to /turtle_2/pose, which nobody publishes'
+    assert result.seen == 'turtle1 in world\n/b2 subscribes to /turtle_2/pose, which has no publisher'
     assert result.where == (FILE, 22)
     assert 'did you mean' not in result.try_
 
@@ -87,7 +87,7 @@ def test_a_teacher_that_was_changed_is_no_test_of_copying() -> None:
         return run(scenario, tracks=dict.fromkeys(run(scenario).tracks, circles(0.3, 0.5)))
 
     results = graded('broken_follow', changed)
-    assert results['teacher_drives'].seen == 'a circle of 0.30 m'
+    assert results['teacher_drives'].seen == 'a circle with a radius of 0.30 m'
     assert results['turtle1_copies'].status == 'not_run'
 
 

@@ -75,7 +75,7 @@ def test_a_listener_that_follows_turtle1_is_told_where_its_value_comes_from() ->
 def test_a_turtle_far_from_the_fixed_carrot_fails() -> None:
     results = graded('carrot', lambda s: run(s, tracks={'/turtle2/pose': stays(5.5, 5.5)}))
     assert statuses(results) == {'fixed_carrot_is_reached': 'failed', 'moving_carrot_is_chased': 'failed'}
-    assert results['fixed_carrot_is_reached'].seen.startswith('2.00 m at ')
+    assert results['fixed_carrot_is_reached'].seen.startswith('2.00 m away at ')
 
 
 def test_a_carrot_that_does_not_swing_is_not_the_moving_one() -> None:

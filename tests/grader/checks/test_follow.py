@@ -59,7 +59,7 @@ def test_a_follower_that_stays_behind_fails_where_it_does() -> None:
     assert statuses(graded('follow', lambda scenario: run(scenario, lag_m=1.0))) == {'standing_leader_is_reached': 'failed'}
     results = graded('follow', lambda scenario: run(scenario, lag_m=3.0))
     assert statuses(results) == {'standing_leader_is_reached': 'failed', 'moving_leader_is_followed': 'failed'}
-    assert results['moving_leader_is_followed'].expected == 'at most 2.5 m from 15 s on'
+    assert results['moving_leader_is_followed'].expected == 'at most 2.5 m away after 15 s'
 
 
 def test_without_turtle2_its_frame_is_not_judged() -> None:
@@ -96,7 +96,7 @@ def test_two_broadcasters_of_one_name_are_refused() -> None:
     nodes = [NodeRecord('/broadcaster1', f'turtle_tf2_broadcaster-{number}', 0.0, None, [], [], [], []) for number in (2, 3)]
     results = graded('follow', lambda scenario: run(scenario, nodes=nodes))
     assert results['follower_is_on_tf'].status == 'failed'
-    assert results['follower_is_on_tf'].seen == 'turtle_tf2_broadcaster-2 and turtle_tf2_broadcaster-3 share it'
+    assert results['follower_is_on_tf'].seen == 'turtle_tf2_broadcaster-2 and turtle_tf2_broadcaster-3 have the same name'
 
 
 def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
@@ -108,13 +108,13 @@ def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
 
     results = graded('follow', middle)
     assert statuses(results) == {'moving_leader_is_followed': 'failed'}
-    assert results['moving_leader_is_followed'].seen == '0.00 m driven towards it'
+    assert results['moving_leader_is_followed'].seen == 'it drives 0.00 m towards turtle1'
 
 
 def test_a_turtle_that_was_spawned_at_its_goal_does_not_come_to_it() -> None:
     still = [(t, 0.1, 5.5) for t in TIMES]
     results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': leader(scenario), '/turtle2/pose': still}))
-    assert results['standing_leader_is_reached'].reason == 'turtle2 does not come to its goal, when launched with no arguments'
+    assert results['standing_leader_is_reached'].reason == 'turtle2 does not drive to its goal, when launched with no arguments'
 
 
 def test_a_frame_that_is_elsewhere_than_its_turtle_is_false() -> None:

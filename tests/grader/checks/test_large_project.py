@@ -74,7 +74,7 @@ def test_a_goal_that_is_not_passed_on_shows_both_runs() -> None:
 def test_a_turtle_that_copies_nobody_is_measured() -> None:
     results = graded('large_project', lambda s: run(s, tracks={'/turtle2/pose': run(s).tracks['/turtle2/pose']}))
     assert statuses(results) == {'mimic_copies': 'failed'}
-    assert results['mimic_copies'].seen.endswith('/turtlesim2/turtle1 0.00 m')
+    assert results['mimic_copies'].seen.endswith('/turtlesim2/turtle1 drives 0.00 m')
 
 
 def test_a_node_of_the_name_is_no_world() -> None:

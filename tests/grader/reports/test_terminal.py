@@ -27,7 +27,7 @@ not run  because "It drives" failed:
 ok       It starts  [2 of 2]
 
 1 of 3 checks passed: 2 of 9 points.
-Next: repair "It drives" and grade again.
+Next: correct "It drives" and grade again.
 """
 
 
@@ -45,14 +45,14 @@ def test_the_next_step_follows_the_first_failure_and_open_gaps_are_listed() -> N
     recording: Any = object()
     outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
     text = render(report(FAILED, outcome=outcome, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    line = 'Next: repair "It drives" and grade again. Comments "# TODO" are left on these lines: 4'
+    line = 'Next: correct "It drives" and grade again. These lines still have a "# TODO" comment: 4'
     assert text.splitlines()[-1] == line
 
 
 def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
     unusable = Outcome(Scenario('s'), 'unusable')
     text = render(report(FAILED, outcome=unusable, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    assert text.endswith('Next: repair "It drives" and grade again.\n')
+    assert text.endswith('Next: correct "It drives" and grade again.\n')
 
 
 def test_failures_of_one_cause_are_one_block() -> None:
@@ -66,11 +66,11 @@ def test_failures_of_one_cause_are_one_block() -> None:
 def test_a_broken_grader_gives_no_mark() -> None:
     text = render(report(PASSED, BROKE))
     assert '1 of 2 checks passed: no mark, because the grader broke.' in text
-    assert 'Next: this is not your mistake.' in text
+    assert 'Next: show this report and the launch file to your teacher. This is not your mistake.' in text
 
 
 def test_when_all_passed_the_next_step_is_the_next_exercise() -> None:
-    assert render(report(PASSED)).splitlines()[-1].startswith('Next: done.')
+    assert render(report(PASSED)).splitlines()[-1].startswith('Next: start another exercise')
 
 
 def test_long_texts_are_wrapped_under_their_label() -> None:

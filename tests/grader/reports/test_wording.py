@@ -77,20 +77,20 @@ def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
     [
         (
             "add DeclareLaunchArgument('r', default_value='1')",
-            'add what is missing: a DeclareLaunchArgument',
+            'add a DeclareLaunchArgument, or correct the existing one',
             'add DeclareLaunchArgument(...)',
         ),
         (
             "give the Node parameters=[{'radius': LaunchConfiguration('r')}]",
-            'add what is missing: a parameter of a Node',
+            'add a parameter of a Node, or correct the existing one',
             'give the Node parameters=[...]',
         ),
         (
             'give the Node of turtlesim this namespace and name',
-            'add what is missing: a Node with a namespace',
+            'add a Node with a namespace, or correct the existing one',
             'give the Node of turtlesim this namespace and name',
         ),
-        ('did you mean "/a" where you wrote "/b"?', 'compare the names letter by letter with the task', None),
+        ('write "/a" instead of "/b"', 'compare the names letter by letter with the task', None),
     ],
 )
 def test_one_advice_has_three_steps(try_: str, kind: str, thing: str | None) -> None:

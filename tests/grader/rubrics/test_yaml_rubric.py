@@ -37,7 +37,7 @@ def test_runs_are_chosen_by_the_seed() -> None:
 def test_checks_have_names_sentences_and_needs() -> None:
     lives, travels = read_yaml_rubric('a.yaml', GOOD.encode()).checks
     assert (lives.name, lives.sentence, lives.points) == ('lives', 'No node dies before the end', 0)
-    assert (travels.name, travels.sentence, travels.needs) == ('travels_2', 'turtle1 moves by at least 2 * speed m', (lives,))
+    assert (travels.name, travels.sentence, travels.needs) == ('travels_2', 'turtle1 drives at least 2 * speed m', (lives,))
 
 
 MISTAKES = {
@@ -60,7 +60,7 @@ MISTAKES = {
     'twice': ('2: title is there twice', 'title: A\n' + GOOD),
     'an object': ('1: ', GOOD.replace('title: A', 'title: !!python/name:os.system a')),
     'a pattern': (
-        '7: pattern is no regular expression',
+        '7: pattern is not a valid regular expression',
         GOOD.replace('alive: {}', 'prints: {package: a, executable: b, pattern: "("}'),
     ),
     'a sum that is none': ('9: at_least is', GOOD.replace('2 * $(arg speed)', '2 ** $(arg speed)')),

@@ -1,5 +1,5 @@
 """Whole classes: ``edugrade batch``.
 
-In reading order: `entries.py` (what a folder, an archive or a table holds, by whom), `store.py` (results on disk),
-`work.py` (what is graded, and by whom), `tables.py` (what people read), `command.py`.
+Read `entries.py` first, which finds the submissions and their students. Then read `store.py` (results on disk), `work.py`
+(grading on several processors), `tables.py` (pages and tables) and `command.py`.
 """

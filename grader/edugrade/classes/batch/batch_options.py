@@ -18,8 +18,8 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument(
         'folder',
         metavar='SUBMISSIONS',
-        help='a folder (or a .zip or .tar.gz of one) with a folder, an archive or a launch file for each student, such as '
-        'Moodle, Gradescope and Canvas give out; or a table, .csv: student,url (of a git repository) or student,path',
+        help='a directory, .zip or .tar.gz with a directory, an archive or a launch file for each student, as Moodle, Gradescope '
+        'and Canvas export it. It can also be a .csv table with the columns student,url (of a git repository) or student,path',
     )
     parser.add_argument(
         '--name-pattern',

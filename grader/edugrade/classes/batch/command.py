@@ -1,4 +1,4 @@
-"""The command ``edugrade batch``: grades a class, and goes on where it was stopped."""
+"""The command ``edugrade batch`` grades a class, and can continue after an interruption."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Results = Sequence[tuple[Entry, Result | None]]
 
 
 def main(words: Sequence[str]) -> int:
-    """Grade a class. Returns the exit code: 0, or 3 when somebody is without a verdict through a fault of the grader."""
+    """Grade a class. Return the exit code: 0, or 3 when a submission has no verdict because the grader failed."""
     from .batch_options import read_batch_options
 
     options = read_batch_options(words)
@@ -65,7 +65,7 @@ def _with_decisions(results: Results, store: Store) -> Results:
 
 
 def _beside(given: str) -> str:
-    """Where the results go when nobody says it: beside what was handed in."""
+    """Return the default directory of the results, which is beside the submissions."""
     name = given.rstrip(os.sep)
     ending = next((ending for ending in (*ARCHIVES, '.csv') if name.lower().endswith(ending) and os.path.isfile(name)), '')
     return name[: len(name) - len(ending)] + '.results'

@@ -35,7 +35,7 @@ Parcel = dict[str, Any]
 def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
     """Grade on the cluster with this scheduler; every result is kept as soon as it comes.
 
-    :raises UnusableInput: when Dask is not installed, or nobody answers at the address.
+    :raises UnusableInput: when Dask is not installed, or no scheduler answers at the address.
     """
     try:
         from distributed import Client, as_completed

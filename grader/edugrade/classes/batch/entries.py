@@ -28,9 +28,9 @@ NOTHING = 'there is no launch file or package of an exercise in it'
 class Entry(NamedTuple):
     """A submission of a class.
 
-    :ivar path: how it is called, relative to the folder of all; in an archive: as if that were a folder.
+    :ivar path: its path relative to the directory of all submissions. An archive counts as a directory.
     :ivar student: whose it is; `id` by a learning platform's number or word.
-    :ivar file: where it lies, unpacked if need be; '' for what is `refused`, for which reason and with what `help`.
+    :ivar file: the path of its file, unpacked if necessary, or '' for a refused submission. `refused` and `help` explain why.
     :ivar origin: repository and commit, when it was cloned.
     :ivar root: the folder of all that the student handed in, or what it was unpacked to.
     """
@@ -46,7 +46,7 @@ class Entry(NamedTuple):
 
 
 def refuse_nothing(given: str) -> None:
-    """Refuse what is no folder, no archive and no table: before anything is made for its results.
+    """Refuse a path that is not a directory, an archive or a table, before the results get a directory.
 
     :raises UnusableInput: naming it.
     """
@@ -60,7 +60,7 @@ class Finder:
     """Finds the submissions.
 
     :param given: a folder with a folder, an archive or a launch file for each student, such a folder packed, or a table (.csv).
-    :param unpacked: where archives and repositories are put; made anew.
+    :param unpacked: a new directory for archives and repositories.
     :param is_wanted: says of a name, of a launch file or a package, whether it is an exercise to be graded.
     :param pattern: see `namer`.
     """
@@ -75,7 +75,7 @@ class Finder:
         self._given = given
 
     def entries(self) -> list[Entry]:
-        """All submissions, in the order of their paths; a student of whom there is none has an entry that says so.
+        """All submissions in the order of their paths. A student without a submission has an entry with the reason.
 
         :raises UnusableInput: when there is nothing to look into.
         """
@@ -101,7 +101,7 @@ class Finder:
         return [entry._replace(origin=origin, root=self._root_of(entry, folder)) for entry in found]
 
     def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
-        """What one student handed in. What is neither folder, nor archive, nor launch file is nobody's work."""
+        """Return the submissions of one student. Other files than directories, archives and launch files do not count."""
         folder = os.path.dirname(item.path)
         if item.is_symlink():
             yield Entry(item.name, *student_of(item.name), refused='it is a link, and links are not followed')

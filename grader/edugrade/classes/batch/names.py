@@ -1,4 +1,4 @@
-"""Whose a submission is: by its path as learning platforms write it, by a pattern of one's own, or by a table of repositories."""
+"""Finds the student of a submission: from a path of a learning platform, from a pattern, or from a table of repositories."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ class Student(NamedTuple):
 def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
     """What gives the student of a path relative to the folder of all submissions (written with ``/``).
 
-    The pattern goes first; then the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), Gradescope
-    (``submission_123/`` with the names of ``submission_metadata.yml``) and Canvas (``lovelaceada_123_456_circle.launch.py``);
-    then the first part of the path.
+    A pattern comes first. Then come the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of Gradescope
+    (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
+    (``lovelaceada_123_456_circle.launch.py``). The last resort is the first part of the path.
 
     :param pattern: a regular expression with a group ``student`` and perhaps a group ``id``, found anywhere in the path.
-    :raises UnusableInput: when it is no regular expression, or has no such group.
+    :raises UnusableInput: when it is not a valid regular expression, or has no such group.
     """
     own = _compiled(pattern) if pattern else None
     people = _gradescope_people(folder)
@@ -129,8 +129,8 @@ _URL = re.compile(r'(?:https?|ssh|git|file)://|[\w.-]+@[\w.-]+:')
 def clone_all(table: str, folder: str) -> Iterator[tuple[Student, str, str, str]]:
     """For each line of a table (student, its folder, where it is from, why it is refused or '').
 
-    The table is CSV with a head: ``student``; ``url`` (of a git repository) or ``path`` (a folder, relative to the table);
-    perhaps ``id``, and ``ref`` (a branch or tag).
+    The table is CSV with a header. It has a column ``student``, and a column ``url`` (of a git repository) or ``path`` (a
+    directory, relative to the table). The columns ``id`` and ``ref`` (a branch or tag) are optional.
 
     :param folder: where repositories are cloned to.
     :raises UnusableInput: when the table lacks a column or cannot be read.

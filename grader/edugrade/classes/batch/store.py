@@ -80,7 +80,7 @@ class Store:
         return os.path.join(folder or self.folder, name + ending)
 
     def result(self, entry: Entry) -> Result | None:
-        """The result that is there; None without one, or with half of one from somebody else's hand."""
+        """Return the stored result, or None when there is no complete one."""
         return None if entry.path in self.unkept else _read(self.path(entry))
 
     def save(self, entry: Entry, content: Result) -> None:
@@ -112,7 +112,7 @@ class Store:
     def all(self) -> list[Result]:
         """Every result that is there, in the order of their paths: of an ended batch, for its exports.
 
-        :raises UnusableInput: when there is none.
+        :raises UnusableInput: when there is no result.
         """
         found = []
         for place, folders, names in os.walk(self.folder):
@@ -134,7 +134,7 @@ def _read(path: str) -> Result | None:
 def merged(earlier: dict[str, Any], again: dict[str, Any], name: str) -> dict[str, Any]:
     """The earlier result with one check, its points and what follows from them as they are now. The rest stays as it was.
 
-    :param again: the report of the check and of those that it needs.
+    :param again: the report of the check and of the checks that it needs.
     """
     new = {check['name']: check for check in again['checks']}
     checks = [new[name] if check['name'] == name else check for check in earlier['checks']]

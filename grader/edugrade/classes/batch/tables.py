@@ -14,6 +14,7 @@ from urllib.parse import quote
 
 from ...files import write_whole
 from ...reports.markup import Markup, element, html_page, table_row
+from ...reports.theme import PAGE
 
 if TYPE_CHECKING:
     from .store import Store
@@ -61,7 +62,7 @@ def _row(entry: Entry, found: Result) -> dict[str, str]:
 
 
 def confined_by(found: Result) -> str:
-    """What confined the runs of a submission: the names of the layers, and of those that did not hold, with why."""
+    """Return which layers of the sandbox confined the runs of a submission, and which failed and why."""
     if 'checks' not in found:
         return ''
     layers = found.get('sandbox') or {}
@@ -71,7 +72,7 @@ def confined_by(found: Result) -> str:
 
 
 def one_line(text: str) -> str:
-    """The first line of a text; with the next one when that is what it announces."""
+    """Return the first line of a string, with the second line when the first one ends in a colon."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     return ' '.join([lines[0], lines[1].removeprefix('- ')] if lines[1:] and lines[0].endswith(':') else lines[:1])
 
@@ -99,15 +100,16 @@ def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator:
 
 
 def plain(value: str) -> str:
-    """A text as a spreadsheet shows it, and never runs it."""
+    """Return a string that a spreadsheet shows and never evaluates."""
     value = ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in value)
     value = BEHIND_A_SEPARATOR.sub(r"\1'", value)
     return f"'{value}" if value.startswith(FORMULA) else value
 
 
-STYLE = (
-    'body{font:16px/1.45 system-ui,sans-serif;margin:2em;color:#222}'
+STYLE = PAGE + (
+    'body{font:16px/1.45 system-ui,sans-serif;margin:2em}'
     'table{display:block;overflow-x:auto}a,td:last-child{overflow-wrap:anywhere}td:last-child{min-width:12em}'
+    'table{border-collapse:collapse}tr+tr{border-top:1px solid var(--line)}'
     'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
 )
 SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'sandbox', 'first_problem')
@@ -144,7 +146,7 @@ def class_page(results: Results, pages: dict[str, str]) -> str:
         element('h1', 'A class'),
         *(element('p', words) for words in _marks(results)),
         element('table', *table),
-        element('h2', 'Commonest causes'),
+        element('h2', 'Most frequent causes'),
         element('table', *_causes(results)),
         element('h2', 'Checks'),
         element('table', *_checks(results)),
@@ -163,7 +165,7 @@ def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
         checks = [table_row('check', 'result', 'points', 'why', 'seen', 'try', kind='th')]
         for check in (found or {}).get('checks', ()):
             words = (check['reason'], check['seen'], check['try'])
-            points = f'{check["earned"]} of {check["points"]}'
+            points = f'{check["earned"]} of {check["points"]}' if check['points'] else ''
             checks.append(
                 table_row(check['sentence'], check['status'].replace('_', ' '), points, *(word or '' for word in words))
             )
@@ -185,7 +187,7 @@ def _marks(results: Results) -> Iterator[str]:
         yield f'{exercise}: {len(given)} marks, {min(given)} to {max(given)}, median {middle}, mean {mean:.1f}.'
     without = sum(1 for _, found in results if not found or found.get('points', {}).get('earned') is None)
     if without:
-        yield f'{without} without a mark: they could not be graded, which is no zero.'
+        yield f'{without} submissions could not be graded. They have no mark, which differs from zero points.'
 
 
 def _causes(results: Results) -> list[Markup]:
@@ -196,8 +198,8 @@ def _causes(results: Results) -> list[Markup]:
             bad = next(
                 (check for check in (found or {}).get('checks', ()) if check['status'] in ('failed', 'grader_broke')), None
             )
-            counts[row['exercise'], bad['sentence'] if bad else 'It can be graded', row['first_problem']] += 1
-    lines = [table_row('how many', 'exercise', 'check', 'cause', kind='th')]
+            counts[row['exercise'], bad['sentence'] if bad else 'The submission can be graded', row['first_problem']] += 1
+    lines = [table_row('submissions', 'exercise', 'check', 'cause', kind='th')]
     lines += [table_row(str(count), *cause) for cause, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))]
     return lines[: MOST_CAUSES + 1]
 

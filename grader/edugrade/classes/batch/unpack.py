@@ -47,8 +47,8 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: when something of it is no file or folder, leads out of the folder, has an odd name, comes twice, or is
-        too much; the member is named. What was written until then stays.
+    :raises UnusableInput: with the name of a member that is refused. Such a member is not a file or directory, leads out of the
+        directory, has an odd name, comes twice, or is too large. The files that were written before stay.
     """
     try:
         _refuse_size(archive, bounds)
@@ -107,7 +107,7 @@ def _write_all(members: Iterator[Member], folder: str, bounds: Bounds, packed: i
 
 
 def _parts(name: str) -> list[str]:
-    """The parts of a member's path; '.' and doubled slashes are no parts."""
+    """Return the parts of a member's path, without '.' and empty parts."""
     parts = [part for part in name.split('/') if part not in ('', '.')]
     if name.startswith('/') or '..' in parts:
         raise refused(f'holds a path that leads out of it: {name!r}')

@@ -63,7 +63,7 @@ def plan(entry: Entry, options: Options) -> Work:
 
 
 def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:
-    """What is not graded yet. What cannot be graded gets its verdict here, and costs nobody else anything."""
+    """Return the submissions that are not graded yet. A submission that cannot be graded gets its verdict here."""
     for entry in entries:
         try:
             work = plan(entry, options)
@@ -84,12 +84,12 @@ def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool
 
 
 def refusal(exit_code: int, reason: str, help: str | None = None) -> Result:
-    """The result of what could not be graded: no mark, which is no zero."""
+    """Return the result of a submission that could not be graded. It has no mark, which differs from zero points."""
     return {'exit_code': exit_code, 'verdict': VERDICTS[exit_code], 'refused': reason, 'help': help}
 
 
 def keep(store: Store, entry: Entry, result: Result) -> bool:
-    """Write a result; whether that could be done. A file that cannot be written costs one result, and is said."""
+    """Write a result, and return whether it was possible. A failure prints a message and affects only this result."""
     try:
         store.save(entry, result)
     except (ComputerFault, UnusableInput) as error:
@@ -125,7 +125,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
 
 
 def keep_page(path: str, text: str) -> None:
-    """Write a page; one that cannot be written is said, and costs no mark."""
+    """Write a page. A failure prints a message and costs no mark."""
     try:
         os.makedirs(os.path.dirname(path), exist_ok=True)
         write_whole(path, text)
@@ -134,7 +134,7 @@ def keep_page(path: str, text: str) -> None:
 
 
 def keep_document(store: Store, entry: Entry, found: Result, options: Options) -> None:
-    """Write the result of a submission; of a single check that was graded again: into the result that is there."""
+    """Write the result of a submission. A single check that was graded again is merged into the existing result."""
     earlier = store.result(entry) if options.only else None
     if options.only and earlier and 'checks' in earlier and 'checks' in found:
         from .store import merged

@@ -71,7 +71,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def build(exercise: str, out: str, wheel: str | None = None, secret: str | None = None, limit_s: float = 30.0) -> None:
-    """Write the zip file that Gradescope wants: setup.sh, run_autograder, and what they need; the same input gives the same.
+    """Write the zip file for Gradescope with setup.sh, run_autograder and their files. Equal input gives equal bytes.
 
     :raises UnusableInput: when there is no such rubric, wheel or secret.
     """
@@ -100,7 +100,7 @@ def build(exercise: str, out: str, wheel: str | None = None, secret: str | None 
 def run(folder: str) -> int:
     """Grade ``submission/`` by ``source/`` and write ``results/results.json``.
 
-    Where the grader broke nothing is written, and the exit code is 3: Gradescope says that the autograder failed: no mark.
+    If the grader failed, this writes nothing and the exit code is 3. Gradescope then reports a failed autograder without a mark.
     """
     source = os.path.join(folder, 'source')
     config = json.loads(read_given(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
@@ -128,7 +128,7 @@ def run(folder: str) -> int:
 
 
 def results(found: dict[str, Any], note: str = '') -> dict[str, Any]:
-    """A JSON report as Gradescope's ``results.json``: a test for each check, points as they were given."""
+    """Return a JSON report as Gradescope's ``results.json``, with a test and the points for each check."""
     return {
         'score': found['points']['earned'],
         'output': f'{found["rubric"]["title"]}: {found["verdict"]}. Seed {found["seed"]}. {note}'.strip(),
@@ -166,7 +166,7 @@ def _test(check: dict[str, Any]) -> dict[str, Any]:
 
 
 def _student(folder: str) -> tuple[str, str, int]:
-    """The numbers and names of those who hand it in, and which try it is, by the metadata that Gradescope writes; '' without."""
+    """Return the numbers and names of the submitting students and the attempt, from Gradescope's metadata, or ''."""
     try:
         found = json.loads(read_regular(os.path.join(folder, 'submission_metadata.json'), LARGEST_WHEEL))
         known = sorted((str(user['id']), str(user.get('name', ''))) for user in found['users'])

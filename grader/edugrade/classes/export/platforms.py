@@ -1,9 +1,9 @@
 """``edugrade export moodle|canvas RESULTS/``: the marks of a class, one for each student, as a learning platform imports them.
 
-Canvas takes its own gradebook with a column more (Canvas Guides, "How do I import grades in the Gradebook?"): the first columns
-are Student, ID, SIS User ID, SIS Login ID, Section, and the line "Points Possible" stands before the students. Moodle takes a
-grade import (docs.moodle.org, "Grade import": CSV with a head, mapped by hand) or the offline grading worksheet of an assignment
-(docs.moodle.org, "Assignment: offline grading worksheet").
+Canvas imports its own gradebook with one more column (Canvas Guides, "How do I import grades in the Gradebook?"). The first
+columns are Student, ID, SIS User ID, SIS Login ID and Section. The line "Points Possible" comes before the students.
+Moodle imports CSV with a header, whose columns the teacher maps (docs.moodle.org, "Grade import"). It also imports the offline
+grading worksheet of an assignment (docs.moodle.org, "Assignment: offline grading worksheet").
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ..decisions import decided, read_late
 
 
 class Mark(NamedTuple):
-    """What a student has: points, or None for no mark, of how many, and what is said about it."""
+    """The points of a student, or None for no mark, with the possible points and the comment."""
 
     student: str
     id: str
@@ -37,7 +37,7 @@ def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> 
     """The exercise and the marks in it; of several submissions of a student the best one counts.
 
     :param exercise: its name; may be left out when the results know one exercise only.
-    :raises UnusableInput: when it is not clear which exercise is meant, or nobody handed it in.
+    :raises UnusableInput: when the exercise is not clear, or no student submitted it.
     """
     known = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
     if exercise is None and len(known) == 1:
@@ -64,7 +64,7 @@ def _mark(result: dict[str, Any], possible: int) -> Mark:
 
 
 def remarks(result: dict[str, Any]) -> list[str]:
-    """What stands beside a mark: a teacher's comment, what was taken off, and what did not confine the runs."""
+    """Return the comment on a mark: the teacher's comment, deductions, and layers of the sandbox that failed."""
     days, graded, earned = result.get('late_days', 0), result.get('graded'), result.get('points', {}).get('earned')
     said = [result['comment']] if result.get('comment') else []
     if days:
@@ -112,7 +112,7 @@ def points(mark: Mark) -> str:
 
 
 class People:
-    """Finds the mark of somebody: by a number, else by a name that only one has ('Lovelace, Ada' is 'Ada Lovelace')."""
+    """Finds the mark of a student by a number, or by a unique name. 'Lovelace, Ada' equals 'Ada Lovelace'."""
 
     def __init__(self, marks: Sequence[Mark]) -> None:
         self._marks = marks
@@ -122,7 +122,7 @@ class People:
         self._by_name = {_words(mark.student): mark for mark in marks if names[_words(mark.student)] == 1}
 
     def find(self, numbers: Sequence[str], name: str) -> Mark | None:
-        """The mark of whoever has one of these numbers, or this name."""
+        """Return the mark of the student with one of these numbers, or with this name."""
         found = next((self._by_id[number] for number in numbers if number in self._by_id), None)
         if found is None:
             found = self._by_name.get(_words(name))
@@ -132,7 +132,7 @@ class People:
 
     @property
     def unmet(self) -> list[str]:
-        """Names of those who have a mark, or should have one, and were not asked for."""
+        """Return the names of students with a mark, or without a submission, that the platform's file does not list."""
         return [mark.student for mark in self._marks if (mark.student, mark.id) not in self._met]
 
 
@@ -151,7 +151,7 @@ def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[
     Students are known by a number (which Canvas writes into the names of downloads), else by their name. Other columns are left
     out: Canvas changes what a file has.
 
-    :raises UnusableInput: when it is no gradebook of Canvas.
+    :raises UnusableInput: when it is not a gradebook of Canvas.
     """
     head, rows = read_list(path)
     if not {STUDENT, 'ID', 'Section'} <= set(head):
@@ -185,7 +185,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
     Students are known by the number behind "Participant", which the names of downloads have too, else by their name.
 
-    :raises UnusableInput: when it is no worksheet, or its maximum is not that of the exercise.
+    :raises UnusableInput: when it is not a worksheet, or its maximum is not that of the exercise.
     """
     head, rows = read_list(path)
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]
@@ -240,7 +240,7 @@ def main(words: Sequence[str]) -> int:
     """The command. Says of whom the platform's list knows nothing."""
     parser = argparse.ArgumentParser(
         prog='edugrade export',
-        description='Write the marks of a batch for a learning platform. No mark stays empty: it is no zero.',
+        description='Write the marks of a batch for a learning platform. A submission without a mark has an empty cell.',
     )
     parser.add_argument('format', choices=('moodle', 'canvas', 'table'), help='table: all exercises, one line for each student')
     parser.add_argument('results', metavar='RESULTS', help='the folder that edugrade batch has written')

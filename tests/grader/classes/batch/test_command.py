@@ -71,7 +71,7 @@ def test_each_submission_has_its_result_and_a_line_in_the_table(group: Path, tmp
         ('mallory', '0'),
         ('peter', ''),
     ]
-    assert rows[4]['first_problem'] == 'the program was ended by SIGKILL before the run was over'
+    assert rows[4]['first_problem'] == 'the signal SIGKILL ended the program before the end of the run'
     assert 'regular file' in rows[5]['first_problem']
     page = (tmp_path / 'pages' / 'index.html').read_text()
     assert 'href="anna/static_frame.launch.py.html"' in page
