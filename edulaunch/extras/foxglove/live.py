@@ -9,7 +9,7 @@ from typing import Any
 from edulaunch.desk.view import ViewedMachine
 from edulaunch.engine.graph.names import topic_name_problem
 from edulaunch.engine.graph.node_entry import NodeEntry
-from edulaunch.engine.graph.parameters import DOUBLE, DOUBLE_ARRAY, type_of_value
+from edulaunch.engine.graph.parameters import BYTE_ARRAY, DOUBLE, DOUBLE_ARRAY, type_of_value
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
@@ -21,6 +21,8 @@ from edulaunch.runtime.session import Session
 
 MOST_CALLS = 100
 """Requests of one client that wait for their reply."""
+MOST_PROBLEMS = 5
+"""Parameters in one error message."""
 ANSWER_NS = 30 * 10**9
 """Simulated time after which a service will not answer any more."""
 SLOTS = ('', 'bool', 'integer', 'double', 'string', 'byte_array', 'bool_array', 'integer_array', 'double_array', 'string_array')
@@ -39,9 +41,11 @@ class LiveFeed:
     def __init__(self, machine: ViewedMachine, number: int) -> None:
         self._machine = machine
         self._number = number
+        self._sessions = 0
         self._use(machine.session)
 
     def _use(self, session: Session) -> None:
+        self._sessions += 1
         self._session, self._graph, self._recorder = session, session.graph, session.recorder
         self._node: NodeEntry | None = None
         self._ends: dict[Any, Any] = {}
@@ -51,7 +55,7 @@ class LiveFeed:
     def session(self) -> str:
         if self._machine.session is not self._session:
             self._use(self._machine.session)
-        return f'{id(self._session):x}-{self._session.sim.start_ns}'
+        return f'{self._session.sim.start_ns}-{self._sessions}'
 
     def details(self) -> dict[str, Any]:
         return {}
@@ -197,7 +201,7 @@ class LiveFeed:
             wrong.extend([problem] if problem else [])
             left[0] -= 1
             if not left[0]:
-                answer('; '.join(wrong))
+                answer('; '.join(wrong[:MOST_PROBLEMS]))
 
         if not values:
             answer('')
@@ -265,7 +269,7 @@ def _typed(name: str, value: Value, kind: str | None, current: Any) -> dict[str,
     if (was == DOUBLE_ARRAY or kind == 'float64_array') and isinstance(value, list):
         value = [float(one) if isinstance(one, int) and not isinstance(one, bool) else one for one in value]
     try:
-        number = type_of_value(value) if value != [] or current is None else was
+        number = was if value == [] and was >= BYTE_ARRAY else type_of_value(value)
     except TypeError as error:
         raise Refused(f'{name}: {error}') from None
     limits = range(-(1 << 63), 1 << 63)

@@ -200,6 +200,15 @@ def _text(said: dict[str, Any], name: str) -> str:
 def _checked_text(op: str, name: str, value: Any) -> str:
     if not isinstance(value, str) or len(value) > LONGEST_TEXT:
         raise ProtocolError(f'{op}: {name!r} has to be a text of at most {LONGEST_TEXT} letters')
+    return _unicode(op, value)
+
+
+def _unicode(op: str, value: str) -> str:
+    """A string that can be UTF-8: JSON can also have halves of a letter."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise ProtocolError(f'{op}: a text has half a letter') from None
     return value
 
 
@@ -236,7 +245,9 @@ def _value(value: Any) -> Value:
         return [_value(one) for one in value]
     if isinstance(value, float) and not math.isfinite(value):
         raise ProtocolError('setParameters: a number is too large')
-    if isinstance(value, (bool, int, float, str)):
+    if isinstance(value, str):
+        return _unicode('setParameters', value)
+    if isinstance(value, (bool, int, float)):
         return value
     raise ProtocolError('setParameters: a value has to be a bool, a number, a text, or a list of them')
 

@@ -47,7 +47,7 @@ class RecordingFeed:
         self._told: int | None = None
 
     def session(self) -> str:
-        return f'{self.name}-{id(self):x}'
+        return f'{self.name}-{self._start_ns}'
 
     def details(self) -> dict[str, Any]:
         if 'playbackControl' not in self.capabilities:

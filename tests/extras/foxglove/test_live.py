@@ -187,6 +187,17 @@ def test_parameters_are_read_set_and_watched(session: Session) -> None:
     assert '/nobody.x: no node /nobody has parameters here' in status and '/turtlesim.holonomic: ' in status
 
 
+@pytest.mark.parametrize(('name', 'value'), [('background_r', []), ('use_sim_time', [1, 'x']), ('background_g', 1 << 70)])
+def test_a_value_that_a_parameter_cannot_have_is_refused(session: Session, name: str, value: Any) -> None:
+    spoken = turtlesim(session)
+    before = session.recorder.parameters[:]
+    spoken.op('setParameters', parameters=[{'name': f'/turtlesim.{name}', 'value': value}], id='x')
+    session.run(0.5)
+    spoken.turn()
+    [status] = spoken.statuses()
+    assert status.startswith(f'/turtlesim.{name}: ') and session.recorder.parameters == before
+
+
 def test_the_graph_is_told_once_and_then_what_differs(session: Session) -> None:
     spoken = turtlesim(session)
     spoken.op('subscribeConnectionGraph')

@@ -50,6 +50,8 @@ BAD: list[tuple[str | bytes, str]] = [
     ('{"op":"fetchAsset","uri":5,"requestId":3}', "fetchAsset: 'uri' has to be a text of at most 512 letters"),
     ('{"op":"setParameters","parameters":[{"name":"a","value":NaN}]}', 'this text is not JSON'),
     ('{"op":"setParameters","parameters":[{"name":"a","value":1e999}]}', 'setParameters: a number is too large'),
+    (r'{"op":"getParameters","parameterNames":["\ud800"]}', 'getParameters: a text has half a letter'),
+    (r'{"op":"setParameters","parameters":[{"name":"a","value":["\ud800"]}]}', 'setParameters: a text has half a letter'),
     (
         '{"op":"setParameters","parameters":[{"name":"a","value":[[1]]}]}',
         'setParameters: a parameter of ROS 2 has no lists inside lists',

@@ -15,6 +15,7 @@ import pytest
 
 pytest.importorskip('tornado')
 
+import edulaunch
 from edulaunch.desk.cli.main import main
 from tests.desk.machine.conftest import desk_in
 from tests.desk.machine.shells import Desk, Shell
@@ -63,6 +64,25 @@ def test_a_client_reads_the_pose_and_drives_the_turtle(desk: Desk) -> None:
     shell.send(signal.SIGINT)
     assert shell.end() == 0
     assert 'Publisher' not in desk.said('topic list') and TWIST in desk.said('topic list')
+
+
+@pytest.mark.terminals
+def test_a_recording_plays_to_its_end(desk: Desk) -> None:
+    recording = edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=1)
+    recording.save(desk.folder / 'multi.rec')
+    shell, url = view(desk, 'multi.rec')
+
+    async def listen() -> list[tuple[int, bytes]]:
+        client = await FoxgloveClient.connect(url)
+        await client.subscribe('/turtlesim2/turtle1/pose', 1)
+        await client.until(lambda: [one for one in client.binary if one[:2] == b'\x05\x03'])
+        await client.close()
+        return client.data(1)
+
+    last_s, _ = recording.messages('/turtlesim2/turtle1/pose')[-1]
+    assert asyncio.run(listen())[-1][0] == recording.start_ns + round(last_s * 1e9)
+    shell.send(signal.SIGINT)
+    assert shell.end() == 0 and not list(desk.runtime.glob('edulaunch/domain-*'))  # no machine was started
 
 
 @pytest.mark.parametrize(
