@@ -82,6 +82,14 @@ def read_ends(paths: Sequence[str], parameters: Mapping[str, Any]) -> SourceEnds
     return SourceEnds(name, list(dict.fromkeys(ends)), list(dict.fromkeys(frames)), list(dict.fromkeys(unknown)))
 
 
+def read_defaults(paths: Sequence[str]) -> dict[str, Any]:
+    """Return the defaults of the parameters that a program declares, as far as the reader can evaluate them."""
+    found: dict[str, Any] = {}
+    for tree in map(parsed, paths):
+        found |= _Reader(tree, {}).defaults() if tree is not None else {}
+    return found
+
+
 def files_of(path: str) -> list[str]:
     """A program's file, and the files beside it that it imports, directly or not."""
     found: list[str] = []
@@ -131,6 +139,11 @@ class _Reader:
                 self._note(node.target, node.value if isinstance(node, (ast.AnnAssign, ast.NamedExpr)) else None)
             elif isinstance(node, ast.arg):
                 self._set.setdefault(node.arg, []).append(None)
+
+    def defaults(self) -> dict[str, Any]:
+        """The declared parameters whose default is certain."""
+        values = {name: self.value(default) for name, default in self._defaults.items()}
+        return {name: value for name, value in values.items() if value is not UNKNOWN}
 
     def _note(self, target: ast.expr, value: ast.expr | None) -> None:
         """Note what sets a variable; a second statement, or one that is not plain, makes it unknown."""

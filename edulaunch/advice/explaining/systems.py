@@ -196,16 +196,22 @@ def _words(item: Mapping[str, Any]) -> list[str]:
 def _read(item: Mapping[str, Any], index: Index) -> Found:
     """Read the source of a student's program."""
     unnamed = fully_qualified_name(item['namespace'] or '/', item['name'] or item['executable'].removesuffix('.py'))
-    path = _file_of(index, item['package'], item['executable'])
-    if path is None or not path.endswith('.py'):
+    files = source_files(index, item['package'], item['executable'])
+    if not files:
         return _unknown(unnamed), []
-    read = read_ends(files_of(path), item['parameters'])
+    read = read_ends(files, item['parameters'])
     name, namespace, rules = item['name'] or read.name, item['namespace'] or '/', _rules(item)
     full = fully_qualified_name(namespace, name) if name else unnamed
     ends = [(kind, _resolved(end, kind, rules, full), type) for kind, end, type in read.ends]
     frames = [SystemFrame(parent, child, is_static, [full]) for parent, child, is_static in read.frames]
     unknown = [*([] if name else ['the name of the node']), *read.unknown]
     return SystemNode(full, '', 'source', ends, unknown, {}), frames
+
+
+def source_files(index: Index, package: str, executable: str) -> list[str]:
+    """Return the Python files of a student's program; none for another program."""
+    path = _file_of(index, package, executable)
+    return files_of(path) if path is not None and path.endswith('.py') else []
 
 
 def _file_of(index: Index, package: str, executable: str) -> str | None:

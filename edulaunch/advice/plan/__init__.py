@@ -6,6 +6,18 @@ The real launch service visits the real actions in a simulation of its own; only
 
 from __future__ import annotations
 
-from edulaunch.advice.plan.make_plan import Rehearsal, make_plan, rehearse
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+if TYPE_CHECKING:
+    from typing import Any
+
+    from edulaunch.advice.plan.dry_run import Rehearsal, make_plan, rehearse
 
 __all__ = ['Rehearsal', 'make_plan', 'rehearse']
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from edulaunch.advice.plan import dry_run  # late: each launch loads this package, and only for its trace
+
+    return getattr(dry_run, name)

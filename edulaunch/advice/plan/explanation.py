@@ -12,13 +12,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from difflib import SequenceMatcher
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.plan.wording import action_words, details_of, shown_value, title_of
 
 if TYPE_CHECKING:
-    from edulaunch.advice.plan.make_plan import Rehearsal
+    from edulaunch.advice.plan.dry_run import Rehearsal
     from edulaunch.advice.plan.wording import Branch
     from edulaunch.engine.processes import Origin
 
@@ -202,6 +201,8 @@ def differences(before: Entry, after: Entry) -> list[Entry]:
 
 
 def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
+    from difflib import SequenceMatcher  # late: each launch loads this module
+
     old, new = [_identity(entry) for entry in before], [_identity(entry) for entry in after]
     found: list[Entry] = []
     for what, start, end, new_start, new_end in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():

@@ -272,8 +272,6 @@ MOST_STEPS = 500_000
 """So often may simulated time advance, and so much may be done, before something must end."""
 STEPS_BETWEEN_COLLECTIONS = 20_000
 """A plan is made without the garbage collector, which takes half of the time of a large one."""
-MOST_REACTIONS = 20_000
-"""So often may event handlers give actions: events that follow from events are all handled in one step."""
 
 
 def run_to_rest(sim: Simulation) -> str | None:

@@ -13,7 +13,6 @@ from launch.action import Action
 from launch.event_handlers.on_action_event_base import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
-from edulaunch.advice.plan.rehearsal import MOST_REACTIONS
 from edulaunch.advice.plan.wording import Branch
 from edulaunch.engine.underlay_place import is_students
 
@@ -28,6 +27,8 @@ Executed = Callable[[Branch, 'LaunchContext'], object]
 
 _PHASES = {'ProcessStarted': 'on_start', 'TimerEvent': 'timer', 'ProcessExited': 'on_exit', 'Shutdown': 'on_shutdown'}
 _EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {name} has ended', 'Shutdown': 'at shutdown'}
+MOST_REACTIONS = 20_000
+"""Event handlers may give actions this often. Launch handles events that follow from events in one step."""
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
 """What follows these events hangs below the action itself."""
 

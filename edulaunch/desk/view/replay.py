@@ -38,9 +38,14 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 
     :param other: another run, which the page plots over this one.
     """
-    timeline = Timeline(RecordingSource(recording))
+    from edulaunch.desk.view.defaults import defaults_of  # late: only a page of a run that has ended needs it
+
+    source = RecordingSource(recording)
+    timeline = Timeline(source)
     timeline.mark(marks_of(recording))
     delta = timeline.delta()
+    if defaults := defaults_of(source.part('nodes'), source.part('processes'), source.part('parameters')):
+        delta['defaults'] = defaults
     return delta if other is None else {**delta, 'other': Timeline(RecordingSource(other)).delta()}
 
 
@@ -51,6 +56,7 @@ class RecordingSource:
         from edulaunch.engine.recording.canonical import canonical
 
         self._content = canonical(recording._content)
+        self._lines = recording.lines
         self._class = recording._class
         self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
 
@@ -75,6 +81,10 @@ class RecordingSource:
     def forgotten(self, topic: tuple[str, str]) -> int:
         """See `numbers`."""
         return 0
+
+    def lines(self) -> Mapping[int, tuple[str, int]]:
+        """See `TimelineSource.lines`; a recording from a file has none."""
+        return self._lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
         """See `TimelineSource.beside`."""
@@ -119,6 +129,10 @@ class RecorderSource:
     def forgotten(self, topic: tuple[str, str]) -> int:
         """See `TimelineSource.forgotten`."""
         return self._recorder.forgotten.get(topic, 0)
+
+    def lines(self) -> Mapping[int, tuple[str, int]]:
+        """See `TimelineSource.lines`."""
+        return self._recorder.lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
         """See `TimelineSource.beside`."""

@@ -6,6 +6,7 @@ microseconds since the start of the simulation. The rules that make marks are an
 
 from __future__ import annotations
 
+import os
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
@@ -70,6 +71,9 @@ class TimelineSource(Protocol):
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
         """(dotted path, type) of each entry of a wire."""
+
+    def lines(self) -> Mapping[int, tuple[str, int]]:
+        """File and line that made an endpoint, by its number; only for code of students."""
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
         """Return what another wing recorded (see `Recorder.beside`).
@@ -136,7 +140,9 @@ class Timeline:
                     delta['robots'] += self._robots(topic, times, wires)
                 elif kind == SCAN_TYPE:
                     delta['scans'] += self._scans(topic, times, wires)
-        delta['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
+        endpoints, lines = self._new('endpoints'), source.lines()
+        delta['endpoints'] = [_endpoint(row) for row in endpoints]
+        delta['places'] = [[row[4], _place(*lines[row[4]])] for row in endpoints if row[4] in lines]
         parameters = self._new('parameters')
         delta['parameters'] = [_parameter(row) for row in parameters]
         for time, node, name, value, _ in parameters:
@@ -283,6 +289,11 @@ def _json(value: Any) -> Any:
     return [_json(entry) for entry in value] if isinstance(value, (list, tuple)) else str(value)
 
 
+def _place(file: str | None, line: int | None) -> str:
+    """A place without the folders of this machine, '' for none."""
+    return '' if not file else f'{os.path.basename(file)}:{line}'
+
+
 def _node(number: int, row: Sequence[Any]) -> list[Any]:
     """[number, name, process, index, from, to]"""
     name, process, start, end, index = row
@@ -290,7 +301,7 @@ def _node(number: int, row: Sequence[Any]) -> list[Any]:
 
 
 def _process(number: int, row: Any) -> list[Any]:
-    """[number, name, pid, argv, from, to, return code]"""
+    """[number, name, pid, argv, from, to, return code, place of its launch action]"""
     end = row['ended']
     return [
         number,
@@ -300,6 +311,7 @@ def _process(number: int, row: Any) -> list[Any]:
         row['started'] // 1000,
         None if end is None else end // 1000,
         row['returncode'],
+        _place(row.get('file'), row.get('line')),
     ]
 
 

@@ -225,6 +225,14 @@ class Viewer:
         self._timeline.mark(marks)
         self._say({'said': f'to look at: {len(marks)}' if marks else 'No problems found.'})
 
+    def _defaults(self, request: dict[str, Any]) -> None:
+        """Give the page the defaults of parameters that got a value from outside."""
+        from edulaunch.desk.view.defaults import defaults_of
+
+        recorder = self._session.recorder
+        found = defaults_of(recorder.nodes, recorder.processes, recorder.parameters, self._session.index)
+        self._say({'defaults': found})
+
     def _start(
         self,
         argv: list[str],
@@ -266,6 +274,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'interrupt': Viewer._interrupt,
     'advise': Viewer._advise,
     'export': Viewer._export,
+    'defaults': Viewer._defaults,
     'network': Viewer._network,
 }
 

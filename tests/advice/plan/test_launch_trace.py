@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import signal
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -274,3 +276,12 @@ def test_a_launch_that_stands_can_be_closed() -> None:
     assert session.sim.is_suspended
     session.close()
     assert session.traces[0].is_over or not session.graph.nodes
+
+
+@pytest.mark.processes
+def test_a_launch_does_not_load_the_dry_run() -> None:
+    text = (
+        "import edulaunch, sys; edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.1); "
+        "print([name for name in ('dry_run', 'planner', 'rehearsal', 'closed') if f'edulaunch.advice.plan.{name}' in sys.modules])"
+    )
+    assert subprocess.run([sys.executable, '-c', text], capture_output=True, text=True, check=True).stdout == '[]\n'

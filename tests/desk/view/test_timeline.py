@@ -128,6 +128,9 @@ class Scanner:
     def forgotten(self, topic: tuple[str, str]) -> int:
         return 0
 
+    def lines(self) -> dict[int, tuple[str, int]]:
+        return {}
+
     def beside(self, name: str, since: object) -> list[Any]:
         return []
 

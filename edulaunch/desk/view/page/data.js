@@ -94,7 +94,7 @@ class Store {
   constructor() {
     Object.assign(this, {
       start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), robots: [], launches: new Map(), nodes: [], processes: [], endpoints: [],
-      planned: null, parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
+      planned: null, parameters: [], defaults: new Map(), places: new Map(), descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
   apply(delta) {
@@ -125,16 +125,23 @@ class Store {
     const living = (name, make) => { for (const row of delta[name] || []) { this[name][row[0]] = make(row); this.version++; } };
     const seconds = value => value === null ? Infinity : value / 1e6;
     living('nodes', ([, name, process, index, from, to]) => ({ name, process, index, from: from / 1e6, to: seconds(to) }));
-    living('processes', ([, name, pid, argv, from, to, code]) => ({ name, pid, argv, from: from / 1e6, to: seconds(to), code }));
+    living('processes', ([, name, pid, argv, from, to, code, place]) => ({ name, pid, argv, from: from / 1e6, to: seconds(to), code, place }));
     living('calls', ([, t, service, type, client, request, served, replied]) =>
       ({ t: t / 1e6, service, type, client, request, served, replied: seconds(replied) }));
     for (const told of delta.launches || []) this.launched(told);
     for (const end of delta.endpoints || []) this.publisherNode.set(end[5], end[4]);
+    for (const [end, place] of delta.places || []) this.places.set(end, place);
+    if (delta.defaults) this.known(delta.defaults);
     if (delta.planned) { this.planned = delta.planned; this.version++; }
     if (delta.advice) { this.advice = delta.advice.map(row => ({ ...row, t: row.time / 1e6 })); this.version++; }
     if (!this.grows) return;
     if (this.from === 0 && delta.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
     if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);
+  }
+  /* Defaults of parameters that got a value from outside. */
+  known(rows) {
+    for (const [node, name, value] of rows) this.defaults.set(node + ' ' + name, value);
+    this.version++;
   }
   /* The steps of a launch that are new or have changed: by number, in the order of their visit, and by the step around them. */
   launched({ pid, at, rows }) {

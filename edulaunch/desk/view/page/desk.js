@@ -157,6 +157,7 @@ class Desk {
   hear(message) {
     if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].restart(); this.follow = true; }
     if (message.delta) this.store.apply(message.delta);
+    if (message.defaults) this.store.known(message.defaults);
     if (message.machine) Object.assign(this.machine, message.machine);
     if (message.pane !== undefined) this.views.terminal[0].hear(message);
     if (message.export) this.download(message.export, message.name);
@@ -165,8 +166,8 @@ class Desk {
     if (message.said) this.say(message.said);
     this.redraw();
   }
-  download(text, name) {
-    const place = URL.createObjectURL(new Blob([text], { type: 'text/html' })), link = make('a', { href: place, download: name });
+  download(text, name, type = 'text/html') {
+    const place = URL.createObjectURL(new Blob([text], { type })), link = make('a', { href: place, download: name });
     link.click();
     setTimeout(() => URL.revokeObjectURL(place), 60_000);
     this.say(`saved as ${name}`);

@@ -228,6 +228,15 @@ class TreeView {
     mark.addEventListener('click', () => this.desk.point('frame', name, time));
     return mark;
   }
+  age(link, time) {
+    return link.fixed ? '' : `, ${Math.max(0, time - (link.stamp - this.desk.store.start)).toFixed(2)} s old`;
+  }
+  /* The node that publishes a transform, with the line that made its publisher, or else the line that launched it. */
+  publisher(link) {
+    const { store } = this.desk, index = store.publisherNode.get(link.track.by), node = store.nodes.find(found => found?.index === index);
+    const line = store.places.get(link.track.by), launched = store.processes.find(row => row?.name === node?.process)?.place;
+    return `${node?.name ?? '?'}${line ? ` (${line})` : launched ? ` (launched at ${launched})` : ''}`;
+  }
   draw(time) {
     const { store } = this.desk, tree = this.desk.tree(time);
     const key = store.version + ' ' + tree.names().join() + (store.advice || []).filter(row => row.t <= time).length;
@@ -250,7 +259,8 @@ class TreeView {
     }
     for (const [child, about] of this.said || []) {
       const link = tree.links.get(child);
-      if (link) about.textContent = ` ${rates(link)}, by ${store.nodeName(store.publisherNode.get(link.track.by))}`;
+      if (link) about.textContent = ` ${rates(link)}${this.age(link, time)}, by ${this.publisher(link)}`;
+      about.classList.toggle('late', Boolean(link && !link.fixed && time - (link.stamp - store.start) > OLD_S));
     }
   }
 }

@@ -9,6 +9,12 @@ function written({ value, double }) {
   return typeof value === 'string' ? value : double && Number.isInteger(value) ? value.toFixed(1) : JSON.stringify(value);
 }
 
+/* A value in a parameter file: strings in quotes, so that none is read as a number or as true. */
+function inYaml(row) {
+  if (Array.isArray(row.value)) return `[${row.value.map(value => inYaml({ ...row, value })).join(', ')}]`;
+  return typeof row.value === 'string' ? JSON.stringify(row.value) : written(row);
+}
+
 class LogView {
   constructor(desk) {
     this.desk = desk;
@@ -57,18 +63,48 @@ class ParameterView {
     this.box = make('div', { class: 'pane scroll' });
     this.table = make('table', { class: 'small params' });
     this.every = make('input', { type: 'checkbox' });
-    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all parameters'), make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.table);
-    this.every.addEventListener('change', () => { this.key = null; desk.redraw(); });
+    this.other = make('input', { type: 'checkbox' });
+    this.yaml = make('pre', { class: 'mono yaml', tabindex: 0, role: 'region', 'aria-label': 'parameters as YAML', hidden: true });
+    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all parameters'), make('label', {}, this.other, ' only differences from the defaults'),
+      button('Save as YAML', 'save the parameters of this table as a parameter file', () => this.save()),
+      make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.yaml, this.table);
+    for (const box of [this.every, this.other]) box.addEventListener('change', () => { this.key = null; desk.redraw(); });
+  }
+  /* Whether a value differs from the default; undefined when nobody knows the default. */
+  differs(row) {
+    const known = this.desk.store.defaults.get(row.node + ' ' + row.name);
+    return known !== undefined ? JSON.stringify(known) !== JSON.stringify(row.value) : row.origin === 'default' ? false : undefined;
+  }
+  rows(time) {
+    return this.desk.store.parametersAt(time).filter(row => (this.every.checked || !/^(use_sim_time|start_type_description_service|qos_overrides\.)/.test(row.name))
+      && (!this.other.checked || this.differs(row) !== false));
+  }
+  /* The table as a parameter file. It is shown, too: a page in a frame of a notebook may not save files everywhere. */
+  save() {
+    const nodes = new Map();
+    for (const row of this.rows(this.desk.time)) nodes.set(row.node, [...(nodes.get(row.node) || []), row]);
+    const text = [...nodes].map(([node, rows]) => `${node}:\n  ros__parameters:\n${rows.map(row => `    ${row.name}: ${inYaml(row)}\n`).join('')}`).join('');
+    this.yaml.textContent = text || '# no parameters';
+    this.yaml.hidden = false;
+    this.desk.download(text, 'parameters.yaml', 'application/yaml');
   }
   draw(time) {
-    const { store, desk } = { store: this.desk.store, desk: this.desk };
-    const rows = store.parametersAt(time).filter(row => this.every.checked || !/^(use_sim_time|start_type_description_service|qos_overrides\.)/.test(row.name));
-    const key = rows.map(row => row.node + row.name + JSON.stringify(row.value)).join() + desk.live;
-    if (key === this.key || this.box.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
+    const { store } = this.desk, { desk } = this, rows = this.rows(time);
+    const names = store.nodes.filter(node => node && store.alive(node, time)).map(node => node.name).join();
+    if (desk.live && names !== this.asked) { this.asked = names; desk.send({ op: 'defaults' }); }
+    const key = rows.map(row => row.node + row.name + JSON.stringify(row.value)).join() + desk.live + store.defaults.size;
+    if (key === this.key || this.table.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
     this.key = key;
-    this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'where it came from'].map(text => make('th', { scope: 'col' }, text))),
-      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', { class: 'soft' }, row.origin))));
-    if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 4 }, 'no node has parameters yet')));
+    this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'default', 'where it came from'].map(text => make('th', { scope: 'col' }, text))),
+      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', {}, ...this.standard(row)), make('td', { class: 'soft' }, row.origin))));
+    if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 5 }, this.other.checked ? 'no parameter differs from its default' : 'no node has parameters yet')));
+  }
+  /* The default, and a sign where the value is another one. */
+  standard(row) {
+    const differs = this.differs(row);
+    if (differs === undefined) return [make('span', { class: 'soft' }, 'not known')];
+    const known = this.desk.store.defaults.get(row.node + ' ' + row.name);
+    return differs ? [make('b', { class: 'differs' }, `≠ ${written({ ...row, value: known })}`)] : [make('span', { class: 'soft' }, 'the same')];
   }
   about(row) {
     const said = this.desk.store.descriptors.get(row.node + ' ' + row.name);

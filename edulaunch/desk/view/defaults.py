@@ -1,0 +1,52 @@
+"""The defaults of parameters that were given from outside: a recording has only the values that nodes had."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from typing import Any
+
+from edulaunch.advice.explaining.explained import declared_parameters
+from edulaunch.advice.explaining.source_ends import read_defaults
+from edulaunch.advice.explaining.systems import source_files
+from edulaunch.engine.packages import Index
+from edulaunch.engine.underlay_place import underlay_prefix
+
+MOST_PROGRAMS = 30
+"""A launch of a thousand programs has few different ones; of more than this, the page shows no defaults."""
+
+
+def defaults_of(
+    nodes: Iterable[Sequence[Any]], processes: Iterable[Any], parameters: Iterable[Sequence[Any]], index: Index | None = None
+) -> list[list[Any]]:
+    """Return [node, parameter, default] for the nodes that got a value from outside, as far as the defaults are known.
+
+    A program of edulaunch runs for half a second in a simulation of its own. A student's program is read.
+
+    :param nodes, processes, parameters: rows of a recording.
+    :param index: where the packages of students are. Without one, only the packages of edulaunch are known.
+    """
+    programs = {row['name']: (row['package'], row['executable']) for row in processes if row['package'] and row['executable']}
+    given = dict.fromkeys(row[1] for row in parameters if row[4] != 'default')
+    owners = {row[0]: programs[row[1]] for row in nodes if row[0] in given and row[1] in programs}
+    known = dict.fromkeys(owners.values())
+    if len(known) > MOST_PROGRAMS:
+        return []
+    defaults = {program: _defaults(*program, index) for program in known}
+    return [[node, name, _plain(value)] for node, program in owners.items() for name, value in defaults[program].items()]
+
+
+def _plain(value: Any) -> Any:
+    return value if value is None or isinstance(value, (bool, int, float, str)) else list(value)
+
+
+def _defaults(package: str, executable: str, index: Index | None) -> dict[str, Any]:
+    places = Index((), ()) if index is None else index
+    if places.prefix(package) == underlay_prefix():
+        return _of_built_in(package, executable)
+    return read_defaults(source_files(places, package, executable))
+
+
+@lru_cache(maxsize=64)
+def _of_built_in(package: str, executable: str) -> dict[str, Any]:
+    return declared_parameters(package, executable, ())
