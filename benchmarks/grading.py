@@ -2,8 +2,8 @@
 
     python -m benchmarks.grading [SUBMISSIONS] [PAIRS]
 
-The figures of a pair are measured one right after the other, and the ratio is of each pair, so that a busy computer spoils it
-less. The load average of the last minute is printed beside them. Four of 200 submissions never end or crash.
+The two figures of a pair are measured one after the other. The ratio is that of each pair, so a busy computer changes it less.
+The load average of the last minute is printed beside them. Four of 200 submissions never end or crash.
 """
 
 from __future__ import annotations

@@ -35,6 +35,8 @@ REFUSED = {
     'bind': 'socket.socketpair()[0].bind("own")',
     'connect': 'socket.socketpair()[0].connect("own")',
     'an address': 'socket.socketpair()[0].sendto(b"x", "own")',
+    'large buffers': 'socket.socketpair()[0].setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)',
+    'large buffers at the other end': 'socket.socketpair()[0].setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)',
     'affinity': 'os.sched_setaffinity(0, {0})',
     'priority': 'os.setpriority(os.PRIO_PROCESS, 0, 5)',
     'nice': 'os.nice(1)',
@@ -88,6 +90,7 @@ OWN = {
 """Each is allowed in the run's own folder."""
 HARMLESS = {
     'a pair of sockets': 'socket.socketpair()[0].fileno() > 0',
+    'a timeout': 'socket.socketpair()[0].setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, bytes(16))',
     'a thread': 'threading.Thread(target=int).start()',
     'a program': 'subprocess.run(["sh", "-c", "echo hi"], capture_output=True).stdout.decode()',
     'a temporary file': 'open(tempfile.mkstemp()[1], "w").write("x")',

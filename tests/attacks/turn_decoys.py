@@ -2,7 +2,7 @@
 
     python -m tests.attacks.turn_decoys LESSON CELL TURN FOLDER
 
-A turn is graded where the student works, so a decoy can change the process: each turn has a process of its own, and each decoy, too.
+A turn is graded where the student works, so a decoy can change the process. Each turn and each decoy has a process of its own.
 """
 
 from __future__ import annotations
@@ -150,7 +150,7 @@ def _write_xml(folder: Path, target: str, text: str) -> None:
 
 
 def _package(path: str) -> str:
-    """The folder of the package in which a file lies: my_ws/src/NAME."""
+    """Return the folder of the package that has a file: my_ws/src/NAME."""
     return '/'.join(path.split('/')[:3])
 
 

@@ -35,11 +35,12 @@ timer_gettime:224:108 timer_getoverrun:225:109 timer_delete:226:111 timerfd_crea
 timerfd_gettime:287:87 poll:7:- ppoll:271:73 select:23:- pselect6:270:72 epoll_create:213:- epoll_create1:291:20
 epoll_ctl:233:21 epoll_wait:232:- epoll_pwait:281:22 epoll_pwait2:441:441 eventfd:284:- eventfd2:290:19 signalfd:282:-
 signalfd4:289:74 sendmsg:46:211 recvfrom:45:207 recvmsg:47:212 recvmmsg:299:243 shutdown:48:210 getsockname:51:204
-getpeername:52:205 getsockopt:55:209 setsockopt:54:208
+getpeername:52:205 getsockopt:55:209
 """
 
 _LOOKED_AT = """
 clone:56:220 clone3:435:435 prlimit64:302:261 prctl:157:167 ioctl:16:29 fcntl:72:25 socketpair:53:199 sendto:44:206
+setsockopt:54:208
 """
 """Allowed with some arguments only: see `seccomp.py`."""
 

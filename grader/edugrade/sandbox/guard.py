@@ -16,12 +16,15 @@ from contextlib import suppress
 from typing import NoReturn
 
 from . import seccomp
-from .allowance import MOST_BYTES, MOST_FILES, MOST_PROCESSES
+from .allowance import MOST_BYTES, MOST_FILES, MOST_PROCESSES, MOST_THREADS
 from .remove_tree import remove_tree
 from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 
 LOOK_S = 0.05
+GLANCE_S = 0.01  # threads are made fast: in the time between two looks, thousands
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
+MANY_DESCRIPTORS = 64  # of a process: with fewer, it has little memory in buffers
+SOCKET_BYTES = 212_992  # in the buffer of one, where the system does not tell; a run cannot make it larger
 
 
 def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[socket.socket], NoReturn]) -> NoReturn:
@@ -80,6 +83,7 @@ class _Watch:
         self._memory_bytes = memory_bytes
         self._refused = refused
         self._listener = -1
+        self._started = [pid]
         self._ends = select.poll()  # not `select`, which knows no numbers above 1023
         for end in (link, notes):
             self._ends.register(end, select.POLLIN)
@@ -90,13 +94,15 @@ class _Watch:
         """Wait until the run ends, the runner lets go, or too much is used."""
         next_look = 0.0
         while True:
-            for end, event in self._ends.poll(LOOK_S * 1000):
+            for end, event in self._ends.poll(GLANCE_S * 1000):
                 if end == self._link.fileno():
                     return {}
                 self._hear(end, event)
             ended, status = os.waitpid(self._pid, os.WNOHANG)
             if ended:
                 return {'status': os.waitstatus_to_exitcode(status)}
+            if _threads(self._started) > MOST_THREADS:
+                return {'cut': 'processes'}
             if time.monotonic() >= next_look:
                 cut = self._too_much()
                 if cut:
@@ -120,10 +126,12 @@ class _Watch:
 
     def _too_much(self) -> str:
         """What the run used too much of; '' while it does not."""
-        started = descendants(os.getpid())
+        self._started = started = descendants(os.getpid())
         if len(started) > MOST_PROCESSES:
             return 'processes'
-        if len(started) > 1 and all(_memory(started, source) > self._memory_bytes for source in ('statm', 'smaps_rollup')):
+        buffers = _buffers(started)
+        limit = self._memory_bytes - buffers
+        if (len(started) > 1 or buffers) and all(_memory(started, source) > limit for source in ('statm', 'smaps_rollup')):
             return 'memory'
         return '' if _fits(self._home) else 'disk'
 
@@ -174,6 +182,35 @@ def descendants(pid: int) -> list[int]:
                     found += children
                     pending += children
     return found
+
+
+def _threads(pids: list[int]) -> int:
+    """The threads of processes."""
+    count = 0
+    for pid in pids:
+        with suppress(OSError):
+            count += os.stat(f'/proc/{pid}/task').st_nlink - 2
+    return count
+
+
+def _buffers(pids: list[int]) -> int:
+    """Bytes that the sockets of processes may hold. They belong to no process, so no figure of one includes them."""
+    sockets: set[str] = set()
+    for pid in pids:
+        with suppress(OSError):
+            names = os.listdir(f'/proc/{pid}/fd')
+            for name in names if len(names) > MANY_DESCRIPTORS else ():
+                with suppress(OSError):
+                    place = os.readlink(f'/proc/{pid}/fd/{name}')
+                    if place.startswith('socket:'):
+                        sockets.add(place)
+    return len(sockets) * _socket_bytes() if sockets else 0
+
+
+def _socket_bytes() -> int:
+    with suppress(OSError, ValueError), open('/proc/sys/net/core/wmem_default') as file:
+        return int(file.read())
+    return SOCKET_BYTES
 
 
 def _memory(pids: list[int], source: str) -> int:

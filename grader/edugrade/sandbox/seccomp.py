@@ -31,6 +31,8 @@ REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x54
 """Of ioctl: settings and size of a terminal, its group, bytes that wait, blocking or not, close-on-exec or not."""
 COMMANDS = (*range(8), 36, 37, 38, 1030, 1032, 1033, 1034)
 """Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes."""
+SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
+"""Of setsockopt: names of the sender, timeouts and such. Not: sizes of buffers, whose memory belongs to no process."""
 STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
 RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl of the listener
 NOTE_BYTES = 80
@@ -59,6 +61,7 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
         'prlimit64': [_argument(0), *_one_of([0], refuse)],  # of no other process
         'prctl': [_argument(0), *_one_of(OPTIONS, refuse)],
         'ioctl': [_argument(1), *_one_of(REQUESTS, refuse)],
+        'setsockopt': [_argument(2), *_one_of(SOCKET_OPTIONS, refuse)],
         'fcntl': [_argument(1), *_one_of(COMMANDS, refuse)],
         # Of datagrams each could have an address of its own, which leads to any socket in the file system.
         'socketpair': [

@@ -21,6 +21,8 @@ from .entries import Entry
 LARGEST_RESULT = 10_000_000
 LONGEST_PART = 240  # bytes of a file name, with our ending
 UNPACKED, LOCK, TIMES = '.unpacked', '.lock', '.times'
+OURS = ('teacher.csv', 'index.html', 'students')
+"""Names in a folder of results or pages that are no student's, whatever a student's folder is called."""
 
 Result = dict[str, Any]
 
@@ -73,9 +75,10 @@ class Store:
             os.close(lock)
 
     def path(self, entry: Entry, ending: str = '.json', folder: str | None = None) -> str:
-        """Where something about a submission is kept; under a number where its own name would be too long for a file."""
+        """Return where something about a submission is stored: under a number if its own name is too long, or is needed here."""
         name = entry.path
-        if any(len(os.fsencode(part)) > LONGEST_PART for part in name.split(os.sep)) or len(os.fsencode(name)) > 900:
+        is_ours = name.split(os.sep)[0].lower() in OURS
+        if is_ours or any(len(os.fsencode(part)) > LONGEST_PART for part in name.split(os.sep)) or len(os.fsencode(name)) > 900:
             name = sha256(os.fsencode(name)).hexdigest()
         return os.path.join(folder or self.folder, name + ending)
 
