@@ -43,6 +43,7 @@ class FoxgloveClient:
         message = await asyncio.wait_for(self.socket.read_message(), PATIENCE_S)
         if message is None:
             self.is_closed = True
+            self.socket.close()
             return False
         if isinstance(message, bytes):
             self.binary.append(message)

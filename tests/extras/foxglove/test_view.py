@@ -17,6 +17,7 @@ pytest.importorskip('tornado')
 
 import edulaunch
 from edulaunch.desk.cli.main import main
+from edulaunch.extras.foxglove.service import MOST_CLIENTS
 from tests.desk.machine.conftest import desk_in
 from tests.desk.machine.shells import Desk, Shell
 from tests.extras.foxglove.client import FoxgloveClient
@@ -64,6 +65,32 @@ def test_a_client_reads_the_pose_and_drives_the_turtle(desk: Desk) -> None:
     shell.send(signal.SIGINT)
     assert shell.end() == 0
     assert 'Publisher' not in desk.said('topic list') and TWIST in desk.said('topic list')
+
+
+@pytest.mark.terminals
+def test_clients_over_the_limit_and_clients_of_a_machine_that_ends_are_told_why(desk: Desk) -> None:
+    desk.ros2('run turtlesim turtlesim_node').until('Spawning turtle')
+    _, url = view(desk)
+
+    async def crowd() -> tuple[Any, ...]:
+        clients = [await FoxgloveClient.connect(url) for _ in range(MOST_CLIENTS)]
+        for client in clients:
+            await client.until(lambda: client.said('serverInfo'))  # noqa: B023  # called at once
+        late = await FoxgloveClient.connect(url)
+        assert not await late.read()
+        program = [sys.executable, '-m', 'edulaunch']
+        stop = Shell('machine', 'stop', cwd=desk.folder, env=desk.env, program=program)
+        desk.shells.append(stop)
+        await asyncio.to_thread(stop.end)
+        for client in clients:
+            while not client.is_closed:
+                await client.read()
+        ends = {(client.socket.close_code, client.socket.close_reason) for client in clients}
+        return late.socket.close_code, late.socket.close_reason, ends
+
+    code, reason, ends = asyncio.run(crowd())
+    assert (code, reason) == (1013, '16 clients are connected already')
+    assert ends == {(1001, 'the machine has ended, or the client has gone')}
 
 
 @pytest.mark.terminals
