@@ -54,7 +54,7 @@ def library_folders() -> tuple[str, ...]:
 class WatchedSignals:
     """The pipe by which Python confirms that it heard a signal.
 
-    :param pipe: the writing end; None where nobody watches.
+    :param pipe: the writing end; None where no watcher runs.
     """
 
     def __init__(self, pipe: int | None = None) -> None:
@@ -65,7 +65,7 @@ class WatchedSignals:
         self._pipe = None
 
     def confirm(self) -> None:
-        """Tell the watcher that a handler of Python runs."""
+        """Report to the watcher that a handler of Python runs."""
         if self._pipe is not None:
             try:
                 os.write(self._pipe, HEARD)

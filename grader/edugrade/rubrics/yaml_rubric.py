@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import isfinite
 from random import Random
 from typing import Any
 
@@ -84,8 +85,10 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     twice = next((value for key, value in usual.items() if key in given), None)
     if twice is not None:
         raise problem(twice, 'an argument is given by arguments, or has its default by defaults, and not both')
-    duration = _number(parts['duration'], problem) if 'duration' in parts else (lambda random: 20.0)
-    seed = int(_value(parts['seed'], problem)) if 'seed' in parts else 0
+    duration = _number(parts['duration'], problem, (int, float)) if 'duration' in parts else (lambda random: 20.0)
+    seed = _value(parts['seed'], problem) if 'seed' in parts else 0
+    if not isinstance(seed, int):
+        raise problem(parts['seed'], f'seed is {seed!r}; write a whole number')
     is_interrupted = _value(parts['interrupt'], problem) if 'interrupt' in parts else False
     if not isinstance(is_interrupted, bool):
         raise problem(parts['interrupt'], f'interrupt is {is_interrupted!r}, and true or false is expected')
@@ -117,22 +120,28 @@ def _default(node: yaml.Node, problem: Problem) -> str | None:
     return None if _value(node, problem) is None else str(node.value)
 
 
-def _number(node: yaml.Node, problem: Problem) -> Callable[[Random], Any]:
-    """A value, or a choice among values."""
+def _number(node: yaml.Node, problem: Problem, types: tuple[type, ...] = (str, int, float)) -> Callable[[Random], Any]:
+    """Return what gives a number, or chooses one of several.
+
+    :param types: what the values of `one_of` may be.
+    """
     if not isinstance(node, yaml.MappingNode):
         value = _value(node, problem)
-        if not isinstance(value, (int, float)):
+        if not isinstance(value, (int, float)) or not isfinite(value):
             raise problem(node, f'{value!r} is not a number')
         return lambda random: value
     parts = _mapping(node, problem, 'a choice', ('between', 'one_of', 'decimals'))
     if 'one_of' in parts:
         known = _value(parts['one_of'], problem)
-        if not isinstance(known, list) or not known:
-            raise problem(node, 'one_of is a list of at least one value')
+        if not isinstance(known, list) or not known or not all(isinstance(each, types) for each in known):
+            raise problem(node, 'one_of is a list of at least one value of the right type')
         return lambda random: random.choice(known)
     ends = _value(parts['between'], problem) if 'between' in parts else None
     if not (
-        isinstance(ends, list) and len(ends) == 2 and all(isinstance(end, (int, float)) for end in ends) and ends[0] < ends[1]
+        isinstance(ends, list)
+        and len(ends) == 2
+        and all(isinstance(end, (int, float)) and isfinite(end) for end in ends)
+        and ends[0] < ends[1]
     ):
         raise problem(node, 'a choice is {between: [LOW, HIGH], decimals: 2} or {one_of: [...]}')
     decimals = _decimals(node, problem)
@@ -147,7 +156,7 @@ def _decimals(node: yaml.MappingNode, problem: Problem) -> int:
     ends = _value(parts['between'], problem) if 'between' in parts else ()
     usual = 0 if isinstance(ends, list) and ends and all(isinstance(end, int) for end in ends) else 2
     decimals = _value(parts['decimals'], problem) if 'decimals' in parts else usual
-    if not isinstance(decimals, int) or not 0 <= decimals <= 6:
+    if type(decimals) is not int or not 0 <= decimals <= 6:
         raise problem(node, 'decimals is a whole number from 0 to 6')
     return decimals
 
@@ -177,11 +186,13 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     if name in known:
         raise problem(node, f'two checks are called {name}')
     names = _value(parts['needs'], problem) if 'needs' in parts else []
-    strange = [each for each in names if each not in known]
+    if not isinstance(names, list):
+        raise problem(parts['needs'], 'needs is a list of names of checks')
+    strange = [each for each in names if not isinstance(each, str) or each not in known]
     if strange:
         raise problem(parts['needs'], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
     only = _value(parts['only'], problem) if 'only' in parts else runs
-    if 'only' in parts and (not isinstance(only, list) or not only or any(each not in runs for each in only)):
+    if 'only' in parts and (not isinstance(only, list) or not only or any(str(each) not in runs for each in only)):
         raise problem(parts['only'], f'only is a list of names of runs; there are {", ".join(runs)}')
     return Check(
         name,
@@ -234,7 +245,7 @@ def _refuse_unknown_proofs(node: yaml.Node, known: Mapping[str, Check], problem:
         for kind in (pair[1] for pair in item.value if isinstance(pair[1], yaml.MappingNode)):
             for part in (value for key, value in kind.value if key.value == 'shows'):
                 names = _value(part, problem)
-                if not isinstance(names, list) or not names or any(name not in known for name in names):
+                if not isinstance(names, list) or not names or any(str(name) not in known for name in names):
                     raise problem(part, f'shows is a list of names of checks; there are {", ".join(known)}')
 
 

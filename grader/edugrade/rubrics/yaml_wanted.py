@@ -6,6 +6,7 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterator
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from ..evidence import Evidence, Mismatch
@@ -22,6 +23,13 @@ OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
 }
+
+LISTS = ('are', 'shows', 'topics')
+"""Fields that are lists of names."""
+SCALARS = ('default', 'is', 'value')
+"""Fields that have whatever type a parameter or an argument has."""
+MEASURES = ('tolerance', 'within', 'since', 'rate', 'near')
+CALCULATED = ('at_least', 'at_most', 'radius', 'x', 'y', 'z', 'yaw', 'at', 'ago')
 
 
 class Wanted(dict[str, Any]):
@@ -51,14 +59,29 @@ class Wanted(dict[str, Any]):
         return (OfRun(self, run, scenario) for scenario in run)
 
     def refuse_odd_values(self) -> None:
-        """Raise ValueError for an invalid number, share, node or pattern."""
-        for key in ('tolerance', 'within', 'since', 'rate', 'near'):
-            if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
-                raise ValueError(f'{key} is {self[key]!r}; write a number that is at least 0')
+        """Refuse values of the wrong type, and numbers that are out of range.
+
+        :raises ValueError: with a sentence that names the field and its value.
+        """
+        for key, value in self.items():
+            if key in LISTS:
+                if not isinstance(value, list) or not value or not all(isinstance(each, str) for each in value):
+                    raise ValueError(f'{key} is {value!r}; write a list of names')
+            elif key in SCALARS:
+                if not all(isinstance(each, (str, int, float)) for each in (value if isinstance(value, list) else [value])):
+                    raise ValueError(f'{key} is {value!r}; write a string, a number, true, false, or a list of those')
+            elif key not in (*MEASURES, *CALCULATED, 'after', 'share') and not (isinstance(value, str) and value.isprintable()):
+                raise ValueError(f'{key} is {value!r}; write a string')
+        for key in MEASURES:
+            if key in self and not (_is_number(self[key]) and self[key] >= 0):
+                raise ValueError(f'{key} is {self[key]!r}; write a number from 0 on')
         after = self.get('after')
-        if isinstance(after, dict) and not {'node'} <= set(after) <= {'node', 'package', 'executable'}:
+        of_after = list(after.values()) if isinstance(after, dict) else [after or '']
+        if not all(isinstance(each, str) for each in of_after) or (
+            isinstance(after, dict) and not {'node'} <= set(after) <= {'node', 'package', 'executable'}
+        ):
             raise ValueError(f'after is {after!r}; write the name of a node, or {{node: NAME, package: PACKAGE}}')
-        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at', 'ago'):
+        for key in CALCULATED:
             try:
                 calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
             except ValueError:
@@ -152,3 +175,7 @@ def _value(node: ast.expr) -> float:
     if isinstance(node, ast.BinOp):
         return OPERATORS[type(node.op)](_value(node.left), _value(node.right))
     raise KeyError(type(node))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and isfinite(value)
