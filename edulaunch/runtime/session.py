@@ -11,7 +11,7 @@ from typing import Any, TextIO
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
-from edulaunch.engine.packages.discovery import install_folders, workspaces_of_command
+from edulaunch.engine.packages.discovery import folder_of, install_folders, workspaces_of_command
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.real_machine import machine_roots, with_real_paths
@@ -56,6 +56,7 @@ class Session:
     :ivar traces: what each launch on it did, the last ones; see `edulaunch.advice.plan.launch_trace`.
     :ivar steps_launches: whether a launch that begins stops before its first action.
     :param start_ns: what the clock shows at the beginning, in ns since 1970.
+    :param near: of two packages with one name, the one that is nearer to this folder counts. None means the current folder.
     """
 
     simulation_class = Simulation
@@ -72,12 +73,13 @@ class Session:
         console: Callable[[str, str], object] | None = None,
         turn_limit_s: float = TURN_LIMIT_S,
         start_ns: int = EPOCH_NS,
+        near: str | None = None,
     ) -> None:
         source()
         self.sim = self.simulation_class(seed, start_ns)
         self.recorder = self.recorder_class(self.sim)
         self.graph = Graph(self.sim, self.recorder)
-        self.index = index_for(workspaces)
+        self.index = index_for(workspaces, near)
         self.console = console
         self.host = self.host_class(
             self.sim,
@@ -273,7 +275,7 @@ def run(
     """
     texts = {name: str(value) for name, value in (arguments or {}).items()}
     folders = workspaces_of_command((), path_or_package) if workspaces is None else workspaces
-    with Session(seed=seed, workspaces=folders, console=console) as session:
+    with Session(seed=seed, workspaces=folders, console=console, near=folder_of(path_or_package)) as session:
         launch = session.launch(path_or_package, file, texts)
         run_kept(lambda: session.run(duration_s), session.sim.stop, session.note_end)
         launch.raise_error()

@@ -189,7 +189,7 @@ _NO_ATTRIBUTE = re.compile(r"(?:partially initialized )?module '(?P<module>[\w.]
 @rule(
     'launch.import-name',
     what='{module} does not contain {missing}',
-    do=('write: {line}', 'look up the name that you mean in the documentation of {module}'),
+    do=('write: {line}', 'write {near_here}', 'look up the name that you mean in the documentation of {module}'),
     level='error',
     lesson='01_first_launch',
     edits=(('{missing}', '{near_here}'), ('from {module} import {missing}', '{line}', 'line')),
@@ -200,8 +200,10 @@ def import_name(failure: Failure) -> Iterator[Finding]:
     if match is None or failure.process is not None or match['module'].partition('.')[0] not in ('launch', 'launch_ros'):
         return
     name, module = match['name'], match['module']
-    near = name if home_of(name) else nearest(name, names_in(module)) or nearest_anywhere(name)
-    near_here = near if near is not None and near in names_in(module) else None
+    inner = [one.removeprefix(f'{module}.') for one in MODULES if one.startswith(f'{module}.')]
+    here = [*names_in(module), *inner]
+    near = name if home_of(name) else nearest(name, here) or nearest_anywhere(name)
+    near_here = near if near is not None and near in here else None
     yield report(failure, module=module, missing=name, line=import_line(near), near_here=near_here)
 
 

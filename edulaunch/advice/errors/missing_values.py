@@ -114,13 +114,31 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
     hides=('launch.no-configuration',),
 )
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
-    """Report a declaration that follows further below in the same file."""
+    """Report a declaration of the same file in a later line, or in an action that comes later in the list."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
-    if match is not None and failure.file and failure.line:
-        for number, line in enumerate(_lines(failure.file), 1):
-            if number > failure.line and re.search(rf"""DeclareLaunchArgument\(\s*(name=)?['"]{re.escape(match[1])}['"]""", line):
-                yield report(failure, configuration=match[1], declared=number)
+    tree = script_of(failure.file) if match is not None else None
+    if match is None or tree is None:
+        return
+    for call in ast.walk(tree):
+        if isinstance(call, ast.Call) and name_of_call(call) == 'DeclareLaunchArgument':
+            name = call.args[0] if call.args else keyword_of(call, 'name')
+            if isinstance(name, ast.Constant) and name.value == match[1] and _comes_later(tree, call.lineno, failure.line or 0):
+                yield report(failure, configuration=match[1], declared=call.lineno)
                 return
+
+
+def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
+    """Return whether an action of a line comes after another one: in the file, or in a list of variables that hold them."""
+    lines = {
+        node.targets[0].id: node.value.lineno
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
+    }
+    for items in (node.elts for node in ast.walk(tree) if isinstance(node, ast.List)):
+        order = [lines.get(item.id, 0) if isinstance(item, ast.Name) else item.lineno for item in items]
+        if declared in order and used in order:
+            return order.index(declared) > order.index(used)
+    return declared > used
 
 
 @rule(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.explaining.tree import drawn, html_tree
 from edulaunch.advice.plan import rehearse
 from edulaunch.advice.plan.explanation import differences, explanation_of
-from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.recording.views import view
 from edulaunch.runtime.launching import find_launch_file
@@ -188,7 +188,7 @@ def explain(
     :raises UnusableInput: when there is no such file or package.
     """
     where = workspaces_of_command(workspaces, path_or_package)
-    with Session(workspaces=where) as session:
+    with Session(workspaces=where, near=folder_of(path_or_package)) as session:
         path = find_launch_file(session.index, path_or_package, file)
         given = {name: str(value) for name, value in (arguments or {}).items()}
         host = session.host

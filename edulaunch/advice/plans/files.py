@@ -87,11 +87,12 @@ def is_container(executable: str) -> bool:
     level='error',
 )
 def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Skip files of a missing package, and relative paths, for which there is another rule."""
+    """Skip files of a missing package or that the launch file writes, and relative paths, which have another rule."""
+    written = rehearsal.plan.get('not_done', ())
     for branch, item in nodes(rehearsal):
         for path in branch.action.missing_parameter_files():
             is_assumed = rehearsal.placeholders is not None and path.startswith(rehearsal.placeholders)
-            if os.path.isabs(path) and not is_assumed:
+            if os.path.isabs(path) and not is_assumed and f'write {path}' not in written:
                 folder, name = os.path.split(path)
                 beside = os.listdir(folder) if os.path.isdir(folder) else []
                 is_shared = f'{os.sep}share{os.sep}' in path

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.recordings.programs import terminal_windows
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import fact_place, node_of
 
@@ -187,8 +188,26 @@ def transition_failed(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def waits_for_input(recording: Recording) -> Iterator[Finding]:
-    """It read its keyboard without a time limit."""
+    """It read its keyboard without a time limit. A terminal window is another case, see below."""
+    windows = terminal_windows(recording)
     for fact in recording.facts:
-        if fact.kind == 'waits for input' and fact.process is not None:
+        if fact.kind == 'waits for input' and fact.process is not None and fact.process not in windows:
             file, line = fact_place(recording, fact)
             yield found('process', fact.process, file=file, line=line, time_s=fact.time_s)
+
+
+@rule(
+    'launch.terminal-window',
+    what='{process} opens a terminal window on a real computer; here the program in it gets no keys',
+    why='a launch file starts no window here',
+    do='type its command in a terminal of its own',
+    lesson=LESSON,
+    level='info',
+)
+def terminal_window(recording: Recording) -> Iterator[Finding]:
+    """`gnome-terminal -- ros2 run turtlesim turtle_teleop_key`, once its program waits for a key."""
+    windows = terminal_windows(recording)
+    for fact in recording.facts:
+        if fact.kind == 'waits for input' and fact.process in windows:
+            process = windows[fact.process]
+            yield found('process', process.name, file=process.file, line=process.line)

@@ -151,6 +151,11 @@ def interrupted(recording: Recording) -> Iterator[Finding]:
 TERMINALS = ('gnome-terminal', 'konsole', 'xterm', 'x-terminal-emulator')
 
 
+def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
+    """Return the programs that open a terminal window on a real computer, by name."""
+    return {process.name: process for process in recording.processes if os.path.basename(process.argv[0]) in TERMINALS}
+
+
 @rule(
     'launch.output-hidden',
     what='{process} prints "{text}", but the screen does not show it',

@@ -28,7 +28,10 @@ LEVELS_ABOVE = 4
     lesson='07_packages',
 )
 def changed_after_build(source: Source) -> Iterator[Finding]:
-    """By content, not by time: files of the source that are other than what is installed, or are not installed at all."""
+    """By content, not by time: files of the source that are other than what is installed, or are not installed at all.
+
+    Links, and what `--symlink-install` leaves in place of modules, always show the sources.
+    """
     package = source.package
     prefix, workspace = _installed_prefix(package.folder, package.name)
     if prefix is None or not source.is_readable:
@@ -36,7 +39,8 @@ def changed_after_build(source: Source) -> Iterator[Finding]:
     files = package.contents.files.items()
     pairs = {os.path.join(prefix, name): path for name, path in files if not name.startswith('share/ament_index/')}
     for place in glob.glob(os.path.join(glob.escape(prefix), 'lib', 'python3*', 'site-packages')):
-        for top, folder in package.contents.python_modules.items():
+        is_linked = any(name.endswith('.egg-link') for name in os.listdir(place))
+        for top, folder in () if is_linked else package.contents.python_modules.items():
             inside = [path for path in package.python_files if path.startswith(folder + os.sep)]
             pairs.update({os.path.join(place, top, os.path.relpath(path, folder)): path for path in inside})
     changed = [package.relative(path) for built, path in pairs.items() if not _is_equal(built, path)]
@@ -57,7 +61,7 @@ def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
 
 def _is_equal(built: str, path: str) -> bool:
     """Whether the installed file is the one of the sources, or has the same content."""
-    if not os.path.isfile(path) or os.path.realpath(built) == os.path.realpath(path):
+    if os.path.islink(built) or not os.path.isfile(path) or os.path.realpath(built) == os.path.realpath(path):
         return True
     try:
         with open(built, 'rb') as one, open(path, 'rb') as other:

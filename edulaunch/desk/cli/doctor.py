@@ -14,7 +14,7 @@ from edulaunch.advice.reader import reader_here
 from edulaunch.advice.wording import diagnosis, diagnosis_data
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.engine.nearest import nearest
-from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.file_format import FORMAT
 from edulaunch.engine.underlay_place import is_students, underlay_prefix
@@ -108,7 +108,7 @@ def _named(arguments: argparse.Namespace) -> str:
         return first
     if os.path.isfile(first):
         raise UnusableInput('a recording cannot be changed', help='give the launch file or the folder of the package to --fix')
-    with Session(workspaces=workspaces_of_command(arguments.workspace, first)) as session:
+    with Session(workspaces=workspaces_of_command(arguments.workspace, first), near=folder_of(first)) as session:
         if file is None:
             return _folder_of(first, session.index.share(first))
         path = os.path.realpath(find_launch_file(session.index, first, file))
@@ -128,7 +128,7 @@ def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> 
     """By its dry run and, when that comes to its end, by a run."""
     first, file, given = split_words(target, arguments.rest)
     workspaces = workspaces_of_command(arguments.workspace, first)
-    with Session(workspaces=workspaces) as session:
+    with Session(workspaces=workspaces, near=folder_of(first)) as session:
         if file is None and not os.path.exists(first) and first in session.index.packages():
             return _of_folder(_folder_of(first, session.index.share(first)), arguments, notes)
         path = find_launch_file(session.index, first, file)
@@ -181,7 +181,7 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
     """The findings of one launch file of a folder, and why it was not run; None when it was."""
     workspaces = arguments.workspace or workspaces_of_command([folder], path)
-    with Session(workspaces=workspaces) as session:
+    with Session(workspaces=workspaces, near=folder_of(path)) as session:
         rehearsal = _rehearsed(session, path, {})
         needed = [one['name'] for one in rehearsal.plan['arguments'] if one['default'] is None]
         if needed:

@@ -16,7 +16,7 @@ from edulaunch.advice.wording import end_of_run_lines
 from edulaunch.desk.cli.launch_steps import TerminalSteps
 from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments
-from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.frame_owner import ENGINE, LIBRARIES
 from edulaunch.engine.processes.streams import streams_of_programs
@@ -86,6 +86,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         _session_class(arguments)(
             seed=arguments.seed,
             workspaces=workspaces_of_command(arguments.workspace, package_or_path),
+            near=folder_of(package_or_path),
             console=_print,
             env=env,
             stdin=dict(arguments.stdin),

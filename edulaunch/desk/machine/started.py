@@ -19,7 +19,7 @@ from edulaunch.desk.machine.network import is_walls_time
 from edulaunch.desk.view import TABS
 from edulaunch.desk.view.viewer import Viewer
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.engine.packages.discovery import workspaces_of_command
+from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.loops import outer_loop_set_aside
@@ -289,7 +289,7 @@ def start(
     folders = workspaces_of_command((), path_or_package or '.') if workspaces is None else workspaces
 
     def make(start_ns: int) -> Session:
-        session = Session(seed=seed, workspaces=folders, start_ns=start_ns)
+        session = Session(seed=seed, workspaces=folders, start_ns=start_ns, near=folder_of(path_or_package or '.'))
         if path_or_package is not None:
             session.launch(path_or_package, file, texts)
         return session

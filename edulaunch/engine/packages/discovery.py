@@ -49,6 +49,11 @@ def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str |
     return find_workspaces(os.getcwd(), os.environ, os.fspath(target) if os.path.isfile(target) else None)
 
 
+def folder_of(target: str | os.PathLike[str]) -> str:
+    """The folder of the launch file that a command names by its path; of a package, the current folder."""
+    return os.path.dirname(os.path.abspath(target)) if os.path.isfile(target) else os.getcwd()
+
+
 def workspace_around(path: str) -> str | None:
     """The workspace in which a file or folder lies: what has its package in `src`; without one, the folder above the package
     when it holds further packages, else the package. None outside any package.

@@ -257,7 +257,7 @@ class _CMakeLists:
         self.folder, self.file, self.variables = outer
 
     def _install(self, line: int, words: list[str]) -> None:
-        mode, items, destination, rest = _clauses(words)
+        mode, items, destination, rest = _clauses([*words[:1], *(word for word in words[1:] if word != 'TARGETS')])
         if mode == 'TARGETS':
             self._native(items)
         elif not destination:

@@ -56,7 +56,7 @@ def test_what_rcl_refuses_is_refused_with_its_line(text: str, reason: str) -> No
             'n:\n  ros__parameters:\n\ta: 1\n',
             {'about': 'launch.yaml', 'at': 3, 'problem': 'found character that cannot start any token'},
         ),
-        ('n:\n  ros__parameters:\n    a: [1, 2.0]\n', {'about': 'launch.list-of-one-type'}),
+        ('n:\n  ros__parameters:\n    a: [1, 2.0]\n', {'about': 'launch.list-of-one-type', 'at': 3, 'word': None}),
         ('n:\n  ros__parameters:\n    a:\n', {'about': 'launch.no-value'}),
     ],
 )

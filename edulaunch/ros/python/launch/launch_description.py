@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ._argument_search import FoundArguments, found_arguments
 from ._bases import ReadOnly
@@ -13,6 +13,17 @@ if TYPE_CHECKING:
     from .action import Action
     from .actions.declare_launch_argument import DeclareLaunchArgument
     from .launch_context import LaunchContext
+
+
+def __getattr__(name: str) -> Any:
+    """Return a class that the real module imports: launch files import it from here, too."""
+    if name not in ('Action', 'DeclareLaunchArgument', 'LaunchContext'):
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from .action import Action
+    from .actions.declare_launch_argument import DeclareLaunchArgument
+    from .launch_context import LaunchContext
+
+    return {'Action': Action, 'DeclareLaunchArgument': DeclareLaunchArgument, 'LaunchContext': LaunchContext}[name]
 
 
 class LaunchDescription(LaunchDescriptionEntity):

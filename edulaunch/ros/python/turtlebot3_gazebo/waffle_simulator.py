@@ -34,7 +34,7 @@ class WaffleSimulator(CppNode):
         kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
         self._create_for(*kinds[0])
         self._other: tuple[Any, Any] | None = kinds[1] if core.takes_any_type else None  # a real program has one type on a topic
-        self._publishers = 0
+        self._commanders = 0
         self._odometry = self.create_publisher(Odometry, 'odom', 10)
         self._broadcaster = TransformBroadcaster(self)
         self._timer = self.create_timer(1.0 / ODOMETRY_HZ, self._on_timer)
@@ -46,8 +46,8 @@ class WaffleSimulator(CppNode):
     def _look_for_other(self) -> None:
         """Subscribe to the other type, too, as soon as a program publishes it."""
         count = self.count_publishers('cmd_vel')
-        if self._other is not None and count != self._publishers:
-            self._publishers = count
+        if self._other is not None and count != self._commanders:
+            self._commanders = count
             types = {info.topic_type for info in self.get_publishers_info_by_topic('cmd_vel')}
             if f'geometry_msgs/msg/{self._other[0].__name__}' in types:
                 self._create_for(*self._other)
