@@ -153,6 +153,23 @@ FORGERIES: dict[str, Attack] = {
             'from launch_ros.substitutions import FindPackageShare\n',
         ),
     ),
+    'circle: a calculated default of another spelling': Attack(
+        'circle',
+        5,
+        launch(
+            "Node(package='part3_beyond_basics', executable='param_circle.py', parameters=[{'radius': PythonExpression(["
+            "'0.5 if \"', LaunchConfiguration('circle_radius'), '\" == \"1.0\" else ', LaunchConfiguration('circle_radius')])}])",
+            "IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('turtlebot3_gazebo'), 'launch', "
+            "'empty_world.launch.py']))",
+            head=EXPRESSION
+            + 'from launch.actions import IncludeLaunchDescription\nfrom launch.substitutions import PathJoinSubstitution\n'
+            'from launch_ros.substitutions import FindPackageShare\n',
+        ).replace(
+            'LaunchDescription([',
+            "LaunchDescription([DeclareLaunchArgument('circle_radius', default_value=['1.0', PythonExpression(['0'])]), ",
+            1,
+        ),
+    ),
     'visitors: they came and went': Attack(
         'visitors',
         1,

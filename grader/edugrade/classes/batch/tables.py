@@ -72,9 +72,11 @@ def confined_by(found: Result) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return the first line of a string, with the second line when the first one ends in a colon."""
-    lines = [line.strip() for line in text.splitlines() if line.strip()]
-    return ' '.join([lines[0], lines[1].removeprefix('- ')] if lines[1:] and lines[0].endswith(':') else lines[:1])
+    """Return the first line of a string; if it ends in a colon, with the second line, and of a list of exceptions only that."""
+    lines = [line.strip().removeprefix('- ') for line in text.splitlines() if line.strip()]
+    if lines[1:] and lines[0].endswith(':'):
+        return lines[1] if lines[0].startswith('Caught ') else f'{lines[0]} {lines[1]}'
+    return lines[0] if lines else ''
 
 
 def first_problem(found: Result) -> str | None:
