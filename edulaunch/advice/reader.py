@@ -29,7 +29,7 @@ def _nowhere(file: str, line: int) -> str:
 class Reader(NamedTuple):
     """
     :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
-    :ivar folder: paths below it are shown relative to it.
+    :ivar folder: paths below it become relative.
     :ivar cell: what to say of a line of a file that a cell of the reader's notebook wrote: its place there, or ''.
     """
 

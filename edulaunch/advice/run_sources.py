@@ -76,7 +76,7 @@ def joined_strings(file: str) -> Iterator[tuple[str, str, int]]:
 
 
 def name_of_call(node: ast.AST) -> str:
-    """The last name of what a call calls: 'Node' of `Node(...)` and of `launch_ros.actions.Node(...)`; '' of anything else."""
+    """Return the last name of the called function, such as 'Node' of `launch_ros.actions.Node(...)`, or '' for another node."""
     if not isinstance(node, ast.Call):
         return ''
     function = node.func

@@ -51,7 +51,7 @@ MISTAKES = {
     "x = TimerAction(period=2.0, actions=LogInfo(msg='a'))": 'the value of actions= cannot be of type launch.actions.log_info.LogInfo; put the value into a list: actions=[...]',
     "x = LaunchDescription(LogInfo(msg='a'))": 'launch expects a list here, not a single LogInfo; put it into square brackets: [LogInfo(...)]',
     "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'a comma is missing after LogInfo(...), so Python reads the brackets that follow as a call; put a comma after LogInfo(...)',
-    'x = 1': 'this launch file has no function generate_launch_description(); write: def generate_launch_description(): return LaunchDescription([...])',
+    'x = 1': 'this launch file has no function generate_launch_description(); write `def generate_launch_description(): return LaunchDescription([...])`',
 }
 
 

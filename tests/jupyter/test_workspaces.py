@@ -48,10 +48,10 @@ def test_a_folder_that_is_not_there_is_refused(desk: Any) -> None:
 @pytest.mark.parametrize(
     ('line', 'part'),
     [
-        ('colcon build --symlink-install', 'nothing has to be built here'),
-        ('colcon', 'nothing has to be built here'),
-        ('rosdep install -i --from-path src -y', 'nothing has to be installed'),
-        ('apt install ros-jazzy-turtlesim', 'turtlesim is here already'),
+        ('colcon build --symlink-install', 'edulaunch needs no build'),
+        ('colcon', 'edulaunch needs no build'),
+        ('rosdep install -i --from-path src -y', 'you do not need to install anything'),
+        ('apt install ros-jazzy-turtlesim', 'turtlesim is already part of edulaunch'),
     ],
 )
 def test_what_sets_up_a_real_machine_gets_one_sentence(desk: Any, line: str, part: str) -> None:
@@ -61,7 +61,7 @@ def test_what_sets_up_a_real_machine_gets_one_sentence(desk: Any, line: str, par
 
 def test_sourcing_ros_itself_is_not_needed_and_another_command_is_none_of_ours(desk: Any) -> None:
     desk.terminal.source('/opt/ros/jazzy/setup.bash')
-    assert 'ROS 2 Jazzy has not to be sourced here' in ''.join(desk.said)
+    assert 'you do not need to source ROS 2 Jazzy' in ''.join(desk.said)
     with pytest.raises(UnusableInput, match='sets up nothing of ROS 2'):
         desk.terminal.set_up('apt install vim')
 

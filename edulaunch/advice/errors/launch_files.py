@@ -18,7 +18,7 @@ from edulaunch.engine.packages.absent import absent_module_kind
     what='this launch file has no function generate_launch_description()',
     do=(
         'rename {near}() to generate_launch_description()',
-        'write: def generate_launch_description(): return LaunchDescription([...])',
+        'write `def generate_launch_description(): return LaunchDescription([...])`',
     ),
     level='error',
     lesson='01_first_launch',
@@ -126,7 +126,7 @@ NOT_THIS_FOLDER = about(
     'packages.not-this-folder',
     what=(
         'colcon ignores the folder {folder} because it contains the file {ignored_by}',
-        'the package.xml in {folder} has a different <name>',
+        'the <name> in the package.xml of {folder} differs from the name of the folder',
     ),
     do=('delete the file {ignored_by}', 'write the name of the folder into <name>'),
 )

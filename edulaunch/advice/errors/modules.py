@@ -19,7 +19,7 @@ ABSENT_PACKAGE = about(
 UNKNOWN_MODULE = about(
     'programs.unknown-module',
     what='the module {module} does not exist',
-    do=('write {near}', 'change to its workspace if you wrote it, or install the Python package in this environment'),
+    do=('write {near}', 'if you wrote the module, change to its workspace; otherwise, install it in this environment'),
     edits=(('{module}', '{near}', 'near'),),
 )
 UNKNOWN_INTERFACES = about(

@@ -56,7 +56,7 @@ class Tree:
 
     @property
     def alt(self) -> str:
-        """The tree in words, for somebody who does not see it."""
+        """Return the tree in words, for users who cannot see it."""
         return str(self)
 
 
@@ -117,7 +117,7 @@ class Explanation(Tree):
         """Why a node's parameter, or a launch argument, has the value it has.
 
         :param name: of a node ('/sim'); without `parameter` also of a launch argument.
-        :raises UnusableInput: when there is none of that name; it names the nearest.
+        :raises UnusableInput: if that name does not exist; the error has the nearest name.
         """
         from edulaunch.advice.explaining.reasons import reasons
 
@@ -178,13 +178,14 @@ def explain(
     workspaces: Sequence[str | os.PathLike[str]] = (),
     assume_packages: bool = False,
 ) -> Explanation:
-    """Look through a launch file without starting anything: a tree of what it includes, decides and would start, and for every
-    value where it comes from and what it overrode.
+    """Return what a launch file would do, as a tree, without starting anything.
+
+    Each value has its origin and the values that it overrides.
 
     :param path_or_package: as for :func:`edulaunch.run`.
     :param arguments: launch arguments by name.
-    :param workspaces: folders with packages; default: those that are found from here.
-    :param assume_packages: go on when packages are missing, with empty ones instead.
+    :param workspaces: folders with packages; by default, the workspaces of the current folder.
+    :param assume_packages: continue if packages are missing, with empty packages instead.
     :raises UnusableInput: when there is no such file or package.
     """
     where = workspaces_of_command(workspaces, path_or_package)

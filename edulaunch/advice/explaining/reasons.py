@@ -1,4 +1,4 @@
-"""Why something has its value: which chains are asked for, and how they are shown."""
+"""Why something has its value: the chains of a node or argument, and their output."""
 
 from __future__ import annotations
 
@@ -44,7 +44,10 @@ def _of_node(node: Branch, parameter: str | None, declared: Declared) -> list[di
     else:
         known = sorted({*given, *defaults})
         help = did_you_mean(parameter, known) or (f'its parameters are {", ".join(known)}' if known else None)
-        raise UnusableInput(f"nobody gives '{name_of(node)}' a parameter '{parameter}', and it declares none.", help=help)
+        raise UnusableInput(
+            f"'{name_of(node)}' has no parameter '{parameter}': it declares none with this name, and the launch file sets none.",
+            help=help,
+        )
     return [_reason(f'{name_of(node)}  {one}', parameter_chain(node, one, _default(item, one, defaults))) for one in names]
 
 

@@ -44,7 +44,7 @@ LARGE = 60
 
 
 def place_of(entry: Entry) -> str:
-    """'file:line' as far as the text does not say it already; '' when there is none."""
+    """'file:line' unless the text has it already, or ''."""
     if entry['file'] is None or (entry['kind'] == 'parameter' and 'origin' in entry):
         return ''
     return f'{os.path.basename(entry["file"])}:{entry["line"]}'
@@ -67,7 +67,7 @@ def _other_words(before: str, after: str) -> str:
 
 
 def label_of(entry: Entry) -> str:
-    """The line of an entry, and where it stands."""
+    """Return the line of an entry with its place."""
     place = place_of(entry)
     return text_of(entry) + (f'  <{place}>' if place else '')
 
@@ -84,7 +84,7 @@ def drawn(
 ) -> Iterator[str]:
     """The tree with its branches drawn.
 
-    :param shown: gives the lines of an entry, of its branch, and of what stands before its further lines.
+    :param shown: returns the line of an entry, its branch, and the start of its further lines.
     """
     through, last, beside, nothing = twigs
     for number, entry in enumerate(entries, 1):
@@ -95,7 +95,7 @@ def drawn(
 
 
 def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] = TWIGS) -> None:
-    """The same for a terminal: in colour unless NO_COLOR asks for none; long lines go on below their own beginning."""
+    """Print the tree in a terminal, in colour unless NO_COLOR is set, and wrap long lines."""
     is_coloured = not os.environ.get('NO_COLOR') and os.environ.get('TERM') != 'dumb'
     width = shutil.get_terminal_size().columns
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class Assumptions:
     """Answers for things of packages that are not there. Everything asked for is noted.
 
-    :param placeholders: the prefix in which the placeholder packages stand.
+    :param placeholders: the prefix that contains the placeholder packages.
     :ivar packages: names of missing packages, in the order in which launch asked for them.
     :ivar others: missing programs, commands and files, in words.
     """
@@ -29,7 +29,7 @@ class Assumptions:
 
     @property
     def share(self) -> str:
-        """The folder in which the share folders of the placeholders stand, with a separator behind."""
+        """Return the folder with the share folders of the placeholders, with a separator at its end."""
         return os.path.join(self._placeholders, 'share', '')
 
     def package(self, name: str) -> None:
@@ -44,8 +44,7 @@ class Assumptions:
         return name
 
     def output_of(self, argv: Sequence[str], path: str | None) -> str | None:
-        """What a command prints: nothing, when the program or a file it needs is missing; None when it can be
-        run."""
+        """Return '' for a command whose program or file is missing, or None if the command can run."""
         if not argv:
             return None
         lacking = any(self._is_missing(word) for word in argv)
@@ -63,7 +62,7 @@ class Assumptions:
         return missing
 
     def shown(self, path: str) -> str:
-        """A path inside a placeholder package as 'package/rest', a program of ours by its name, another as it is."""
+        """A path inside a placeholder package as 'package/rest', a program of edulaunch by its name, another path as it is."""
         if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
             return os.path.basename(path)
         if not path.startswith(self._placeholders):

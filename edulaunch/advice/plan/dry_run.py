@@ -18,7 +18,7 @@ from edulaunch.errors import UnusableInput
 class AssumingIndex(Index):
     """Another index, with an empty placeholder for each package that it lacks, and every executable.
 
-    Placeholders stand in a temporary folder that goes away with this object.
+    Placeholders are in a temporary folder that is deleted with this object.
 
     :param real: the index that is asked first.
     :ivar assumptions: what was missing.
@@ -59,15 +59,15 @@ def make_plan(
 ) -> Plan:
     """What `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
 
-    :param arguments: a mapping, or texts 'name:=value'.
+    :param arguments: a mapping, or strings 'name:=value'.
     :param environ: the environment variables that launch would see.
     :param assume_packages: give every package that is missing an empty share folder, and do not look
         executables up.
-    :param command_set: the tools and the shell that run commands whose output the launch file needs; default: there are none.
-    :returns: `arguments` (declared), `configurations` (after the first visit), `given`, `error` (None, or a
-        dict of type, text, stage, origin and help), `items` in order, `log` (warnings and errors),
-        `warnings`, `stdout`, `shutdown_reason`; `not_done`, what the launch file would have done to this computer, if anything.
-    :raises UnusableInput: for an argument that is no 'name:=value'.
+    :param command_set: the tools and the shell for commands whose output the launch file needs. By default, no command runs.
+    :returns: a dict with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`,
+        `warnings`, `stdout` and `shutdown_reason`. `error` has type, text, stage, origin and help, if there is an error.
+        `not_done` lists changes to this computer that the dry run left out.
+    :raises UnusableInput: for an argument of another form than 'name:=value'.
     """
     return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan
 

@@ -5,7 +5,7 @@ An entry is a dict: `kind`, `text`, `file` and `line` (None when no launch file 
 * with a condition: `condition`;
 * an argument: `name`, `value`, `default`, `description`, `choices`, `origin`;
 * a node: `name` (None for the program's own), `package`, `executable`, and among its children the remappings and
-* a parameter: `name`, `value`, `origin`, and `overrode`, the values that lost: dicts of `value`, `origin`, `file`, `line`.
+* a parameter: `name`, `value`, `origin`, and `overrode`, the dicts (`value`, `origin`, `file`, `line`) of the values that lost.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def kind_and_text(branch: Branch) -> tuple[str, str]:
 
 
 def add_facts(found: Entry, branch: Branch) -> None:
-    """What is to be said of an action that was executed."""
+    """Return the entries of an action that was executed."""
     item = branch.item
     assert item is not None
     kind = item['kind']
@@ -146,7 +146,7 @@ def is_declaration(branch: Branch) -> bool:
 
 
 def default_text(declaration: Any) -> str | None:
-    """The default of a launch argument as it is written, None when there is none."""
+    """Return the default of a launch argument as it is written, or None."""
     parts = declaration.default_value
     if parts is None:
         return None
@@ -195,8 +195,10 @@ ADDED, GONE, CHANGED, SAME = '+', '-', '~', ' '
 
 
 def differences(before: Entry, after: Entry) -> list[Entry]:
-    """The entries of `tree` that differ, each with a `sign`: '+', '-', '~' (its text changed; `before` has the old one), or
-    ' ' when only something below it did. Places do not count: another line is no difference."""
+    """Return the entries of `tree` that differ, each with a `sign`. Line numbers do not count.
+
+    The sign is '+', '-', '~' (the text changed, and `before` has the old one), or ' ' if only entries below differ.
+    """
     return _differing(before['tree'], after['tree'])
 
 

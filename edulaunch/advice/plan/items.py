@@ -1,4 +1,4 @@
-"""Plan items: one dict for each action that was executed, but those that only hold others."""
+"""Plan items: one dict for each action that was executed, except groups."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SILENT = frozenset(
 
 
 def item_of(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item | None:
-    """The item of an action that was just executed, without its phase; None for those that only hold others.
+    """The item of an action that was just executed, without its phase, or None for a group.
 
     :param environ: what launch saw at its start.
     :param index: how many processes came before.

@@ -81,7 +81,7 @@ class Planner:
         return Branch('') if self._watch is None else self._watch.outline
 
     def plan(self) -> Plan:
-        """Run it, and tell what happened."""
+        """Run the launch file, and return the plan."""
         with collector_paused():
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter('default')
@@ -109,7 +109,7 @@ class Planner:
             return dict(sorted(plan.items()))
 
     def _run_to_the_end(self) -> str | None:
-        """Returns what to say when there is none."""
+        """Return an error message if the launch does not end."""
         process = self._host.run_launch(self._run)
         endless = run_to_rest(self._sim)
         while endless is None and process.returncode is None:

@@ -51,7 +51,7 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
-    """Variables that the process sees differently from launch at its start; None: taken away."""
+    """Return the variables that differ between the process and launch at its start. A removed variable has the value `None`."""
     if env == base:
         return {}
     changed: dict[str, str | None] = {name: value for name, value in sorted(env.items()) if base.get(name) != value}
@@ -61,7 +61,7 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
 def _node_part(action: Any, words: list[str], own: int) -> Item:
     """What only a node has.
 
-    :param own: how many of the words of the command line are the node's own; before them stands a prefix.
+    :param own: how many of the words of the command line are the node's own; a prefix comes before them.
     """
     prefix, command = words[:-own], words[-own:]
     program = action.process_spec_details()
@@ -79,7 +79,7 @@ def _node_part(action: Any, words: list[str], own: int) -> Item:
 
 
 def _split(words: list[str]) -> tuple[list[str], list[str]]:
-    """The program's own arguments, and those for ROS which are no names, remappings or parameters."""
+    """Return the program's own arguments, and the ROS arguments other than names, remappings and parameters."""
     arguments: list[str] = []
     others: list[str] = []
     inside = False

@@ -1,4 +1,4 @@
-"""A host that starts nothing: it notes what it is asked to start, and lets each process end when told to.
+"""A host that starts nothing. It records each process to start, and ends it when launch stops it.
 
 What a launch file would change by itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) is not done: see `closed.py`.
 """
@@ -37,7 +37,7 @@ LOOKING_UP = ('pkg', 'interface')
 class ImaginaryProcess:
     """A process that does nothing but be there; a signal ends it.
 
-    :param on_exit: told the return code.
+    :param on_exit: called with the return code.
     :ivar came_back: whether it is a process that has ended once already, and was started again.
     """
 
@@ -50,7 +50,7 @@ class ImaginaryProcess:
         self._on_exit = on_exit
 
     def send_signal(self, signum: int) -> None:
-        """End, as a program does that has no handler; the second end of a process is no news."""
+        """End like a program without a handler. The second end of a process has no effect."""
         self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:
@@ -80,7 +80,7 @@ class RehearsalHost(Host):
         self._contents: dict[str, Any] = {}
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Note the process; it is there at once, and stays until it is told to end."""
+        """Record the process, which exists at once until launch stops it."""
         process = self._imagine(spec, on_exit)
         process.came_back = spec.name in self._ended_names
         if process.came_back:
@@ -174,7 +174,7 @@ class RehearsalHost(Host):
         return False
 
     def end_all(self) -> None:
-        """Let those that came back end as well."""
+        """End the processes that were started again as well."""
         for process in list(self.imaginary):
             process.end(0)
 
@@ -238,7 +238,7 @@ class ImaginedLifecycles:
         self._states: dict[Any, str] = {}
 
     def change(self, context: LaunchContext, node: Any, transition_id: int) -> bool:
-        """Make a transition and tell launch of both its steps, as the node's topic `transition_event` does.
+        """Make a transition and report both its steps to launch, as the node's topic `transition_event` does.
 
         :param node: the LifecycleNode action.
         :returns: False when the transition does not begin in the node's state.
@@ -275,7 +275,7 @@ STEPS_BETWEEN_COLLECTIONS = 20_000
 
 
 def run_to_rest(sim: Simulation) -> str | None:
-    """Go on until there is nothing left to do; what to say when that does not happen, else None."""
+    """Run until there is nothing left to do. Return an error message if that does not happen, or None."""
     instants, now = 0, sim.now_ns
     for step in range(MOST_STEPS):
         if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:

@@ -1,7 +1,7 @@
-"""Why something has the value it has: the chain from the first that was given to the one that counts.
+"""Why something has its value: the chain from the first value to the one that counts.
 
-A step is a dict: `value`, `origin` (in words), `file` and `line` (None when no file says it), `counts` (for the last one),
-and `argument`, the steps of the launch argument that decides the value, if one does.
+A step is a dict with `value`, `origin` (in words), `file` and `line` (or None), and `counts` (for the last step).
+`argument` has the steps of the launch argument that decides the value.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def branches(outline: Branch) -> Iterator[Branch]:
 def nodes_named(outline: Branch, name: str) -> list[Branch]:
     """The nodes of that name; a node without a name in the launch file is found by its executable.
 
-    :raises UnusableInput: when there is none.
+    :raises UnusableInput: if no node has that name.
     """
     nodes = [branch for branch in branches(outline) if branch.item is not None and branch.item['kind'] == 'node']
     wanted = '/' + name.strip('/')
@@ -55,7 +55,7 @@ def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -
     """The steps of one parameter of a node.
 
     :param default: what the node itself declares, where that is known.
-    :returns: no step when nobody gives it a value.
+    :returns: no step if no value is set.
     """
     steps = [] if default is None else [default]
     for one in node.given_parameters:
@@ -110,7 +110,7 @@ def declared_steps(declaration: Branch) -> list[Step]:
 
 
 def setter_steps(setter: Branch) -> list[Step]:
-    """The steps of whoever has set a launch configuration: a declaration, an include, an action, the command line."""
+    """Return the steps that set a launch configuration: a declaration, an include, an action, the command line."""
     if is_declaration(setter):
         return declared_steps(setter)
     item = setter.item

@@ -1,4 +1,4 @@
-"""What is said of one action of a plan: its title, and the lines below it."""
+"""The title of an action of a plan, and the lines below it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Branch:
 
     :param action: the action; for an event what happens, in words.
     :ivar item: of the plan; None for an action that only holds others, or was not executed.
-    :ivar condition: in words; None when there is none.
+    :ivar condition: in words, or None.
     :ivar is_taken: whether the action was executed.
     :ivar origin: where a launch file made the action.
     :ivar parent_origin: the same of the branch that this one hangs on.
@@ -51,8 +51,10 @@ class Branch:
 
 
 class Setters:
-    """Which branch has set each launch configuration, as scopes open and close; of one that is declared, the declaration,
-    whose own :attr:`Branch.setters` says who came before it."""
+    """The branch that has set each launch configuration, as scopes open and close.
+
+    For a declared one, it is the declaration, whose :attr:`Branch.setters` has the earlier branch.
+    """
 
     def __init__(self) -> None:
         self._outer: list[Mapping[str, Branch]] = []
@@ -195,7 +197,7 @@ def _kept_configurations(item: Item, branch: Branch) -> Iterator[Detail]:
 
 
 def _handler_details(item: Item, branch: Branch) -> Iterator[Detail]:
-    """Whether what a handler waits for ever came."""
+    """Yield a line if the event of a handler never occurred."""
     if not branch.children:
         yield 'never', 'never happened here'
 
@@ -210,6 +212,6 @@ _DETAILS: dict[str, Callable[[Item, Branch], Iterable[Detail]]] = {
 
 
 def details_of(item: Item, branch: Branch) -> Iterable[Detail]:
-    """What more is to be said of an action that was executed, but for a node's parameters."""
+    """Return the further lines of an action that was executed, without a node's parameters."""
     details = _DETAILS.get(item['kind'])
     return () if details is None else details(item, branch)

@@ -46,7 +46,7 @@ BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'input', 
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
-    """Whether it stands in `wait_for_service` or in `input()`: then another finding names what is missing."""
+    """Return whether it waits in `wait_for_service` or in `input()`. Then another finding names what is missing."""
     return str(data.get('calls', '')).partition('.')[2] in BLOCKING
 
 

@@ -92,8 +92,9 @@ def _outside(recording: Recording) -> Iterator[Finding]:
 
 
 def _last_words(said: list[str]) -> dict[str, Any]:
-    """As the fact `help` what a command of ours said to help, in full; else as `said` the last line with an error: what a C++
-    program ends with, `terminate called ...`, tells less than its log.
+    """Return the help of a command of edulaunch as `help`, or else the last line with an error as `said`.
+
+    The last line of a C++ program, `terminate called ...`, has less information than its log.
     """
     if not said:
         return {}
@@ -110,7 +111,7 @@ def _short(text: str) -> str:
 
 
 def _is_launch(recording: Recording, process: ProcessRecord) -> bool:
-    """Whether this is the `ros2 launch` itself: what it says of its end is said otherwise."""
+    """Return whether this is the `ros2 launch` itself, whose end is reported elsewhere."""
     return process.argv[:3] == ['ros2', 'launch', recording.launch.file]
 
 

@@ -1,5 +1,6 @@
-"""Work on a student's packages: make new ones (`new_package`), name missing dependencies (`dependencies`), and find the mistakes
-that a build or a launch would stumble over (`mistakes`). Nothing of a package is run.
+"""Work on a student's packages: create new ones (`new_package`), and find missing dependencies (`dependencies`).
+
+No code of a package runs.
 """
 
 from __future__ import annotations

@@ -234,7 +234,7 @@ SPDX = {'BSD-2.0': 'BSD-3-Clause'}
 
 
 def license_notice(identifier: str, holder: str) -> str | None:
-    """The LICENSE file: which license it is and where its text stands; None for an identifier that is not known."""
+    """Return the LICENSE file, with the name of the license and the address of its text, or None for an unknown identifier."""
     if identifier not in LICENSES:
         return None
     spdx = SPDX.get(identifier, identifier)

@@ -132,7 +132,7 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.same-name',
-    what='two packages have the name {package}, and the one in {other}/ is used instead of this {file}',
+    what='two packages have the name {package}, and edulaunch uses the one in {other}/ instead of the one with this {file}',
     why='colcon refuses to build a workspace in which two packages have the same name',
     do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two',
 )

@@ -12,23 +12,23 @@ from edulaunch.advice.workspace.not_needed import answer
 @pytest.mark.parametrize(
     ('line', 'part'),
     [
-        ('colcon build --symlink-install', 'no package is here either'),
+        ('colcon build --symlink-install', 'there is no package in this folder'),
         ('colcon test', 'python3 -m pytest'),
         ('colcon list', 'colcon list: not needed here'),
-        ('rosdep install -i --from-path src --rosdistro jazzy -y', 'nothing has to be installed'),
-        ('sudo rosdep init', 'nothing has to be installed'),
-        ('sudo apt install ros-jazzy-turtlesim', 'apt: turtlesim is here already'),
-        ('sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py', 'turtlesim, demo_nodes_py are here already'),
-        ('apt install ros-jazzy-gazebo-ros', 'gazebo_ros is not among it'),
-        ('sudo apt install ~nros-jazzy-turtlesim*', 'apt: turtlesim is here already'),
-        ('apt install ~nros-jazzy-rqt*', 'apt: rqt is here already'),
-        ('gz sim world.sdf', 'gz is not here: launch files that start Gazebo'),
+        ('rosdep install -i --from-path src --rosdistro jazzy -y', 'you do not need to install anything'),
+        ('sudo rosdep init', 'you do not need to install anything'),
+        ('sudo apt install ros-jazzy-turtlesim', 'apt: turtlesim is already part of edulaunch'),
+        ('sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py', 'turtlesim, demo_nodes_py are already part of edulaunch'),
+        ('apt install ros-jazzy-gazebo-ros', 'gazebo_ros is not part of edulaunch'),
+        ('sudo apt install ~nros-jazzy-turtlesim*', 'apt: turtlesim is already part of edulaunch'),
+        ('apt install ~nros-jazzy-rqt*', 'apt: rqt is already part of edulaunch'),
+        ('gz sim world.sdf', 'gz is not part of edulaunch. Launch files for Gazebo'),
         ('gazebo', '`edulaunch view` shows it'),
-        ('check_urdf robot.urdf', 'robot_state_publisher FILE` reads a URDF file'),
-        ('source /opt/ros/jazzy/setup.bash', 'ROS 2 Jazzy has not to be sourced'),
+        ('check_urdf robot.urdf', 'To check a URDF file, run'),
+        ('source /opt/ros/jazzy/setup.bash', 'you do not need to source ROS 2 Jazzy'),
         ('rqt_graph', '`edulaunch view --tab graph`'),
         ('rviz2 -d turtle.rviz', '`edulaunch view --tab frames`'),
-        ('. install/local_setup.sh', 'packages are found from the folder you are in upwards'),
+        ('. install/local_setup.sh', 'edulaunch finds packages in this folder'),
     ],
 )
 def test_one_sentence_says_what_is_not_needed(tmp_path: Any, line: str, part: str) -> None:
@@ -45,4 +45,4 @@ def test_building_names_what_is_there(workspace: Any) -> None:
     for number in range(7):
         workspace.python(f'robo_{number}')
     said = answer(['colcon', 'build'], str(workspace.folder))
-    assert said is not None and 'robo_0, robo_1, robo_2, robo_3, robo_4 and 2 more are read from the sources' in said
+    assert said is not None and 'robo_0, robo_1, robo_2, robo_3, robo_4 and 2 more from the sources' in said

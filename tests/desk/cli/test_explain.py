@@ -154,7 +154,11 @@ def test_why_a_launch_argument_has_its_value(file: Path, capsys: pytest.CaptureF
     ('words', 'text', 'help'),
     [
         (('/simm',), "the launch file starts no node '/simm'.", "did you mean '/sim'?"),
-        (('/sim', 'backgrond_r'), "nobody gives '/sim' a parameter 'backgrond_r', and it declares none.", "'background_r'?"),
+        (
+            ('/sim', 'backgrond_r'),
+            "'/sim' has no parameter 'backgrond_r': it declares none with this name, and the launch file sets none.",
+            "'background_r'?",
+        ),
         (('rad',), "there is no launch argument 'rad' in this launch file.", "did you mean 'red'?"),
         (('red=5',), "malformed launch argument 'red=5', expected format '<name>:=<value>'", 'write red:=5'),
         (('--diff',), '--diff compares two launch files, or one launch file with two sets of arguments.', '--diff A.launch.py'),

@@ -133,7 +133,7 @@ def test_a_parameter_file_for_another_node_is_reported_in_each_run(desk: Desk) -
     reported = []
     for name in ('turtlesim', 'sim', 'sim'):
         write(desk, 'main.launch.py', item.format(name), OWN)
-        reported.append('turtlesim:' in launched(desk, 'main.launch.py', 'works 5'))
+        reported.append('`turtlesim`' in launched(desk, 'main.launch.py', 'works 5'))
     assert reported == [False, True, True]
 
 
@@ -152,7 +152,7 @@ def test_a_launch_that_runs_in_another_terminal_is_named(desk: Desk) -> None:
     write(desk, 'main.launch.py', OWN)
     desk.ros2('launch main.launch.py').until('works 5')
     reported = launched(desk, 'main.launch.py', 'works 5')
-    assert reported.startswith('warning: two nodes are called /program: one of python3-1 (pid ')
+    assert reported.startswith('warning: two nodes have the name /program: one in python3-1 (pid ')
     assert (
         'press Ctrl-C in the terminal where `ros2 launch main.launch.py` is running' in reported
         and 'rename one of them' not in reported
@@ -166,7 +166,7 @@ def test_of_many_findings_it_is_said_how_to_see_all(desk: Desk) -> None:
     reported = launched(desk, 'main.launch.py')
     assert reported.count('warning: ') == 5
     assert 'and 2 more; show all of them with ros2 doctor' in reported
-    assert desk.said('doctor').count('two nodes are called') == 7
+    assert desk.said('doctor').count('two nodes have the name') == 7
 
 
 def test_the_mistakes_of_one_terminal_are_not_reported_in_another(desk: Desk) -> None:
