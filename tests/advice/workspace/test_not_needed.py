@@ -18,7 +18,10 @@ from edulaunch.advice.workspace.not_needed import answer
         ('rosdep install -i --from-path src --rosdistro jazzy -y', 'you do not need to install anything'),
         ('sudo rosdep init', 'you do not need to install anything'),
         ('sudo apt install ros-jazzy-turtlesim', 'apt: turtlesim is already part of edulaunch'),
-        ('sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py', 'turtlesim, demo_nodes_py are already part of edulaunch'),
+        (
+            'sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py',
+            'turtlesim, demo_nodes_py are already part of edulaunch',
+        ),
         ('apt install ros-jazzy-gazebo-ros', 'gazebo_ros is not part of edulaunch'),
         ('sudo apt install ~nros-jazzy-turtlesim*', 'apt: turtlesim is already part of edulaunch'),
         ('apt install ~nros-jazzy-rqt*', 'apt: rqt is already part of edulaunch'),

@@ -62,7 +62,9 @@ def test_one_line_brings_ros_and_answers_to_set_up_lines(environment: Path, tmp_
     said = shell(
         name, tmp_path, f'{activate(environment, name)}; source /opt/ros/jazzy/setup.bash; colcon build; {printed(name)}'
     )
-    assert said[0].startswith('source: you do not need to source ROS 2 Jazzy') and said[1].startswith('colcon build: edulaunch needs no')
+    assert said[0].startswith('source: you do not need to source ROS 2 Jazzy') and said[1].startswith(
+        'colcon build: edulaunch needs no'
+    )
     found = dict(line.split('=', 1) for line in said[2:])
     assert found.pop('PATH').startswith(f'{environment}/bin:')
     assert found == {
