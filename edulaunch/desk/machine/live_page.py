@@ -43,7 +43,10 @@ class LivePage:
         if len(self._line) > LONGEST_LINE:
             raise ValueError('an endless line')
         for line in lines:
-            request = json.loads(line)
+            try:
+                request = json.loads(line)
+            except RecursionError:
+                raise ValueError('lists that are nested too deeply') from None
             if isinstance(request, dict) and request.get('op') == 'next':
                 self._viewer.show()
             else:
