@@ -124,6 +124,12 @@ def test_a_machine_that_has_ended_is_not_shown_as_running(live: Desk) -> None:
     live.until('.state', 'the machine has ended')
     assert live.page.locator('button[title^="play or pause"]').is_disabled()
     live.page.evaluate(f'say({{ delta: {json.dumps({"start": 0, "now": 3_100_000})}, machine: {{ running: true }} }})')
+    live.until('.state', 'stopped: every program has ended')
+
+
+def test_a_machine_with_a_program_is_running(live: Desk) -> None:
+    row = [99, 'talker-9', 4242, ['talker'], 0, None, None, '']
+    live.page.evaluate(f'say({{ delta: {{ start: 0, now: 3200000, processes: [{json.dumps(row)}] }} }})')
     live.until('.state', 'running')
 
 
@@ -134,3 +140,47 @@ def test_the_window_of_an_ended_program_takes_one_line(live: Desk, recording: Re
     assert live.page.locator('.worlds canvas').first.is_hidden()
     live.page.get_by_text('/sim ended at').click()
     live.page.locator('.worlds canvas').first.wait_for()
+
+
+@pytest.mark.parametrize('scheme', ['light', 'dark'])
+def test_axe_finds_no_violation_on_a_live_page(browser: Any, live: Desk, axe: str, scheme: str) -> None:
+    live.page.evaluate(f"document.body.dataset.jpThemeLight = '{str(scheme == 'light').lower()}'")
+    live.page.add_script_tag(content=axe)
+    found = []
+    for width in (900, 1400):
+        live.page.set_viewport_size({'width': width, 'height': 860})
+        for tab in TABS:
+            live.open(tab)
+            live.frame()
+            result = live.page.evaluate('axe.run(document.getElementById("desk"), { resultTypes: ["violations"] })')
+            found += [(tab, one['id'], [node['target'] for node in one['nodes']]) for one in result['violations']]
+    assert found == []
+
+
+def test_a_keyboard_alone_reaches_every_control_of_a_live_page(live: Desk) -> None:
+    """Tab reaches each visible control of each tab of the page."""
+    reached = """() => { const root = document.getElementById('desk').shadowRoot;
+        const all = [...root.querySelectorAll('button, select, input, summary, [tabindex="0"]')];
+        return all.filter(e => e.checkVisibility() && !e.disabled && e.tabIndex < 0 && e.getAttribute('role') !== 'tab').map(e => e.outerHTML.slice(0, 80)); }"""
+    for tab in TABS:
+        live.open(tab)
+        live.frame()
+        assert live.page.evaluate(reached) == [], tab
+    live.page.locator('[role=tab][aria-selected=true]').focus()
+    for tab in TABS:
+        live.page.keyboard.press('ArrowRight')
+        live.frame()
+        assert live.page.locator('[role=tab][aria-selected=true]').get_attribute('data-tab') == tab
+    focused = "() => document.getElementById('desk').shadowRoot.activeElement?.getAttribute('aria-label') ?? ''"
+    live.open('plot')
+    seen = set()
+    live.page.locator('[role=tab][aria-selected=true]').focus()
+    for _ in range(14):
+        live.page.keyboard.press('Tab')
+        seen.add(live.page.evaluate(focused))
+    assert {
+        'add a field to the plot',
+        'plot: the frame',
+        'an expression to plot',
+        'page of another run to plot over this one',
+    } <= seen

@@ -284,6 +284,11 @@ class Desk {
     const room = this.left.clientWidth, count = this.worldViews.length;
     if (room) for (const view of this.worldViews) view.resize(Math.floor(Math.max(180, Math.min(count > 1 ? (room - 14) / 2 : room - 4, count > 1 ? 360 : 560))));
   }
+  /* Whether there were programs, and all have ended. */
+  stopped() {
+    const programs = this.store.processes.filter(Boolean);
+    return programs.length > 0 && programs.every(process => process.to <= this.time + 1e-7);
+  }
   marks() {
     const { store } = this, running = this.live && this.follow ? this.machine.running && !this.ended : this.playing;
     this.play.disabled = Boolean(this.ended) && this.follow;
@@ -299,7 +304,7 @@ class Desk {
     this.box.classList.toggle('over', Boolean(this.ended));
     if (!this.ended && this.saidAt && performance.now() - this.saidAt < 6000) return;
     this.state.textContent = this.ended || (store.planned ? 'planned; nothing runs' : !this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
-      : (this.machine.running ? 'running' : 'paused') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
+      : (!this.machine.running ? 'paused' : this.stopped() ? 'stopped: every program has ended' : 'running') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
   }
 }
 

@@ -153,7 +153,7 @@ class Pane {
   constructor(desk, number) {
     Object.assign(this, { desk, number, past: [], at: 0, shown: 0, runs: false, keys: false });
     const which = `terminal ${number + 1}`;
-    this.sheet = make('pre', { class: 'terminal scroll', tabindex: 0, 'aria-live': 'polite', 'aria-label': desk.live ? `${which}: what was said` : 'what the programs wrote' });
+    this.sheet = make('pre', { class: 'terminal scroll', tabindex: 0, role: 'log', 'aria-live': 'polite', 'aria-label': desk.live ? `${which}: what was said` : 'what the programs wrote' });
     this.sign = make('span', { class: 'mono' }, '$');
     this.line = make('input', { type: 'text', class: 'mono', placeholder: number ? 'ros2 topic echo /turtle1/pose' : 'ros2 topic list', 'aria-label': number ? `a command for the machine, ${which}` : 'a command for the machine', spellcheck: 'false', autocomplete: 'off' });
     this.stop = button('^C', `Ctrl-C for ${which}`, () => this.send({ op: 'interrupt' }));
