@@ -53,9 +53,9 @@ class Plugin(NamedTuple):
     :ivar needs: modules of other plug-ins without which it is not there.
     :ivar verbs: verbs of `edulaunch`.
     :ivar grading: verbs of `edugrade`.
-    :ivar options: options of a command, `launch`, `ros2 launch` or `view`: a module with `add_options(parser)` and what the
-        command calls: `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`, and
-        `view(arguments)` for `view`, which returns what to serve in place of the page.
+    :ivar options: options of a command, `launch`, `ros2 launch` or `view`. The module has `add_options(parser)` and the function
+        that the command calls. `launch` calls `session_class(arguments)`, and `ros2 launch` calls `begin(arguments, process)`.
+        `view` calls `view(arguments)`, which returns what to serve in place of the page.
     :ivar services: what answers inside the machine: the module that makes it. `edulaunch.desk.machine.network` says what the
         service `network` has. Of any other one, `peer(machine, connection)` returns who talks on a connection.
     :ivar packages: folders with ROS packages in source form, which are found behind those of the student.

@@ -147,7 +147,7 @@ class Terminals:
         return network.where() if network is not None and network.is_on else None
 
     def open(self, connection: Connection, fields: list[str]) -> Peer:
-        """A terminal, a live page or a plug-in's peer for what somebody said first.
+        """A terminal, a page or a plug-in's peer, as the first frame asks.
 
         :raises ValueError, IndexError: when that is not what a terminal says.
         """
