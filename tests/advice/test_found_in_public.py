@@ -73,7 +73,7 @@ def test_a_terminal_window_is_a_note(tmp_path: Path) -> None:
     teleop = f"Node(package='teleop_twist_keyboard', executable='teleop_twist_keyboard', name='teleop'{prefix})"
     report = reports(launch_file(tmp_path, f'return LaunchDescription([{teleop}])'))
     assert [one.splitlines()[0].partition(' (')[0] for one in report if 'teleop' in one or 'terminal' in one] == [
-        'gnome-terminal-1 opens a terminal window on a real computer; here the program in it gets no keys'
+        'gnome-terminal-1 opens a terminal window on a real computer, but in edulaunch its program receives no keys'
     ]
 
 

@@ -198,9 +198,9 @@ def waits_for_input(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.terminal-window',
-    what='{process} opens a terminal window on a real computer; here the program in it gets no keys',
-    why='a launch file starts no window here',
-    do='type its command in a terminal of its own',
+    what='{process} opens a terminal window on a real computer, but in edulaunch its program receives no keys',
+    why='in edulaunch, a launch file cannot open a window',
+    do='run its command in another terminal',
     lesson=LESSON,
     level='info',
 )
