@@ -9,6 +9,7 @@ import argparse
 import io
 import json
 import os
+import sys
 import tempfile
 import zipfile
 from collections.abc import Sequence
@@ -67,6 +68,12 @@ def main(words: Sequence[str]) -> int:
         return run(options.folder)
     build(options.exercise, options.out, options.wheel, options.course_secret_file, options.limit)
     print(f'{options.out}: upload it under "Configure Autograder" of the assignment')
+    if options.wheel is None:
+        print(
+            f'edugrade: Gradescope installs edulaunch {__version__} from PyPI. If this version is not published there, '
+            'use --wheel FILE.',
+            file=sys.stderr,
+        )
     return 0
 
 

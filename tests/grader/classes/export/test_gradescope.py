@@ -161,3 +161,11 @@ def test_no_text_of_a_student_moves_a_cursor() -> None:
     assert_follows_the_specification(found)
     assert '\x1b' not in json.dumps(found) and '\\u001b' not in json.dumps(found)
     assert_follows_the_specification(refused('\x1b', 12))
+
+
+def test_without_a_wheel_it_says_what_gradescope_needs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    wheel = tmp_path / 'edulaunch-1.whl'
+    wheel.write_bytes(b'')
+    for words, is_needed in ((['--wheel', str(wheel)], False), ([], True)):
+        assert main(['gradescope', 'build', 'circle', '--out', str(tmp_path / 'a.zip'), *words]) == 0
+        assert ('If this version is not published there, use --wheel FILE.' in capsys.readouterr().err) is is_needed
