@@ -15,7 +15,7 @@ from edulaunch.ros.sourcing import source
 
 PROCESS = ('name', 'pid', 'origin', 'started_s', 'ended_s', 'returncode')
 PICTURES = ('turtles', 'frames', 'tree', 'graph')
-TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters')
+TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters')
 
 
 def _file_arguments(parser: argparse.ArgumentParser) -> None:

@@ -52,3 +52,9 @@ def test_two_recordings_are_compared(file: Path, tmp_path: Path, capsys: pytest.
     assert '~ messages on /turtlesim1/turtle1/pose: 124, before 61\n' in out and out.endswith(f'{picture}\n')
     assert Path(picture).read_bytes().startswith(b'\x89PNG')
     assert main(['recording', 'diff', str(file), other, '--png', str(tmp_path / 'no' / 'x.png')]) == 2
+
+
+def test_a_page_opens_at_the_tab_launch(file: Path, tmp_path: Path) -> None:
+    page = tmp_path / 'run.html'
+    assert main(['recording', 'show', str(file), '--tab', 'launch', '--html', str(page)]) == 0
+    assert '"tab": "launch"' in page.read_text(encoding='utf-8')
