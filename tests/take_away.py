@@ -21,6 +21,8 @@ from typing import NamedTuple
 from tests.house import ROOT
 from tests.kinds import KINDS
 
+SOURCED = ('AMENT_', 'COLCON_', 'ROS_')
+"""The beginnings of variables that an activated environment sets: they lead to the house itself, not to the copy."""
 LEFT_OUT = shutil.ignore_patterns('.git', '.venv*', '__pycache__', '.*_cache', '.ipynb_checkpoints', 'build', 'dist')
 OF_THE_HOUSE = (
     'tests/test_tested.py',
@@ -153,7 +155,7 @@ def _taken_away(house: Path, extras: Sequence[Extra]) -> Iterator[None]:
 
 def _environment(house: Path) -> dict[str, str]:
     path = os.pathsep.join((str(house), str(house / 'grader')))
-    kept = {name: value for name, value in os.environ.items() if name != 'EDULAUNCH_THOROUGH'}
+    kept = {name: value for name, value in os.environ.items() if name != 'EDULAUNCH_THOROUGH' and not name.startswith(SOURCED)}
     return {**kept, 'PYTHONPATH': path, 'PYTHONDONTWRITEBYTECODE': '1', 'COLUMNS': '200'}
 
 
