@@ -38,11 +38,17 @@ CLOSE = 0.05
 """How far ratios of numbers that follow one formula are apart: a lookup is one broadcast older than the command."""
 
 
+ORIGIN = (0.0, 0.0, 0.0)
+MOVES = 0.1
+"""Radians by which a leader moves as seen from the origin: one that stays tells nothing about who looks."""
+
+
 @rule(
     'tf.lookup-swapped',
     what=(
+        '{node} steers {turtle} by the position of {fixed} in the frame world, not as seen from {turtle}',
         '{node} steers {turtle} by the position of {turtle} as seen from {leader}, because the frames of '
-        'lookup_transform are swapped'
+        'lookup_transform are swapped',
     ),
     why=(
         'lookup_transform(target, source) returns the position of source as seen from target, and the follower must be the target'
@@ -63,21 +69,27 @@ def lookup_swapped(recording: Recording) -> Iterator[Finding]:
         mine = _poses(recording, turtle)
         for leader in (name for name in names if name != turtle):
             theirs = _poses(recording, leader)
-            right, swapped = [], []
+            right, swapped, fixed, seen = [], [], [], []
             for time, speed in turning:
                 me, it = _at(mine, time), _at(theirs, time)
                 if me is not None and it is not None:
                     right.append(speed / (_bearing(me, it) or 1e-9))
                     swapped.append(speed / (_bearing(it, me) or 1e-9))
-            if len(swapped) >= SAMPLES and _is_one_number(swapped) and not _is_one_number(right):
-                yield _swapped(recording, node, turtle, leader)
+                    seen.append(_bearing(ORIGIN, it))
+                    fixed.append(speed / (seen[-1] or 1e-9))
+            if len(swapped) < SAMPLES or _is_one_number(right):
+                continue
+            if _is_one_number(swapped):
+                yield _swapped(recording, node, turtle, leader, None)
+            elif _is_one_number(fixed) and max(seen) - min(seen) > MOVES:
+                yield _swapped(recording, node, turtle, leader, leader)
 
 
-def _swapped(recording: Recording, node: str, turtle: str, leader: str) -> Finding:
+def _swapped(recording: Recording, node: str, turtle: str, leader: str, fixed: str | None) -> Finding:
     process = programs(recording).get(node)
     lookup = next((one for one in recording.facts if one.kind == 'lookup failed' and one.process == process), None)
     file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', node) if lookup is None else fact_place(recording, lookup)
-    facts: dict[str, Any] = {'node': node, 'leader': leader, 'own': turtle[1:], 'other': leader[1:]}
+    facts: dict[str, Any] = {'node': node, 'leader': leader, 'own': turtle[1:], 'other': leader[1:], 'fixed': fixed}
     return found('turtle', turtle, file=file, line=line, **facts)
 
 
