@@ -1,29 +1,27 @@
-"""The exception tree of edulaunch.
+"""The exception tree of edulaunch::
 
-::
+        EdulaunchError                what a user sees: one message, and one line of help
+        ├── UnusableInput             an invalid file, argument or value (exit code 2)
+        │   ├── LaunchFileError       the launch file cannot be loaded or visited
+        │   ├── RecordingError        a recording file cannot be read
+        │   ├── MissingExtra          a package of an extra of edulaunch is not installed
+        │   ├── InterfaceError        a .msg, .srv or .action file is invalid (interfaces/)
+        │   └── PackageError          a package or executable cannot be found or read (packages/)
+        ├── ForeignRosError           a real ROS 2 is on the path, so the underlay must not shadow it
+        ├── SimulationError           the kernel was used wrongly (an internal bug)
+        └── RunawayProgramError       a program kept its turn for too long
 
-    EdulaunchError                what a user sees: one message, and one line of help
-    ├── UnusableInput             a file, argument or value that cannot be used at all (exit code 2)
-    │   ├── LaunchFileError       the launch file cannot be loaded or visited
-    │   ├── RecordingError        a recording file cannot be read
-    │   ├── MissingExtra          a package of an extra of edulaunch is not installed
-    │   ├── InterfaceError        a .msg, .srv or .action text is wrong (interfaces/)
-    │   └── PackageError          a package or executable cannot be found or read (packages/)
-    ├── ForeignRosError           a real ROS 2 is on the path, so the underlay must not shadow it
-    ├── SimulationError           the kernel was used wrongly (an internal mistake)
-    └── RunawayProgramError       a program never gave its turn back
-
-Errors that ROS 2 itself raises keep ROS 2's own types and texts; they live in the faces under `ros/python`.
+Errors that ROS 2 itself raises keep ROS 2's types and messages; they are below `ros/python`.
 """
 
 from __future__ import annotations
 
 
 class EdulaunchError(Exception):
-    """Base of all errors that edulaunch raises for its user.
+    """The base class of all errors that edulaunch raises for its users.
 
-    :param message: what is wrong, naming the thing, in one or more lines.
-    :param help: one line that says what to try, or None.
+    :param message: what is wrong, with names and values, in one or more lines.
+    :param help: one line that suggests what to do, or None.
     """
 
     def __init__(self, message: str, *, help: str | None = None) -> None:
@@ -32,7 +30,7 @@ class EdulaunchError(Exception):
         self.help = help
 
     def _render_traceback_(self) -> list[str]:
-        """What a notebook shows instead of the frames of edulaunch."""
+        """Return the lines that a notebook shows instead of the frames of edulaunch."""
         return [f'{type(self).__name__}: {self}']
 
     def __str__(self) -> str:
@@ -40,19 +38,19 @@ class EdulaunchError(Exception):
 
 
 class UnusableInput(EdulaunchError):
-    """What was given cannot be used at all; commands end with exit code 2."""
+    """An input is invalid; commands end with exit code 2."""
 
 
 class LaunchFileError(UnusableInput):
-    """A launch file cannot be loaded, or an action in it failed while it was visited."""
+    """A launch file cannot be loaded, or one of its actions failed."""
 
 
 class MissingExtra(UnusableInput):
-    """A package is not installed, because only one of the extras of edulaunch brings it.
+    """A package is not installed, because only an extra of edulaunch includes it.
 
-    :param what: what needs the package: 'ros2 bag'.
-    :param package: the name of the package: 'rosbags'.
-    :param extra: the name of the extra in `pyproject.toml`: 'bags'.
+    :param what: the feature that needs the package, such as 'ros2 bag'.
+    :param package: the name of the package, such as 'rosbags'.
+    :param extra: the name of the extra in `pyproject.toml`, such as 'bags'.
     """
 
     def __init__(self, what: str, package: str, extra: str) -> None:
@@ -60,7 +58,7 @@ class MissingExtra(UnusableInput):
 
 
 def how_to_install(extra: str) -> str:
-    """Return the line of help that says how to install an extra of edulaunch."""
+    """Return a line of help that explains how to install an extra of edulaunch."""
     return f"run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'"
 
 
@@ -69,7 +67,7 @@ class RecordingError(UnusableInput):
 
 
 class InterfaceError(UnusableInput):
-    """The text of a .msg, .srv or .action file cannot be understood."""
+    """A .msg, .srv or .action file is invalid."""
 
 
 class PackageError(UnusableInput):
@@ -81,8 +79,8 @@ class ForeignRosError(EdulaunchError):
 
 
 class SimulationError(EdulaunchError):
-    """The kernel was asked for something that makes no sense, such as scheduling into the past."""
+    """The kernel was used wrongly, such as to schedule an item in the past."""
 
 
 class RunawayProgramError(EdulaunchError):
-    """A program kept its turn for too long; names the file and line it was at."""
+    """A program kept its turn for too long; the message names its file and line."""

@@ -118,7 +118,7 @@ def test_what_a_session_ends_by_closing_is_not_recorded(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize('duration', ['2', float('nan'), float('inf'), -1, [2]])
 def test_a_duration_that_is_none_is_told(duration: Any) -> None:
-    with pytest.raises(UnusableInput, match='duration_s is .*, and simulated seconds are expected\n  help: write a number'):
+    with pytest.raises(UnusableInput, match='duration_s must be a number of simulated seconds, not .*\n  help: write a number'):
         edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=duration)
 
 

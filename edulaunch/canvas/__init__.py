@@ -1,8 +1,8 @@
 """Pictures of a Recording.
 
-A recording and a time become a *scene* (plain data, `*_scene.py`), a scene is drawn on matplotlib's axes (`draw_*.py`). Each
-`plot_*` gives a `Picture`, which a notebook shows; with `ax=` it draws on those axes and returns them, so that one can go on.
-matplotlib is loaded when the first picture is drawn.
+A recording and a time become a *scene* (plain data, `*_scene.py`), and `draw_*.py` draws it on matplotlib's axes. Each
+`plot_*` function returns a `Picture` that a notebook shows. With `ax=`, it draws on these axes and returns them instead.
+The first picture loads matplotlib.
 """
 
 from __future__ import annotations
@@ -38,15 +38,16 @@ def plot_turtles(
     colours: bool = True,
     ax: Any = None,
 ) -> Any:
-    """The turtle windows, and the field of each robot, as they look at a time.
+    """Draw the turtle windows, and the field of each robot, at one time.
 
-    :param time_s: seconds since the start; default: the end of the recording.
-    :param frames: draw tf frames on top: all, or the named ones, such as ['carrot1'].
-    :param colours: trails of turtles that share a window have their own colours, as long as nobody gave them a pen.
-    :param ax: matplotlib axes to draw on, in metres; a list of them when there are several windows.
-    :returns: a Picture, or what was given as `ax`.
-    :raises ValueError: when nothing moved in the recording, or for another number of axes than of windows.
-    :raises KeyError: when a named frame is not there; the message names the nearest one.
+    :param recording: the run.
+    :param time_s: seconds since the start (default: the end of the recording).
+    :param frames: True draws all tf frames on top; a list draws only these, such as ['carrot1'].
+    :param colours: draw each trail in a colour of its own, unless a program has set the pen.
+    :param ax: matplotlib axes to draw on, in metres; a list of axes for several windows.
+    :returns: a Picture, or `ax`.
+    :raises ValueError: when nothing moved in the recording, or the number of axes is not the number of windows.
+    :raises KeyError: for an unknown frame; the message names the nearest one.
     """
     from edulaunch.canvas.turtle_scene import turtle_scene
     from edulaunch.canvas.worlds import read_worlds
@@ -59,13 +60,14 @@ def plot_turtles(
 
 
 def plot_frames(recording: Recording, time_s: float | None = None, *, side: str = 'xy', ax: Any = None) -> Any:
-    """The tf frames from above or from a side, as rviz2 shows them: each tree of frames in its root frame.
+    """Draw the tf frames from above or from a side, as rviz2 shows them: each tree of frames in its root frame.
 
-    :param time_s: seconds since the start; default: the end of the recording.
-    :param side: 'xy' from above; 'xz' or 'yz': which axes go across and up.
-    :param ax: matplotlib axes to draw on, in metres; a list of them when there are several trees.
-    :returns: a Picture, or what was given as `ax`.
-    :raises ValueError: when no frame had been broadcast by then, for another side, or another number of axes than of trees.
+    :param recording: the run.
+    :param time_s: seconds since the start (default: the end of the recording).
+    :param side: the axes of the root that point right and up: 'xy' (from above), 'xz' or 'yz' (from a side).
+    :param ax: matplotlib axes to draw on, in metres; a list of axes for several trees.
+    :returns: a Picture, or `ax`.
+    :raises ValueError: when no frame was broadcast by then, for another side, or if the number of axes is not that of the trees.
     """
     from edulaunch.canvas.frames_scene import frames_scene
 
@@ -73,11 +75,13 @@ def plot_frames(recording: Recording, time_s: float | None = None, *, side: str 
 
 
 def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:
-    """Which frame is whose parent over the whole run, which node broadcasts it and how often; trees that are not connected stand
-    side by side.
+    """Draw the tf tree of the whole run: the parent, the broadcaster and the rate of each frame.
 
+    Trees that are not connected appear side by side.
+
+    :param recording: the run.
     :param ax: matplotlib axes to draw on.
-    :returns: a Picture, or what was given as `ax`.
+    :returns: a Picture, or `ax`.
     :raises ValueError: when no frame was broadcast.
     """
     from edulaunch.canvas.graph_scene import tree_scene
@@ -86,12 +90,13 @@ def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:
 
 
 def plot_graph(recording: Recording, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
-    """Nodes and the topics between them, as `rqt_graph` shows them.
+    """Draw nodes and the topics between them, as `rqt_graph` does.
 
-    :param unused: also show topics that nobody listens to. `/rosout` and `/parameter_events` are never shown.
+    :param recording: the run.
+    :param unused: also show topics without a subscription. The graph never shows `/rosout` and `/parameter_events`.
     :param services: also show services that a node calls.
     :param ax: matplotlib axes to draw on.
-    :returns: a Picture, or what was given as `ax`.
+    :returns: a Picture, or `ax`.
     """
     from edulaunch.canvas.graph_scene import graph_scene
 
@@ -101,13 +106,13 @@ def plot_graph(recording: Recording, *, unused: bool = False, services: bool = F
 def plot_system(
     system: Any, other: Any = None, changed: Mapping[str, list[str]] | None = None, *, services: bool = False, ax: Any = None
 ) -> Any:
-    """Nodes, topics and frames as a launch file plans them, or two systems side by side.
+    """Draw nodes, topics and frames as a launch file plans them, or two systems side by side.
 
     :param system, other: see `edulaunch.advice.explaining.systems.System`.
-    :param changed: for each node that both have and that differs, the names of the parameters that do.
+    :param changed: for each node with different parameters in the two systems, the names of these parameters.
     :param services: also show services that a node calls.
-    :param ax: matplotlib axes to draw on; a list of two for two systems.
-    :returns: a Picture, or what was given as `ax`.
+    :param ax: matplotlib axes to draw on; a list of two axes for two systems.
+    :returns: a Picture, or `ax`.
     """
     from edulaunch.canvas.system_scene import system_scene
 
@@ -115,13 +120,15 @@ def plot_system(
 
 
 def plot_distance(recording: Recording, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
-    """How far a follower is from what it follows, over time, in metres; below `close_m` it counts as close.
+    """Plot the distance between a follower and its leader over time, in metres; a distance below `close_m` counts as close.
 
+    :param recording: the run.
     :param first, second: turtles as in `Recording.trajectory`, or tf frames.
-    :param ax: matplotlib axes to draw on: seconds across, metres up.
-    :returns: a Picture, or what was given as `ax`.
-    :raises KeyError: when there is no such thing; the message names what there is.
-    :raises ValueError: when the two were never there at the same time.
+    :param close_m: the largest distance, in metres, that counts as close.
+    :param ax: matplotlib axes to draw on: seconds to the right, metres up.
+    :returns: a Picture, or `ax`.
+    :raises KeyError: for an unknown name; the message lists the known ones.
+    :raises ValueError: when the two did not exist at the same time.
     """
     from edulaunch.canvas.series_scene import distance_scene
 
@@ -129,13 +136,15 @@ def plot_distance(recording: Recording, first: str, second: str, close_m: float 
 
 
 def plot_series(recording: Recording, topic: str, *fields: str, ax: Any = None) -> Any:
-    """Numbers of a topic over time, a line for each field.
+    """Plot numbers of a topic over time, one line for each field.
 
+    :param recording: the run.
+    :param topic: the full name of the topic.
     :param fields: paths such as 'x', 'twist.linear.x' or 'ranges[0]'.
-    :param ax: matplotlib axes to draw on: seconds across.
-    :returns: a Picture, or what was given as `ax`.
-    :raises NotRecorded: when there is no such topic or field; the message names the nearest one.
-    :raises NothingToDraw: when nothing was published there, or a field is no number.
+    :param ax: matplotlib axes to draw on: seconds to the right, the unit of the field up.
+    :returns: a Picture, or `ax`.
+    :raises NotRecorded: for an unknown topic or field; the message names the nearest one.
+    :raises NothingToDraw: when the topic has no messages, or a field is not a number.
     """
     from edulaunch.canvas.series_scene import series_scene
 
@@ -143,11 +152,12 @@ def plot_series(recording: Recording, topic: str, *fields: str, ax: Any = None) 
 
 
 def parameter_table(recording: Recording, node: str | None = None, *, every: bool = False) -> Table:
-    """Parameters at the end of the run, with where each value came from.
+    """Return a table of the parameters at the end of the run, with the origin of each value.
 
-    :param node: fully qualified name; default: all nodes.
-    :param every: also those that each node has anyway (`use_sim_time`, `qos_overrides...`).
-    :raises KeyError: when there was no such node.
+    :param recording: the run.
+    :param node: the full name of a node (default: all nodes).
+    :param every: also list parameters that every node has (`use_sim_time`, `qos_overrides...`).
+    :raises KeyError: for an unknown node.
     """
     from edulaunch.canvas.table import Table, table_rows
 

@@ -1,6 +1,6 @@
-"""The node graph and the tf tree as images: boxes and arrows, as `layout` places them.
+"""Draw the node graph and the tf tree: boxes and arrows at the positions of `layout`.
 
-Nodes are ovals, topics are boxes, services have a double border; dashed: an end is missing.
+Nodes are ovals, topics are boxes, and services have a double border. A dashed box lacks a publisher, subscription or server.
 """
 
 from __future__ import annotations
@@ -26,32 +26,32 @@ LOOKS: dict[str, tuple[Colour, Colour, float]] = {
     'topic': (style.SAND_TINT, style.SAND, 3.0),
     'service': (style.GREEN_TINT, style.GREEN, 3.0),
 }
-"""Fill, edge, and radius of the corners."""
+"""Fill colour, edge colour, and radius of the corners."""
 LEGEND = 'oval: node   box: topic'
 FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
     'root': (style.PAPER, style.INK),
     'static': (style.GREEN_TINT, style.GREEN),
     'dynamic': (style.BLUE_TINT, style.BLUE),
 }
-"""Fill and edge of a box; the word in it says the same, and a static one is dashed."""
+"""Fill and edge colour of a box; the word in it gives the same information, and a static one is dashed."""
 
 
 def draw_box(
     ax: Axes, left: float, top: float, width: float, height: float, radius: float, fill: Colour | None, edge: Colour, **look: Any
 ) -> None:
-    """A box with rounded corners, an oval with a large radius."""
+    """Draw a box with rounded corners; with a large radius it is an oval."""
     corners = f'round,pad=0,rounding_size={min(radius, width / 2, height / 2)}'
     ground = 'none' if fill is None else rgb(fill)
     ax.add_patch(FancyBboxPatch((left, top), width, height, boxstyle=corners, facecolor=ground, edgecolor=rgb(edge), **look))
 
 
 def write(ax: Axes, x: float, y: float, text: str, size: float, colour: Colour) -> None:
-    """A line of a ROS name or of what is said of it, in the middle of (x, y)."""
+    """Write a ROS name or a remark about it, centred on (x, y)."""
     ax.text(x, y, text, fontsize=size, color=rgb(colour), family='DejaVu Sans Mono', ha='center', va='center_baseline')
 
 
 def draw_route(ax: Axes, places: list[Point], direction: str, colour: Colour = style.MUTED, **look: Any) -> None:
-    """Straight stretches and S-curves in turn, ending in a head. Points have y down, as layouts have."""
+    """Draw straight lines and S-curves in turn, ending in an arrowhead. Points have y down, as in layouts."""
     (x, y), (bx, by) = places[-1], places[-2]
     dx, dy = _direction(places, direction)
     path = [places[0]]
@@ -65,7 +65,7 @@ def draw_route(ax: Axes, places: list[Point], direction: str, colour: Colour = s
 
 
 def _direction(points: list[Point], direction: str) -> Point:
-    """Where the head looks: along the layers, or back."""
+    """Return the direction of the arrowhead: along the layers, or back."""
     forward = points[-1] > points[0] if direction == 'right' else points[-1][1] > points[0][1]
     sign = 1.0 if forward else -1.0
     return (sign, 0.0) if direction == 'right' else (0.0, sign)
@@ -88,7 +88,7 @@ def _bent(start: Point, end: Point, direction: str) -> list[Point]:
 
 
 def graph_sheet(scene: GraphScene) -> Sheet:
-    """As large as the graph, with the legend below."""
+    """Return a sheet as large as the graph, with the legend below."""
     width, height = _size(scene)
     return Sheet(width, height, [Box(0, 0, width, height)])
 
@@ -98,7 +98,7 @@ def _size(scene: GraphScene) -> tuple[float, float]:
 
 
 def draw_graph(scene: GraphScene, axes: Sequence[Axes]) -> None:
-    """Arrows, boxes over them, and the legend."""
+    """Draw the arrows, the boxes over them, and the legend."""
     (ax,) = axes
     pixel = layout(ax, *_size(scene))
     for (start, end), route in zip(scene.arrows, scene.routes, strict=True):
@@ -127,12 +127,12 @@ def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
 
 
 def tree_sheet(scene: TreeScene) -> Sheet:
-    """As large as the tree."""
+    """Return a sheet as large as the tree."""
     return Sheet(scene.width, scene.height, [Box(0, 0, scene.width, scene.height)])
 
 
 def draw_tree(scene: TreeScene, axes: Sequence[Axes]) -> None:
-    """An arrow from each parent to its children."""
+    """Draw an arrow from each parent to its children."""
     (ax,) = axes
     pixel = layout(ax, scene.width, scene.height)
     for (_, child), route in zip(scene.links, scene.routes, strict=True):
@@ -152,4 +152,4 @@ def _draw_frame_box(ax: Axes, box: FrameBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {GraphScene: (graph_sheet, draw_graph), TreeScene: (tree_sheet, draw_tree)}
-"""Of each scene its sheet, and what draws it on that sheet's axes."""
+"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""

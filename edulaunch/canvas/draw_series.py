@@ -1,4 +1,4 @@
-"""Numbers of a topic, and the distance of two things, over time as images."""
+"""Draw numbers of a topic, and the distance between two objects, over time."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ DISTANCE_HEIGHT, DISTANCE_LEFT = 260, 44
 
 
 def series_sheet(scene: SeriesScene) -> Sheet:
-    """One wide diagram."""
+    """Return a sheet with one wide diagram."""
     return Sheet(WIDTH, HEIGHT, [Box(LEFT, BELOW, WIDTH - RIGHT, HEIGHT - ABOVE)])
 
 
 def draw_series(scene: SeriesScene, axes: Sequence[Axes]) -> None:
-    """A line for each field, told apart by colour and dashes."""
+    """Draw a line for each field, distinguished by colour and dashes."""
     (ax,) = axes
     values = [value for _, points in scene.lines for _, value in points if math.isfinite(value)] or [0.0]
     low, high = min(values), max(values)
@@ -41,12 +41,12 @@ def draw_series(scene: SeriesScene, axes: Sequence[Axes]) -> None:
 
 
 def distance_sheet(scene: DistanceScene) -> Sheet:
-    """One wide diagram."""
+    """Return a sheet with one wide diagram."""
     return Sheet(WIDTH, DISTANCE_HEIGHT, [Box(DISTANCE_LEFT, BELOW, WIDTH - RIGHT, DISTANCE_HEIGHT - ABOVE)])
 
 
 def draw_distance(scene: DistanceScene, axes: Sequence[Axes]) -> None:
-    """The distance as a line, the band that counts as close as a tinted ground with its border dashed."""
+    """Draw the distance as a line, and the band that counts as close as a tinted area with a dashed border."""
     (ax,) = axes
     highest = max(*(distance for _, distance in scene.points), scene.close_m) * 1.1
     world(ax, (0.0, max(scene.duration_s, 1e-3), 0.0, max(highest, 1e-3)), grid=False, square=False)
@@ -88,4 +88,4 @@ def _stretches(points: list[tuple[float, float]]) -> list[list[tuple[float, floa
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {SeriesScene: (series_sheet, draw_series), DistanceScene: (distance_sheet, draw_distance)}
-"""Of each scene its sheet, and what draws it on that sheet's axes."""
+"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""

@@ -1,4 +1,4 @@
-"""Turtle windows, and tf frames from above or from a side, as images. An arrow leads from each frame to its parent."""
+"""Draw turtle windows, and tf frames from above or from a side. An arrow leads from each frame to its parent."""
 
 from __future__ import annotations
 
@@ -30,26 +30,26 @@ from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 Point = tuple[float, float]
 SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
 DASHES = ('-', '--', '-.', ':')
-"""Of trails that have a colour of their own: whose they are must be seen without it, too."""
+"""Markers on coloured trails identify them without colour, too."""
 TURTLESIM_PX = 500
-"""Size of a real turtlesim window, in which widths of pens are meant."""
+"""The size of a real turtlesim window; pen widths refer to it."""
 ALONE, BESIDE, VIEW_LEFT, VIEW_BELOW = 420, 340, 34, 40
 AXIS = 30.0
 X_COLOUR: Colour = (204, 36, 29)
 Y_COLOUR: Colour = (46, 140, 48)
 Z_COLOUR: Colour = (38, 92, 178)
 LEAST = 0.05
-"""An axis that points towards who looks is not drawn."""
+"""An axis that points towards the viewer is not drawn."""
 LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
 def turtles_sheet(scene: TurtleScene) -> Sheet:
-    """One window beside the other, at most three in a row."""
+    """Return a sheet with windows side by side, at most three in a row."""
     return rows_of(len(scene.windows), 3, SIDE, LEFT, BETWEEN, ABOVE, BELOW)
 
 
 def draw_turtles(scene: TurtleScene, axes: Sequence[Axes]) -> None:
-    """Each window in axes of its own, and the time above the first."""
+    """Draw each window in its own axes, with the time above the first one."""
     for ax, window in zip(axes, scene.windows, strict=True):
         draw_window(ax, window)
         ax.set_title(window.title, family='DejaVu Sans Mono', y=1.0)
@@ -57,7 +57,7 @@ def draw_turtles(scene: TurtleScene, axes: Sequence[Axes]) -> None:
 
 
 def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
-    """Ground, trails, bodies and, if wanted, their names."""
+    """Draw ground, trails, bodies and, on request, their names."""
     world(ax, window.limits, window.background, grid=window.kind == 'robot')
     pixel = side_of(ax) / TURTLESIM_PX
     for trail in window.trails:
@@ -80,7 +80,7 @@ def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
 
 
 def _draw_body(ax: Axes, body: Body, parts: Sequence[Part], size: float) -> None:
-    """A turtle or robot; its parts are in units of `size` metres."""
+    """Draw a turtle or robot; its parts are in units of `size` metres."""
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
     shell = SHELLS[body.number % len(SHELLS)]
     for kind, corners in parts:
@@ -90,7 +90,7 @@ def _draw_body(ax: Axes, body: Body, parts: Sequence[Part], size: float) -> None
 
 
 def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
-    """Names beside the bodies, which are `size` layout pixels long."""
+    """Write names beside the bodies, which are `size` layout pixels long."""
     anchors = points_of(ax, [(body.x, body.y) for body in bodies])
     sizes = [(mono_width(body.name, SMALL) + 6, SMALL + 4) for body in bodies]
     taken = [Box(x - size * 0.4, y - size * 0.4, x + size * 0.4, y + size * 0.4) for x, y in anchors]
@@ -102,18 +102,18 @@ def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
 
 
 def _write(ax: Axes, text: str, place: Point, away: Point, size: float, **look: Any) -> None:
-    """A text around a point that lies `away` layout pixels from a place in the world."""
+    """Write a label centred on a point `away` layout pixels from a place in the world."""
     ax.annotate(text, place, away, textcoords='offset points', ha='center', va='center', fontsize=size, **look)
 
 
 def frames_sheet(scene: FramesScene) -> Sheet:
-    """One tree beside the other, at most two in a row."""
+    """Return a sheet with trees side by side, at most two in a row."""
     count = len(scene.views)
     return rows_of(count, 2, ALONE if count == 1 else BESIDE, VIEW_LEFT, BETWEEN, ABOVE, VIEW_BELOW)
 
 
 def draw_frames(scene: FramesScene, axes: Sequence[Axes]) -> None:
-    """Each tree in axes of its own, and the time above the first."""
+    """Draw each tree in its own axes, with the time above the first one."""
     for ax, view in zip(axes, scene.views, strict=True):
         _draw_view(ax, view, scene.side)
     axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED), y=1.0)
@@ -139,7 +139,7 @@ def _draw_view(ax: Axes, view: View, side: str) -> None:
 
 
 def draw_axes(ax: Axes, mark: FrameMark) -> None:
-    """The axes of a frame, those that can be seen."""
+    """Draw the visible axes of a frame."""
     looks = (
         (mark.z_axis, Z_COLOUR, 'z', 1.6, ':'),
         (mark.y_axis, Y_COLOUR, 'y', 1.6, '-'),
@@ -159,7 +159,7 @@ def draw_axes(ax: Axes, mark: FrameMark) -> None:
 
 
 def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float, float]], side: str) -> None:
-    """Names clear of axes and of each other; from above a height over the ground is said in words."""
+    """Write names that do not cover axes or each other; from above, a label also gives the height above the ground."""
     texts = [mark.name + (f' (z={mark.z:.2f})' if side == 'xy' and abs(mark.z) >= 0.005 else '') for mark in frames]
     anchors = [pixels[mark.name] for mark in frames]
     reach = AXIS + 11
@@ -177,4 +177,4 @@ def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float,
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {TurtleScene: (turtles_sheet, draw_turtles), FramesScene: (frames_sheet, draw_frames)}
-"""Of each scene its sheet, and what draws it on that sheet's axes."""
+"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""

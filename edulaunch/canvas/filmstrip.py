@@ -1,6 +1,6 @@
-"""A run as a strip of small pictures: what stands in for the replay where scripts do not run.
+"""A run as a strip of small pictures, which replaces the replay where scripts do not run.
 
-It is an SVG of our own, for it is part of the text that a notebook keeps: equal with every version of matplotlib.
+It is an SVG without matplotlib, because notebooks store it: its bytes must not depend on matplotlib's version.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from edulaunch.canvas.worlds import World
 GAP, LINE = 8, 16
 NAME_LOOK = 'fill="#ffffff" stroke="#1f2933" stroke-width="2.5" paint-order="stroke"'
 WINDOW_PX = 500
-"""Size of a real turtlesim window, in which widths of pens are meant."""
+"""The size of a real turtlesim window; pen widths refer to it."""
 
 
 def strip_times(duration_s: float, worlds: int) -> list[float]:
-    """Eight times for one world, six for more; the last is the end."""
+    """Return eight times for one world, six for several; the last one is the end of the run."""
     count = 8 if worlds == 1 else 6
     return [duration_s * number / (count - 1) for number in range(count)]
 
 
 def filmstrip(worlds: list[World], duration_s: float) -> str:
-    """An SVG: one world in two rows of four pictures; several worlds in a row of six each."""
+    """Return an SVG: one world in two rows of four pictures, or several worlds in a row of six each."""
     times = strip_times(duration_s, len(worlds))
     columns, side = (4, 176) if len(worlds) == 1 else (6, 116)
     parts = []
@@ -43,7 +43,7 @@ def filmstrip(worlds: list[World], duration_s: float) -> str:
 
 
 def still(worlds: list[World], time_s: float) -> tuple[str, str]:
-    """All windows at one time as an SVG, one beside the other with their names, and the line that says the same."""
+    """Return all windows at one time as an SVG, side by side with their names, and with a caption that describes them."""
     scene, side, parts = turtle_scene(worlds, time_s), 260, []
     for number, window in enumerate(scene.windows):
         x, y = GAP + number * (side + GAP), LINE

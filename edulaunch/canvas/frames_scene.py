@@ -1,4 +1,4 @@
-"""tf frames in the root frame of their tree at any time, and as rviz2 shows them from above or from a side, as plain data."""
+"""tf frames at any time as plain data: in the root frame of their tree, from above or from a side."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
-"""Which of the root's axes go across the sheet, up, and towards who looks."""
+"""The axes of the root that point right, up, and towards the viewer."""
 
 
 class Placed(NamedTuple):
-    """Where a frame is in the root of its tree: metres, and its turn as (x, y, z, w)."""
+    """The pose of a frame in the root of its tree: metres, and the rotation as (x, y, z, w)."""
 
     root: str
     position: Vector
@@ -30,9 +30,9 @@ class Placed(NamedTuple):
 
 
 def placed(frames: dict[str, Frame]) -> dict[str, Placed]:
-    """Every frame, parents included, in its root frame; roots first as they appear.
+    """Return every frame, parents included, in its root frame; roots first, in the order of their appearance.
 
-    A loop of parents has no root: its frame that is met first stands for one.
+    A loop of parents has no root, so its first frame is used as one.
     """
     found: dict[str, Placed] = {}
     for name in dict.fromkeys([*(frame.parent for frame in frames.values()), *frames]):
@@ -47,7 +47,7 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
             found[name] = Placed(name, *AT_HOME)
         else:
             parent = _place(frame.parent, frames, found, [*way, name])
-            if name not in found:  # a loop may have made it a root meanwhile
+            if name not in found:  # a loop may have made it a root in the meantime
                 found[name] = Placed(
                     parent.root,
                     _add(parent.position, rotate(parent.turn, frame.translation)),
@@ -57,7 +57,7 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
 
 
 def seen_from(fixed: Placed, place: Placed) -> Placed:
-    """A frame as another one of its tree sees it."""
+    """Return the pose of a frame relative to another one of its tree."""
     x, y, z, w = fixed.turn
     back = (-x, -y, -z, w)
     a, b = place.position, fixed.position
@@ -65,7 +65,7 @@ def seen_from(fixed: Placed, place: Placed) -> Placed:
 
 
 def heading(turn: Quaternion) -> float:
-    """Where the turned x axis points to when seen from above, in radians."""
+    """Return the direction of the rotated x axis from above, in radians."""
     x, y, z, w = turn
     return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
@@ -75,9 +75,9 @@ def _add(a: Vector, b: Vector) -> Vector:
 
 
 class FrameMark(NamedTuple):
-    """A frame in its root: metres; its parent or ''; where its axes (1 long) point to on the sheet.
+    """A frame in its root: position in metres, parent or '', and the directions of its axes (1 long) on the sheet.
 
-    `x` and `y` are across and up the sheet, `z` towards who looks: from above these are the root's x, y and z.
+    `x` and `y` point right and up on the sheet, `z` towards the viewer: from above these are the root's x, y and z.
     """
 
     name: str
@@ -92,7 +92,7 @@ class FrameMark(NamedTuple):
 
 
 class View(NamedTuple):
-    """A tree of frames: its root, its frames (the root first), and (left, right, bottom, top) in metres."""
+    """A tree of frames: its root, its frames (root first), and (left, right, bottom, top) in metres."""
 
     root: str
     frames: list[FrameMark]
@@ -100,14 +100,14 @@ class View(NamedTuple):
 
 
 class FramesScene(NamedTuple):
-    """All trees at one time; `side` names the axes of the root that go across and up the sheet."""
+    """All trees at one time; `side` names the axes of the root that point right and up."""
 
     time_s: float
     views: list[View]
     side: str = 'xy'
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         views = [
             f'in {view.root}: '
             + ', '.join(f'{mark.name} at ({mark.x + 0.0:.3f}, {mark.y + 0.0:.3f})' for mark in view.frames[1:])
@@ -118,13 +118,13 @@ class FramesScene(NamedTuple):
 
 
 def frames_scene(recording: Recording, time_s: float, side: str = 'xy') -> FramesScene:
-    """The frames that were known at a time.
+    """Return the frames that were known at a time.
 
-    :param side: 'xy' from above, 'xz' or 'yz' from a side: which axes go across and up.
-    :raises ValueError: when none was, it says who was to broadcast; or for another side.
+    :param side: the axes that point right and up: 'xy' from above, 'xz' or 'yz' from a side.
+    :raises ValueError: when there was no frame (the message names the broadcasters), or for another side.
     """
     if side not in SIDES:
-        raise NothingToDraw(f'there is no side {side!r}', help=did_you_mean(side, SIDES) or f'one of {", ".join(SIDES)}')
+        raise NothingToDraw(f'unknown side {side!r}', help=did_you_mean(side, SIDES) or f'one of {", ".join(SIDES)}')
     frames = recording.frames_at(time_s)
     if not frames:
         raise NothingToDraw(f'no tf frame had been broadcast at t = {time_s:.3f} s; {_who(recording)}')
@@ -144,7 +144,7 @@ def _who(recording: Recording) -> str:
 
 
 def mark_of(name: str, place: Placed, frame: Frame | None, side: str = 'xy') -> FrameMark:
-    """A frame as it is seen from a side."""
+    """Return a frame as seen from a side."""
     across, up, towards = SIDES[side]
     turned = (rotate(place.turn, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
     x_axis, y_axis, z_axis = ((axis[across], axis[up]) for axis in turned)
@@ -158,7 +158,7 @@ def _root_first(root: str, marks: list[FrameMark]) -> list[FrameMark]:
 
 
 def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
-    """A square with all frames in it and air around them, on a grid of half metres so that it stands still for a while."""
+    """Return a square around all frames with a margin, on a grid of half metres so that it rarely changes."""
     xs, ys = [mark.x for mark in marks], [mark.y for mark in marks]
     side = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 1.5
     x, y = (round((max(values) + min(values)) * 2) / 4 for values in (xs, ys))
@@ -166,9 +166,9 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
 
 
 class FrameTracks:
-    """All transforms of a recording by child frame, in order of publication.
+    """Return all transforms of a recording by child frame, in order of publication.
 
-    As in tf2 a static transform replaces what came before, and among dynamic ones the newest counts.
+    As in tf2, a static transform replaces earlier ones, and of dynamic ones the newest counts.
     """
 
     def __init__(self, recording: Recording) -> None:
@@ -179,7 +179,7 @@ class FrameTracks:
                 self._rows.setdefault(child, []).append((published_s, frame))
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
-        """The newest transform of each child frame at a time."""
+        """Return the newest transform of each child frame at a time."""
         found = {}
         for name, rows in self._rows.items():
             position = bisect_right(rows, time_s, key=itemgetter(0))
@@ -188,5 +188,5 @@ class FrameTracks:
         return found
 
     def placed_at(self, time_s: float) -> dict[str, Placed]:
-        """Every frame in its root, at a time."""
+        """Return every frame in its root at a time."""
         return placed(self.frames_at(time_s))

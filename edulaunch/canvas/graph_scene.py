@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 HIDDEN = ('/rosout', '/parameter_events')
 Key = tuple[str, str, int]
-"""Kind ('node', 'topic' or 'service'), name, and the how-many-eth node of that name."""
+"""Kind ('node', 'topic' or 'service'), name, and a number that distinguishes nodes of that name."""
 LINE = 14.0
 
 
 class Box(NamedTuple):
-    """A node, topic or service with the upper left corner and size of its box in pixels. `mark`: what is wrong with it, or ''."""
+    """A node, topic or service with the upper left corner and size of its box in pixels. `mark` names a problem, or is ''."""
 
     kind: str
     name: str
@@ -36,7 +36,7 @@ class Box(NamedTuple):
 
 
 class GraphScene(NamedTuple):
-    """Boxes, arrows between their positions in the list, and each arrow's way (see `edulaunch.canvas.layout.Route`)."""
+    """Boxes, arrows between their positions in the list, and the path of each arrow (see `edulaunch.canvas.layout.Route`)."""
 
     width: float
     height: float
@@ -46,7 +46,7 @@ class GraphScene(NamedTuple):
     direction: str
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         count = {kind: sum(box.kind == kind for box in self.boxes) for kind in ('node', 'topic', 'service')}
         marked = [f'{box.name}: {box.mark}' for box in self.boxes if box.mark]
         services = f', {count["service"]} services' if count['service'] else ''
@@ -55,9 +55,11 @@ class GraphScene(NamedTuple):
 
 
 def graph_scene(recording: Recording, *, unused: bool = False, services: bool = False) -> GraphScene:
-    """The graph at the end of a run; topics without listeners only if `unused`, services that somebody calls only if `services`.
+    """Return the graph at the end of a run.
 
-    Nodes that have ended are gone, as in `rqt_graph`; when all have, the graph shows what there was.
+    `unused` adds topics without subscriptions, and `services` adds services with clients.
+
+    Nodes that have ended are missing, as in `rqt_graph`; if all nodes have ended, the graph shows all of them.
     """
     nodes = _shown(recording)
     edges, marks = _topics(recording, nodes, unused)
@@ -77,10 +79,10 @@ def graph_scene(recording: Recording, *, unused: bool = False, services: bool = 
 
 
 def _shown(recording: Recording) -> dict[Key, NodeRecord]:
-    """The nodes that are there at the end, or when none is, that were; two that had one name at the same time are two."""
+    """Return the nodes at the end or, if all have ended, all nodes; two nodes with one name at the same time are two."""
     nodes = [node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')]
     alive = [node for node in nodes if node.ended_s is None]
-    if not alive:  # of one that was started again only the last life is shown
+    if not alive:  # if a node was started again, only its last life is shown
         alive = [
             node for node in nodes if not any(node.name == other.name and _ended(node) <= other.started_s for other in nodes)
         ]
@@ -97,7 +99,7 @@ def _ended(node: NodeRecord) -> float:
 
 
 def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
-    """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
+    """Return arrows from publishers to topics to subscriptions, and the problems of topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
     mismatches = {mismatch.topic: mismatch.why.lower() for mismatch in recording.mismatches}
@@ -109,7 +111,7 @@ def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool)
         key = ('topic', topic, 0)
         edges += [(node, key) for node in publishers] + [(key, node) for node in subscribers]
         if topic == '/tf_static' and not (publishers and subscribers):
-            continue  # every tf listener hears it, and without static frames nobody speaks: that is no mistake
+            continue  # every tf listener subscribes to it, so a missing publisher (no static frames) is not a mistake
         if not publishers:
             marks[key] = 'no publisher'
         elif not subscribers:
@@ -120,7 +122,7 @@ def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool)
 
 
 def _services(nodes: Mapping[Key, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
-    """Arrows from clients to services to servers; and which services nobody serves."""
+    """Return arrows from clients to services to servers, and the services without a server."""
     servers = {name: key for key, node in nodes.items() for name, _ in node.services}
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
@@ -137,7 +139,7 @@ def _services(nodes: Mapping[Key, NodeRecord]) -> tuple[list[tuple[Key, Key]], d
 
 
 def label_lines(kind: str, name: str, mark: str) -> list[tuple[str, float, bool]]:
-    """What stands in a box, as (text, font size, whether it is the mark): the namespace small above the name."""
+    """Return the content of a box as (text, font size, whether it is the mark), with the namespace small above the name."""
     namespace, _, base = name.rpartition('/')
     lines = [(shortened(namespace + '/'), SMALL, False)] if namespace else []
     lines.append((shortened(base if namespace else name), TEXT, False))
@@ -153,8 +155,9 @@ def _size(kind: str, name: str, mark: str) -> tuple[float, float]:
 
 
 class FrameBox(NamedTuple):
-    """A frame with the upper left corner and size of its box in pixels; `kind` is 'root', 'static' or 'dynamic'; `lines` say how
-    often and by whom it is broadcast; `mark` says what is wrong with it, or ''.
+    """A frame with the upper left corner and size of its box in pixels.
+
+    `kind` is 'root', 'static' or 'dynamic'. `lines` has the rate and the broadcaster. `mark` names a problem, or is ''.
     """
 
     name: str
@@ -168,7 +171,7 @@ class FrameBox(NamedTuple):
 
 
 class TreeScene(NamedTuple):
-    """All trees side by side: frames, links (parent, child) between their positions in the list, and each link's way."""
+    """All trees side by side: frames, links (parent, child) between their positions in the list, and the path of each link."""
 
     width: float
     height: float
@@ -178,7 +181,7 @@ class TreeScene(NamedTuple):
     direction: str
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         boxes = self.boxes
         links = [f'{boxes[parent].name} -> {boxes[child].name} ({", ".join(boxes[child].lines)})' for parent, child in self.links]
         roots = [box.name for box in boxes if box.kind == 'root']
@@ -188,7 +191,7 @@ class TreeScene(NamedTuple):
 
 
 def tree_scene(recording: Recording) -> TreeScene:
-    """The tree of the whole run.
+    """Return the tree of the whole run.
 
     :raises ValueError: when no frame was broadcast.
     """
@@ -196,7 +199,7 @@ def tree_scene(recording: Recording) -> TreeScene:
 
     found = frame_links(recording)
     if not found:
-        raise NothingToDraw('no tf frame was broadcast in this recording: nobody published to /tf or /tf_static')
+        raise NothingToDraw('no tf frame was broadcast in this recording: no node published to /tf or /tf_static')
     names = list(dict.fromkeys(name for link in found.values() for name in (*link.parents, link.child)))
     place = {name: number for number, name in enumerate(names)}
     links = [(place[parent], place[link.child]) for link in found.values() for parent in link.parents]
@@ -217,7 +220,7 @@ def _kind(link: FrameLink | None) -> str:
 
 
 def _lines(link: FrameLink | None) -> tuple[list[str], str]:
-    """The text under a frame's name, and what is wrong with it."""
+    """Return the text under a frame's name, and its problem."""
     if link is None:
         return ['root'], ''
     rate = link.rate_hz

@@ -1,7 +1,7 @@
-"""Boxes of given sizes put on a sheet in layers, and ways for the arrows between them that cross no box.
+"""Arrange boxes of given sizes in layers on a sheet, and find paths for the arrows between them that cross no box.
 
-After Sugiyama: loops are opened, layers are given by the longest way, arrows over several layers get a *joint* in each layer
-between, and the order in each layer is improved by placing every box at the mean of its neighbours until arrows cross no less.
+The method is Sugiyama's. It opens loops and gives each item the layer of its longest path. Arrows over several layers get a
+*joint* in each layer between. It then moves each box to the mean of its neighbours until the number of crossings stays the same.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ Size = tuple[float, float]
 MARGIN, BETWEEN_LAYERS, BETWEEN_BOXES, JOINT, PORT = 12.0, 44.0, 16.0, 10.0, 9.0
 SWEEPS = 12
 WIDEST = 900.0
-"""Layers go from left to right while that needs no more pixels than a notebook's cell has, else from top to bottom."""
+"""Layers go from left to right if that fits the width of a notebook's cell, otherwise from top to bottom."""
 
 
 class Layers(NamedTuple):
-    """Items by layer, in order; numbers from `count` on are joints. For each edge its chain of items from first layer to last,
+    """Items by layer, in order; numbers from `count` are joints. Each edge has its chain of items from first layer to last,
     and whether the arrow points the other way.
     """
 
@@ -29,7 +29,7 @@ class Layers(NamedTuple):
 
 
 def make_layers(count: int, edges: list[Edge]) -> Layers:
-    """Layers for items 0 to count-1."""
+    """Return the layers of items 0 to count-1."""
     back = _back_edges(count, edges)
     forward = [(b, a) if number in back else (a, b) for number, (a, b) in enumerate(edges)]
     rank = _ranks(count, forward)
@@ -48,7 +48,7 @@ def make_layers(count: int, edges: list[Edge]) -> Layers:
 
 
 def _back_edges(count: int, edges: list[Edge]) -> set[int]:
-    """The edges that close a loop, found by walking depth first; items that nothing leads to are walked from first."""
+    """Return the edges that close a loop, found in a depth-first walk that begins with items without incoming edges."""
     following: list[list[tuple[int, int]]] = [[] for _ in range(count)]
     for number, (a, b) in enumerate(edges):
         following[a].append((number, b))
@@ -73,7 +73,7 @@ def _back_edges(count: int, edges: list[Edge]) -> set[int]:
 
 
 def _ranks(count: int, edges: list[Edge]) -> list[int]:
-    """The layer of each item: the longest way to it; what nothing leads to stands right before what it leads to."""
+    """Return the layer of each item (its longest path). An item without incoming edges is right before its targets."""
     rank = [0] * count
     before: list[list[int]] = [[] for _ in range(count)]
     after: list[list[int]] = [[] for _ in range(count)]
@@ -82,7 +82,7 @@ def _ranks(count: int, edges: list[Edge]) -> list[int]:
         after[a].append(b)
     waiting = [len(sources) for sources in before]
     ready = [item for item in range(count) if not waiting[item]]
-    for item in ready:  # grows while it is walked
+    for item in ready:  # grows during the loop
         for step in after[item]:
             rank[step] = max(rank[step], rank[item] + 1)
             waiting[step] -= 1
@@ -95,7 +95,7 @@ def _ranks(count: int, edges: list[Edge]) -> list[int]:
 
 
 def _ordered(layers: list[list[int]], chains: list[list[int]]) -> list[list[int]]:
-    """The layers with the order of their items that lets the fewest arrows cross."""
+    """Return the layers with the order of their items that has the fewest crossing arrows."""
     links = [(a, b) for chain in chains for a, b in zip(chain, chain[1:], strict=False)]
     before: dict[int, list[int]] = {}
     after: dict[int, list[int]] = {}
@@ -114,7 +114,7 @@ def _ordered(layers: list[list[int]], chains: list[list[int]]) -> list[list[int]
 
 
 def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[list[int]]:
-    """Each layer sorted by the mean place of its items' neighbours in the layer before it."""
+    """Sort each layer by the mean place of its items' neighbours in the layer before it."""
     swept = [layers[0]]
     for layer in layers[1:]:
         place = {item: number for number, item in enumerate(swept[-1])}
@@ -127,7 +127,7 @@ def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[li
 
 
 def crossings(layers: list[list[int]], links: list[Edge]) -> int:
-    """How many pairs of links between neighbouring layers cross."""
+    """Return how many pairs of links between neighbouring layers cross."""
     place = {item: number for layer in layers for number, item in enumerate(layer)}
     layer_of = {item: number for number, layer in enumerate(layers) for item in layer}
     total = 0
@@ -138,16 +138,17 @@ def crossings(layers: list[list[int]], links: list[Edge]) -> int:
 
 
 class Route(NamedTuple):
-    """The way of an arrow: points from its tail to its head. Every second stretch, beginning with the first, is straight; the
-    others are S-curves whose ends lie along the direction of the layers.
+    """The path of an arrow: points from its tail to its head. Every second segment, beginning with the first, is straight; the
+    others are S-curves whose ends follow the direction of the layers.
     """
 
     points: list[Point]
 
 
 class Layout(NamedTuple):
-    """The sheet's size, the upper left corner of each box, the way of each arrow (x to the right, y down), and the direction of
-    the layers: 'right' or 'down'.
+    """The size of the sheet, the upper left corner of each box, the path of each arrow, and the direction of the layers.
+
+    x points right and y down. The direction is 'right' or 'down'.
     """
 
     width: float
@@ -158,9 +159,9 @@ class Layout(NamedTuple):
 
 
 def lay_out(sizes: list[Size], edges: list[Edge], direction: str | None = None) -> Layout:
-    """Places for boxes with these (width, height) and arrows between them.
+    """Return places for boxes with these (width, height), and paths for the arrows between them.
 
-    :param direction: 'right' or 'down'; default: to the right if that is narrow enough.
+    :param direction: 'right' or 'down' (default: to the right if that fits).
     """
     if direction is not None:
         return _sheet(sizes, edges, direction)
@@ -170,7 +171,7 @@ def lay_out(sizes: list[Size], edges: list[Edge], direction: str | None = None) 
 
 
 def _sheet(sizes: list[Size], edges: list[Edge], direction: str) -> Layout:
-    """Each connected group is laid out by itself; groups follow one another across the layers."""
+    """Lay out each connected group on its own; groups follow one another across the layers."""
     right = direction == 'right'
     corners: list[Point] = [(0.0, 0.0)] * len(sizes)
     routes = [Route([])] * len(edges)
@@ -194,7 +195,7 @@ def _turned(along: float, across: float, right: bool) -> Point:
 
 
 def _groups(count: int, edges: list[Edge]) -> list[tuple[list[int], list[int]]]:
-    """Connected items and the numbers of their edges, largest groups first."""
+    """Return connected items and the numbers of their edges, largest groups first."""
     group = list(range(count))
     for a, b in edges:
         low, high = sorted((group[a], group[b]))
@@ -210,7 +211,7 @@ def _groups(count: int, edges: list[Edge]) -> list[tuple[list[int], list[int]]]:
 
 
 class _Group:
-    """One connected group. Sizes and corners are (along, across) the direction of the layers."""
+    """Lay out one connected group. Sizes and corners are (along, across) the direction of the layers."""
 
     def __init__(self, sizes: list[Size], edges: list[Edge]) -> None:
         self.layers: Layers = make_layers(len(sizes), edges)
@@ -226,7 +227,7 @@ class _Group:
         self.length = self.starts[-1] + self.depths[-1]
 
     def _depths(self) -> tuple[list[float], list[float]]:
-        """Where each layer begins, and how deep it is."""
+        """Return the start and the depth of each layer."""
         depths = [max((self.sizes[item][0] for item in layer), default=0.0) for layer in self.layers.layers]
         starts = [0.0]
         for depth in depths[:-1]:
@@ -235,7 +236,7 @@ class _Group:
 
     @property
     def corners(self) -> list[Point]:
-        """Of the boxes, each in the middle of its layer's depth."""
+        """Return the corners of the boxes, each in the middle of its layer's depth."""
         found = []
         for item in range(self.count):
             (along, across), layer = self.sizes[item], self.layer_of[item]
@@ -243,7 +244,7 @@ class _Group:
         return found
 
     def routes(self) -> list[list[Point]]:
-        """The way of each arrow, tail first."""
+        """Return the path of each arrow, tail first."""
         out, into = self._ports(0), self._ports(-1)
         found = []
         for number, (chain, turned) in enumerate(zip(self.layers.chains, self.layers.turned, strict=True)):
@@ -261,7 +262,7 @@ class _Group:
         return found
 
     def _ports(self, side: int) -> list[float]:
-        """Where each arrow meets its box: on side 0 those that leave, on side -1 those that come; spread, so as not to cross."""
+        """Return where each arrow meets its box, spread to avoid crossings. Side 0 has outgoing arrows, side -1 incoming ones."""
         chains = self.layers.chains
         ports = [0.0] * len(chains)
         for item in range(self.count):
@@ -274,12 +275,12 @@ class _Group:
 
 
 def mean(numbers: list[float]) -> float:
-    """Of at least one number."""
+    """Return the mean of at least one number."""
     return sum(numbers) / len(numbers)
 
 
 def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
-    """The middle of each item across the layers: near its neighbours' mean, at a distance from those beside it."""
+    """Return the middle of each item across the layers: near its neighbours' mean, at a distance from the items beside it."""
     near: list[list[int]] = [[] for _ in breadths]
     for chain in layers.chains:
         for a, b in zip(chain, chain[1:], strict=False):
@@ -298,9 +299,9 @@ def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
 
 
 def _apart(wishes: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
-    """The places nearest to the wishes (least squares) that keep the order and the distances.
+    """Return the positions nearest to the desired ones (least squares) that keep the order and the distances.
 
-    Taking the distances off makes it a question of rising numbers: neighbours that stand in each other's way share their mean.
+    Without the distances, the problem is to find rising numbers: neighbours in the wrong order get their common mean.
     """
     offsets = [0.0]
     for a, b in zip(layer, layer[1:], strict=False):

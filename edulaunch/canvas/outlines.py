@@ -1,4 +1,4 @@
-"""What a robot looks like from above, from its URDF or its footprint, as polygons in metres around its base, looking along +x."""
+"""The outline of a robot from above, from its URDF or its footprint, as polygons in metres around its base, facing along +x."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
 FOOTPRINTS = ('footprint', 'robot_radius')
-"""Parameters of navigation that say what a robot covers."""
+"""Parameters of navigation that describe the footprint of a robot."""
 ROUND = 16
-"""Corners of a circle."""
+"""The number of corners of a circle."""
 DEEPEST = 200
-"""Links in a chain; a description that bites its own tail ends here."""
+"""The maximum number of links in a chain, which stops at loops in a description."""
 
 
 class Part(NamedTuple):
-    """One shape: 'body', 'wheel' (a cylinder that lies) or 'nose', and the corners of its outline."""
+    """One shape: 'body', 'wheel' (a horizontal cylinder) or 'nose', and the corners of its outline."""
 
     kind: str
     corners: list[Point]
 
 
 class _Pose(NamedTuple):
-    """Where something is in the root link: metres, and the rotation's rows."""
+    """The pose of a link in the root link: metres, and the rows of the rotation matrix."""
 
     place: Vector
     turn: Matrix
@@ -47,13 +47,13 @@ _HERE = _Pose((0.0, 0.0, 0.0), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0
 
 
 def outline_of(description: str) -> list[Part]:
-    """The shapes of a URDF as seen from above, the lowest first, with every joint at 0; [] for what is no URDF.
+    """Return the shapes of a URDF from above, the lowest first, with every joint at 0; [] for an invalid URDF.
 
-    Of each link the collision shapes count, or without any the visual ones; boxes, cylinders and spheres are known, meshes are
-    not. The last part is an arrow that points to where the robot looks.
+    For each link, the collision shapes count, or the visual shapes if it has no collision shapes. Boxes, cylinders and spheres
+    are supported, meshes are not. The last part is an arrow in the robot's forward direction.
     """
     if '<!DOCTYPE' in description or '<!ENTITY' in description:
-        return []  # no robot needs them, and they can grow without end
+        return []  # no robot needs entities, and they can expand without limit
     try:
         robot = ElementTree.fromstring(description)
         poses = _poses(robot)
@@ -66,7 +66,8 @@ def outline_of(description: str) -> list[Part]:
 
 
 def outline_of_footprint(text: str) -> list[Part]:
-    """A footprint as navigation is told it, '[[0.2, 0.1], [-0.2, 0.1], ...]', or the radius of a round one; else []."""
+    """Return a footprint from a parameter of navigation, '[[0.2, 0.1], [-0.2, 0.1], ...]' or a radius, or [] for another
+    value."""
     try:
         given = json.loads(text)
         corners = _circle(float(given)) if isinstance(given, (int, float)) else [(float(x), float(y)) for x, y in given]
@@ -76,7 +77,7 @@ def outline_of_footprint(text: str) -> list[Part]:
 
 
 def _with_nose(parts: list[Part]) -> list[Part]:
-    """The parts, and an arrow over the front half."""
+    """Return the parts, and an arrow over the front half."""
     if not parts:
         return []
     xs, ys = zip(*(corner for part in parts for corner in part.corners), strict=True)
@@ -87,7 +88,7 @@ def _with_nose(parts: list[Part]) -> list[Part]:
 
 
 def _poses(robot: ElementTree.Element) -> dict[str, _Pose]:
-    """Each link in the root link."""
+    """Return the pose of each link in the root link."""
     above: dict[str, tuple[str, _Pose]] = {}
     for joint in robot.findall('joint'):
         parent, child = joint.find('parent'), joint.find('child')
@@ -117,7 +118,7 @@ def _origin(element: ElementTree.Element) -> _Pose:
 
 
 def _three(text: str) -> Vector:
-    """Three finite numbers.
+    """Return three finite numbers.
 
     :raises ValueError: for anything else.
     """
@@ -128,7 +129,7 @@ def _three(text: str) -> Vector:
 
 
 def _shapes(link: ElementTree.Element, pose: _Pose) -> Iterable[tuple[float, str, list[Point]] | None]:
-    """(height, kind, corners) of what a link is made of."""
+    """Yield (height, kind, corners) of the shapes of a link."""
     for name in ('collision', 'visual'):
         found = [_shape(element, pose.then(_origin(element))) for element in link.findall(name)]
         if any(found):
@@ -160,7 +161,7 @@ def _circle(radius: float) -> list[Point]:
 
 
 def _hull(points: list[Point]) -> list[Point]:
-    """The corners of the smallest convex polygon around points, counter-clockwise."""
+    """Return the corners of the smallest convex polygon around points, counter-clockwise."""
     ordered = sorted(set(points))
 
     def chain(some: Iterable[Point]) -> list[Point]:
@@ -178,7 +179,7 @@ def _hull(points: list[Point]) -> list[Point]:
 
 
 def _rounded(points: Iterable[Point]) -> list[Point]:
-    """To a tenth of a millimetre, as everything on the page."""
+    """Round to a tenth of a millimetre, as everything on the page."""
     return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in points]
 
 

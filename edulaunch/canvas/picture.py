@@ -1,4 +1,4 @@
-"""A picture: what a notebook shows, with a line of text that says the same."""
+"""A picture: the output of a notebook, with a line of text that describes it."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ SCENE_TYPE = 'application/vnd.edulaunch.scene+json'
 
 
 class Picture:
-    """A drawing of a scene. A notebook shows the image; `repr()` is one line that says the same.
+    """A drawing of a scene. A notebook shows the image; `repr()` is one line that describes it.
 
-    A digest of what is shown (positions to a micrometre, no pixels) goes with it as data that no front end shows: it is equal on
-    all machines, and a notebook test (nbval) notices when a picture would look different.
+    The output also has a digest of the scene (positions to a micrometre, no pixels), in a format that no front end shows. It is
+    equal on all machines, so a notebook test (nbval) notices when a picture would look different.
     """
 
     def __init__(self, draw: Callable[[], bytes], caption: str, scene: Any) -> None:
@@ -31,22 +31,22 @@ class Picture:
 
     @property
     def digest(self) -> str:
-        """Eight hexadecimal digits for what the scene shows."""
+        """Return eight hexadecimal digits for the content of the scene."""
         return digest(self.scene)
 
     def __repr__(self) -> str:
         return self.caption
 
     def png(self) -> bytes:
-        """The image as PNG, drawn once."""
+        """Return the image as PNG, drawn once."""
         if self._png is None:
             self._png = self._draw()
         return self._png
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
-        """The image, and the caption for those who cannot see it: as plain text and as the image's alternative text.
+        """Return the image, and its caption as plain text and as alternative text for readers who cannot see it.
 
-        As HTML, too: JupyterLab gives an image/png no alternative text.
+        It includes HTML, because JupyterLab gives an image/png no alternative text.
         """
         about = png_metadata(self.png(), self.caption)
         look = f'alt="{html.escape(self.caption)}" width="{about["width"]}" height="{about["height"]}"'
@@ -55,15 +55,18 @@ class Picture:
         return data, {'image/png': about}
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the image as a PNG file."""
+        """Write the image as a PNG file.
+
+        :param path: path of the file.
+        """
         with open(path, 'wb') as file:
             file.write(self.png())
 
 
 def shown(scene: Any, drawing: str, ax: Any) -> Any:
-    """A scene as a Picture, or drawn on the axes that the caller has, which are returned.
+    """Return a scene as a Picture, or draw it on the axes of the caller and return these.
 
-    :param drawing: the module that draws it, of this package.
+    :param drawing: the module of this package that draws it.
     :raises ValueError: for another number of axes than the scene needs.
     """
 
@@ -81,36 +84,38 @@ def shown(scene: Any, drawing: str, ax: Any) -> Any:
     axes = list(ax.flat) if hasattr(ax, 'flat') else list(ax) if isinstance(ax, (list, tuple)) else [ax]
     needed = len(sheet.boxes)
     if len(axes) != needed:
-        raise ValueError(f'ax: {needed} axes are needed, one for each window or tree, not {len(axes)}: plt.subplots(1, {needed})')
+        raise ValueError(
+            f'ax must have {needed} axes, one for each window or tree, not {len(axes)}: use plt.subplots(1, {needed})'
+        )
     with our_style():
         draw(scene, axes)
     return ax
 
 
 def _drawing(module: str, scene: Any) -> tuple[Any, Any]:
-    """The sheet that a scene needs, and what draws it on that sheet's axes; loads matplotlib."""
+    """Return the sheet that a scene needs, and the function that draws it on that sheet's axes; loads matplotlib."""
     sheet_of, draw = import_module(f'edulaunch.canvas.{module}').DRAWINGS[type(scene)]
     return sheet_of(scene), draw
 
 
 def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:
-    """What a notebook needs to know of an image: its size on the screen, and the text that says the same."""
+    """Return the metadata of an image for a notebook: its size on the screen, and its description."""
     width, height = struct.unpack('>II', png[16:24])
     return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
 
 
 def scene_data(scene: Any) -> dict[str, Any]:
-    """What an output carries for tests: a digest of what is shown, as data of a type that no front end displays."""
+    """Return the output for tests: a digest of the content, with a type that no front end displays."""
     return {SCENE_TYPE: {'digest': digest(scene)}}
 
 
 def digest(scene: Any) -> str:
-    """Eight hexadecimal digits for plain data."""
+    """Return eight hexadecimal digits for plain data."""
     return hashlib.sha256(repr(rounded(scene)).encode()).hexdigest()[:8]
 
 
 def rounded(value: Any) -> Any:
-    """The same data with numbers to six decimals and without negative zeros, so that it prints alike everywhere."""
+    """Return the same data with numbers to six decimals and without negative zeros, so that it prints alike everywhere."""
     if isinstance(value, float):
         return round(value, 6) + 0.0
     if isinstance(value, (list, tuple)):

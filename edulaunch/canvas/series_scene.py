@@ -1,4 +1,4 @@
-"""Numbers of a topic, and how far one thing is from another, over time as plain data; lines with fewer points."""
+"""Numbers of a topic, and the distance between two objects, over time as plain data, and lines with fewer points."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ Point = tuple[float, float]
 
 
 class SeriesScene(NamedTuple):
-    """Lines by the field that they show: points of (time in seconds, value)."""
+    """Lines by their field: points of (time in seconds, value)."""
 
     topic: str
     duration_s: float
     lines: list[tuple[str, list[tuple[float, float]]]]
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         ranges = (f'{field} from {points[0][1]:.3f} to {points[-1][1]:.3f}' for field, points in self.lines)
         return f'{self.topic}: {", ".join(ranges)}'
 
 
 def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> SeriesScene:
-    """The fields of a topic over time.
+    """Return the fields of a topic over time.
 
-    :raises NotRecorded: when there is no such topic or field; the message names the nearest one.
-    :raises NothingToDraw: when nothing was published there, or a field is no number.
+    :raises NotRecorded: for an unknown topic or field; the message names the nearest one.
+    :raises NothingToDraw: when the topic has no messages, or a field is not a number.
     """
     if topic not in recording.topics:
         raise not_recorded(f'no topic {topic!r}', topic, recording.topics)
@@ -46,13 +46,13 @@ def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> S
         raise NothingToDraw(f'nothing was published on {topic}')
     for field, value in zip(fields, rows[0][1:], strict=True):
         if not isinstance(value, (int, float)):
-            raise NothingToDraw(f'{field!r} of {topic} is no number but {type(value).__name__}: it cannot be plotted')
+            raise NothingToDraw(f'cannot plot {field!r} of {topic}: it is a {type(value).__name__}, not a number')
     lines = [(field, [(row[0], float(row[place])) for row in rows]) for place, field in enumerate(fields, 1)]
     return SeriesScene(topic, recording.duration_s, lines)
 
 
 class DistanceScene(NamedTuple):
-    """Points of (time, distance), how near counts as close (metres), since when it stayed close for good (None: it did not)."""
+    """Points of (time, distance), the limit for close (metres), and since when it stayed close until the end (or None)."""
 
     first: str
     second: str
@@ -62,7 +62,7 @@ class DistanceScene(NamedTuple):
     close_since_s: float | None
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         since = 'not close at the end'
         if self.close_since_s is not None:
             since = f'at most {self.close_m:g} m from t={self.close_since_s:.2f} s on'
@@ -73,10 +73,10 @@ class DistanceScene(NamedTuple):
 
 
 def distance_scene(recording: Recording, first: str, second: str, close_m: float) -> DistanceScene:
-    """The distance whenever the first one moved, while both were there.
+    """Return the distance at each movement of the first object, while both existed.
 
-    :raises KeyError: when one of them is neither a turtle, a robot nor a tf frame of the recording.
-    :raises ValueError: when they were never there at the same time.
+    :raises KeyError: when a name is not a turtle, a robot or a tf frame of the recording.
+    :raises ValueError: when the two did not exist at the same time.
     """
     others = places_of(recording, second)
     points = []
@@ -85,7 +85,7 @@ def distance_scene(recording: Recording, first: str, second: str, close_m: float
         if position and time_s - others[position - 1][0] < GAP_S:
             points.append((time_s, math.hypot(x - others[position - 1][1], y - others[position - 1][2])))
     if not points:
-        raise NothingToDraw(f'{first!r} and {second!r} were never there at the same time')
+        raise NothingToDraw(f'{first!r} and {second!r} did not exist at the same time')
     return DistanceScene(first, second, close_m, recording.duration_s, points, _close_since(points, close_m))
 
 
@@ -97,7 +97,7 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 
 
 def places_of(recording: Recording, name: str) -> list[Place]:
-    """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
+    """Return the positions of a turtle, a robot, or a tf frame in its root frame, in order of time."""
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:
         track = recording.trajectory(name)
@@ -109,7 +109,7 @@ def places_of(recording: Recording, name: str) -> list[Place]:
 
 
 def _frame_places(recording: Recording, name: str) -> list[Place]:
-    """The frame in its root, twenty times a second."""
+    """Return the positions of the frame in its root, twenty times a second."""
     tracks = FrameTracks(recording)
     times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
     found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]
@@ -117,16 +117,17 @@ def _frame_places(recording: Recording, name: str) -> list[Place]:
 
 
 def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:
-    """The same line with fewer points: no point that is left out is further than the tolerance from the line that remains.
+    """Return the line with fewer points: no removed point is further than the tolerance from the remaining line.
 
-    From the last point kept, each further point allows a cone of directions. A line can go on while its cones have a direction
-    in common and it does not turn back.
+    From the last kept point, each further point allows a cone of directions. A line can continue while its cones share a
+    direction
+    and it does not turn back.
     """
     kept = [points[0]]
     (x0, y0), low, high, reach, axis = points[0], -math.inf, math.inf, 0.0, 0.0
     for before, (x, y) in zip(points, points[1:], strict=False):
         if before == (x, y):
-            continue  # standing still is common, and adds nothing
+            continue  # repeated points are common, and add nothing
         distance = math.hypot(x - x0, y - y0)
         if distance > tolerance_m or reach > tolerance_m:
             turn = math.remainder(math.atan2(y - y0, x - x0) - axis, math.tau) if reach else 0.0

@@ -1,7 +1,6 @@
-"""matplotlib's figures and axes for our pictures: where the axes stand on a sheet, in which style, the PNG of it, and names that
-do not cover each other.
+"""Figures and axes of matplotlib for our pictures: the places of axes, their style, the PNG, and labels that do not overlap.
 
-A layout pixel is a point (1/72 inch), so sizes of fonts and lines are layout pixels too.
+A layout pixel is a point (1/72 inch), so sizes of fonts and lines are in layout pixels, too.
 """
 
 from __future__ import annotations
@@ -23,11 +22,11 @@ from matplotlib.ticker import MaxNLocator
 from edulaunch.canvas.style import GRID, INK, MUTED, PAPER, SCALE, SMALL, TEXT, Colour
 
 COVERING = 300.0
-"""What covering anything costs besides the area: more than the way to the furthest place."""
+"""The extra cost of covering anything: more than the distance to the furthest place."""
 DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 PER_INCH = 72
 HALO = [withStroke(linewidth=2.6, foreground='white')]
-"""A seam around letters that keeps them readable on any ground."""
+"""An outline around letters that keeps them readable on any background."""
 STYLE: dict[str, Any] = {
     'font.family': 'DejaVu Sans',
     'font.size': SMALL,
@@ -48,13 +47,13 @@ class Box(NamedTuple):
     top: float
 
     def overlap(self, other: Box) -> float:
-        """The area that both cover."""
+        """Return the area of the intersection."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.top, other.top) - max(self.bottom, other.bottom)
         return width * height if width > 0 and height > 0 else 0.0
 
     def outside(self, bounds: Box) -> float:
-        """The part of its area that lies outside of `bounds`."""
+        """Return the part of its area that is outside `bounds`."""
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(bounds)
 
 
@@ -65,9 +64,9 @@ def place_labels(
     distance: float,
     taken: Iterable[Box] = (),
 ) -> list[Box]:
-    """A box for each label: near its anchor, inside `bounds`, clear of the other labels and of what is `taken`.
+    """Return a box for each label: near its anchor, inside `bounds`, without covering other labels or `taken`.
 
-    Labels are placed in order. A place that covers something is taken only where there is no free one inside.
+    Labels are placed in order. A place that covers something is used only if no free one exists inside.
     """
     placed = list(taken)
     first = len(placed)
@@ -75,7 +74,7 @@ def place_labels(
         least, best = float('inf'), None
         for extra, box in _places(x, y, width, height, distance):
             if extra >= least:
-                break  # all that follow are further away
+                break  # all others are further away
             cost = extra + _cost(box, placed, bounds)
             if cost < least:
                 least, best = cost, box
@@ -85,7 +84,7 @@ def place_labels(
 
 
 def _places(x: float, y: float, width: float, height: float, distance: float) -> list[tuple[float, Box]]:
-    """Boxes around a point in rings of growing distance, as (what the distance costs, box)."""
+    """Yield boxes around a point in rings of growing distance, as (cost of the distance, box)."""
     places: list[tuple[float, Box]] = []
     for ring in range(4):
         reach = distance + ring * (height / 2 + 1)
@@ -97,7 +96,7 @@ def _places(x: float, y: float, width: float, height: float, distance: float) ->
 
 
 def leader(anchor: tuple[float, float], box: Box) -> tuple[float, float] | None:
-    """Where a line from the anchor to its label ends, if the label stands so far off that it needs one."""
+    """Return the end of a line from the anchor to its label, if the label is far enough away to need one."""
     x, y = min(max(anchor[0], box.left), box.right), min(max(anchor[1], box.bottom), box.top)
     return (x, y) if (x - anchor[0]) ** 2 + (y - anchor[1]) ** 2 > 12**2 else None
 
@@ -108,7 +107,7 @@ def _cost(box: Box, placed: Sequence[Box], bounds: Box) -> float:
 
 
 def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.0) -> list[Box]:
-    """Small boxes that together cover a line, so that labels keep clear of it."""
+    """Yield small boxes that together cover a line, so that labels avoid it."""
     steps = max(1, round(max(abs(end[0] - start[0]), abs(end[1] - start[1])) / (2 * half)))
     points = [
         (start[0] + (end[0] - start[0]) * step / steps, start[1] + (end[1] - start[1]) * step / steps)
@@ -118,7 +117,7 @@ def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.
 
 
 class Sheet(NamedTuple):
-    """Size of a picture, and the box of each of its axes, in layout pixels with y up."""
+    """The size of a picture, and the box of each of its axes, in layout pixels with y up."""
 
     width: float
     height: float
@@ -126,7 +125,7 @@ class Sheet(NamedTuple):
 
 
 def rows_of(count: int, most: int, side: float, left: float, between: float, above: float, below: float) -> Sheet:
-    """Squares in rows of at most `most`, with room around each."""
+    """Return squares in rows of at most `most`, with room around each."""
     columns = min(most, count)
     rows = math.ceil(count / columns)
     width, height = left + side + between, above + side + below
@@ -135,7 +134,7 @@ def rows_of(count: int, most: int, side: float, left: float, between: float, abo
 
 
 def png_of(sheet: Sheet, draw: Callable[[Sequence[Axes]], None], scale: float = SCALE) -> bytes:
-    """The picture as PNG, without a date or a version in it: equal bytes wherever the same matplotlib draws it.
+    """Return the picture as PNG, without date and version: the bytes depend only on matplotlib's version.
 
     :param scale: image pixels for each layout pixel.
     """
@@ -158,24 +157,24 @@ def _part(box: Box, sheet: Sheet) -> tuple[float, float, float, float]:
 
 @contextmanager
 def our_style() -> Iterator[None]:
-    """matplotlib's default style with our sizes, whatever the user has set; a letter that no font has is a box, not a warning."""
+    """Use matplotlib's default style with our sizes, whatever the user has set, and draw a box for missing letters silently."""
     with matplotlib.style.context(['default', STYLE]), warnings.catch_warnings():
         warnings.filterwarnings('ignore', message='Glyph .* missing from', category=UserWarning)
         yield
 
 
 def side_of(ax: Axes) -> float:
-    """The width of the axes in layout pixels."""
+    """Return the width of the axes in layout pixels."""
     return float(ax.get_window_extent().width * PER_INCH / _dpi(ax))
 
 
 def points_of(ax: Axes, places: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Where places of the axes' world are on the sheet, in layout pixels."""
+    """Convert points in the axes' world to layout pixels on the sheet."""
     return [(float(x), float(y)) for x, y in ax.transData.transform(list(places)) * PER_INCH / _dpi(ax)]
 
 
 def box_of(ax: Axes) -> Box:
-    """The axes on the sheet, in layout pixels."""
+    """Return the box of the axes on the sheet, in layout pixels."""
     extent = ax.get_window_extent()
     return Box(*(float(edge * PER_INCH / _dpi(ax)) for edge in (extent.x0, extent.y0, extent.x1, extent.y1)))
 
@@ -185,7 +184,7 @@ def _dpi(ax: Axes) -> float:
 
 
 def rgb(colour: Colour) -> tuple[float, float, float]:
-    """The colour as matplotlib takes it."""
+    """Return the colour in the form of matplotlib."""
     red, green, blue = colour
     return (red / 255, green / 255, blue / 255)
 
@@ -193,7 +192,7 @@ def rgb(colour: Colour) -> tuple[float, float, float]:
 def world(
     ax: Axes, limits: tuple[float, float, float, float], ground: Colour = PAPER, *, grid: bool, square: bool = True
 ) -> None:
-    """Let the axes show a piece of the world: (left, right, bottom, top) with ticks, on a ground."""
+    """Make the axes show an area of the world, (left, right, bottom, top), with ticks and a background."""
     ax.set_xlim(limits[0], limits[1])
     ax.set_ylim(limits[2], limits[3])
     ax.set_facecolor(rgb(ground))
@@ -209,7 +208,7 @@ def world(
 
 
 def layout(ax: Axes, width: float, height: float) -> float:
-    """Let the axes show a drawing that was laid out in pixels with y down; returns the size of its pixel in layout pixels."""
+    """Make the axes show a drawing in pixels with y down; return the size of its pixel in layout pixels."""
     ax.set_xlim(0, width)
     ax.set_ylim(height, 0)
     ax.set_aspect('equal')
@@ -218,6 +217,6 @@ def layout(ax: Axes, width: float, height: float) -> float:
 
 
 def polygon(ax: Axes, corners: Sequence[tuple[float, float]], fill: Colour, edge: Colour | None = INK) -> None:
-    """A filled shape, over lines."""
+    """Draw a filled shape over lines."""
     border = 'none' if edge is None else rgb(edge)
     ax.add_patch(Polygon(list(corners), closed=True, facecolor=rgb(fill), edgecolor=border, linewidth=0.8, zorder=3))

@@ -1,6 +1,6 @@
-"""Sizes, colours and fonts of all pictures, our turtle and our robot.
+"""Sizes, colours and fonts of all pictures, and the shapes of the turtle and the robot.
 
-Whatever a colour says, a word, a shape or a line style says too.
+A word, a shape or a line style repeats the information of each colour.
 """
 
 from __future__ import annotations
@@ -28,26 +28,26 @@ SCALE = 2
 TEXT = 11.0
 SMALL = 9.5
 MONO_ADVANCE = 0.602
-"""Width of any character of the monospaced font, in parts of the font size: ROS names are laid out with it."""
+"""The width of any character of the monospaced font, relative to the font size; the layout of ROS names uses it."""
 Part = tuple[str, list[tuple[float, float]]]
 SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
-"""Of the first turtle of a window, the second ...; the names beside them say the same."""
+"""The colours of the first turtle of a window, the second ...; names beside the turtles give the same information."""
 LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
-"""Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
+"""Fill colours of the parts that are the same on all bodies; a shell has its number's colour, plates are a shade darker."""
 
 
 def mono_width(text: str, size: float = TEXT) -> float:
-    """How wide a text in the monospaced font is, in pixels."""
+    """Return the width of a string in the monospaced font, in pixels."""
     return len(text) * MONO_ADVANCE * size
 
 
 def shortened(text: str, most: int = 28) -> str:
-    """The text, its end left out where it is longer than `most` characters."""
+    """Return the string, shortened at its end to at most `most` characters."""
     return text if len(text) <= most else text[: most - 1] + '…'
 
 
 def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
-    """Points of an ellipse around (x, y), turned counter-clockwise."""
+    """Return points of an ellipse around (x, y), rotated counter-clockwise."""
     angles = [math.tau * step / steps for step in range(steps)]
     c, s = math.cos(turn), math.sin(turn)
     return [
@@ -57,7 +57,7 @@ def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int
 
 
 def turtle() -> list[Part]:
-    """Flippers, tail, head with eyes, and a shell with six plates around one."""
+    """Return the shape of a turtle: flippers, tail, head with eyes, and a shell with six plates around one."""
     parts: list[Part] = [('skin', oval(0.27, side * 0.33, 0.21, 0.085, side * 0.95, 12)) for side in (1, -1)]
     parts += [('skin', oval(-0.28, side * 0.29, 0.16, 0.075, -side * 0.85, 12)) for side in (1, -1)]
     parts += [('skin', [(-0.36, 0.06), (-0.54, 0.0), (-0.36, -0.06)]), ('skin', oval(0.46, 0.0, 0.155, 0.12))]
@@ -70,7 +70,7 @@ def turtle() -> list[Part]:
 
 
 def robot() -> list[Part]:
-    """A round robot with two wheels and an arrow that shows where it looks."""
+    """Return the shape of a round robot with two wheels and an arrow in its forward direction."""
     parts: list[Part] = [
         ('wheel', [(-0.2, side * 0.30), (0.2, side * 0.30), (0.2, side * 0.44), (-0.2, side * 0.44)]) for side in (1, -1)
     ]
@@ -79,6 +79,6 @@ def robot() -> list[Part]:
 
 
 def shade(colour: Colour, amount: float = 0.82) -> Colour:
-    """The colour made darker."""
+    """Return a darker colour."""
     red, green, blue = (round(part * amount) for part in colour)
     return (red, green, blue)

@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 HEADS = ('node', 'parameter', 'value', 'origin')
 ALIKE_EVERYWHERE = ('use_sim_time', 'start_type_description_service')
-"""Parameters that each node has; shown only when they were given a value."""
+"""Parameters that each node has; shown only if something has set them."""
 MOST_ROWS = 40
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 
 
 class Row(NamedTuple):
-    """One parameter; `value` is written as YAML would."""
+    """One parameter; `value` has the form of YAML."""
 
     node: str
     parameter: str
@@ -30,7 +30,7 @@ class Row(NamedTuple):
 
 
 class Table:
-    """Rows for people: a notebook shows them as a table, `print()` as text; `repr()` is one line."""
+    """Rows for people. A notebook shows a table, and `print()` shows text; `repr()` is one line."""
 
     def __init__(self, rows: list[Row]) -> None:
         self.rows = rows
@@ -51,7 +51,7 @@ class Table:
         return {'text/plain': f'{self}\n{self!r}', 'text/html': self.html(), **scene_data(self.rows)}
 
     def html(self) -> str:
-        """The rows as an HTML table. A value that somebody gave is bold."""
+        """Return the rows as an HTML table. A value that was set is bold."""
         head = ''.join(f'<th scope="col" style="text-align:left">{name}</th>' for name in HEADS)
         return (
             f'<table><caption style="text-align:left">{html.escape(repr(self))}</caption><thead><tr>{head}</tr></thead>'
@@ -67,7 +67,7 @@ def _html_row(row: Row) -> str:
 
 
 def table_rows(recording: Recording, node: str | None, every: bool) -> list[Row]:
-    """The rows of one node or of all; `every` adds what each node has anyway."""
+    """Return the rows of one node or of all; `every` adds the parameters that each node has anyway."""
     names = list(dict.fromkeys(record.name for record in recording.nodes)) if node is None else [node]
     return [
         Row(name, parameter, yaml_text(value), origin)
@@ -78,7 +78,7 @@ def table_rows(recording: Recording, node: str | None, every: bool) -> list[Row]
 
 
 def yaml_text(value: Any) -> str:
-    """A parameter's value as one writes it in a parameter file."""
+    """Return a parameter's value in the form of a parameter file."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):
@@ -87,7 +87,7 @@ def yaml_text(value: Any) -> str:
 
 
 class TextTable:
-    """Rows of texts under heads: a notebook shows a table, `print()` text. Long ones are shown by their ends; `rows` has all."""
+    """Rows of strings under headings, as a table in a notebook and as text in `print()`. They show both ends of long tables."""
 
     def __init__(self, title: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
         self.title = title
@@ -123,9 +123,9 @@ class TextTable:
 
 
 def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> TextTable:
-    """The messages of a topic, a column for each field (default: every field that is no list).
+    """Return the messages of a topic, with a column for each field (default: every field that is not a list).
 
-    :raises NotRecorded: when there is no such topic or field.
+    :raises NotRecorded: for an unknown topic or field.
     """
     if topic not in recording.topics:
         raise not_recorded(f'no topic {topic!r}', topic, recording.topics)
@@ -137,10 +137,10 @@ def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> 
 
 
 def log_table(recording: Recording, process: str | None, level: str, word: str) -> TextTable:
-    """The log lines of a run, from a level up, of one process, with a word in them."""
+    """Return the log lines of a run from a lowest level, optionally of one process, or with a word in them."""
     least = next((number for number, name in LEVELS.items() if name == level.upper()), None)
     if least is None:
-        raise ValueError(f'{level!r} is no level: {", ".join(LEVELS.values())}')
+        raise ValueError(f'unknown level {level!r}: use one of {", ".join(LEVELS.values())}')
     rows: list[tuple[str, ...]] = [
         (f'{log.time_s:.3f}', LEVELS.get(log.level // 10 * 10, str(log.level)), log.process, log.logger, log.message)
         for log in recording.logs

@@ -1,4 +1,4 @@
-"""What the turtle windows of a recording show at a time, as plain data."""
+"""The turtle windows of a recording at one time as plain data."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Frame
 
 FINENESS = 5000
-"""Trails are exact to this part of the window's width: well below an image pixel."""
+"""Trails are exact to this fraction of the window's width, well below an image pixel."""
 
 
 class Trail(NamedTuple):
-    """A line that a pen drew: colour, width in pixels of a turtlesim window, points in metres."""
+    """A line of a pen: colour, width in pixels of a turtlesim window, points in metres."""
 
     colour: Colour
     width: int
@@ -28,7 +28,7 @@ class Trail(NamedTuple):
 
 
 class Body(NamedTuple):
-    """A turtle or robot: its name, where it is (metres, radians), which of its window's tracks it is, and a robot's outline."""
+    """A turtle or robot: its name, its pose (metres, radians), the number of its track in the window, and a robot's outline."""
 
     name: str
     x: float
@@ -57,14 +57,14 @@ class TurtleScene(NamedTuple):
     windows: list[Window]
 
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the scene."""
         several = len(self.windows) > 1
         bodies = [
             f'{window.title + ": " if several else ""}{body.name} at ({body.x + 0.0:.3f}, {body.y + 0.0:.3f})'
             for window in self.windows
             for body in window.bodies
         ]
-        return f't={self.time_s:.3f} s: {", ".join(bodies) or "nobody is there"}'
+        return f't={self.time_s:.3f} s: {", ".join(bodies) or "empty"}'
 
 
 def turtle_scene(
@@ -75,11 +75,11 @@ def turtle_scene(
     frames: Mapping[str, Frame] | None = None,
     only: Sequence[str] | None = None,
 ) -> TurtleScene:
-    """The worlds at a time.
+    """Return the worlds at one time.
 
-    :param colours: trails of turtles that share a window have their own colours, as long as nobody gave them a pen.
-    :param frames: tf frames that are drawn on top, or those of them that are named in `only`.
-    :raises NotRecorded: for a name that is no frame.
+    :param colours: draw each trail in a colour of its own, unless a program has set the pen.
+    :param frames: tf frames to draw on top; `only` limits them to these names.
+    :raises NotRecorded: for an unknown frame.
     """
     windows = [_window(world, time_s, colours and len(world.tracks) > 1) for world in worlds]
     if frames:
@@ -92,7 +92,7 @@ def turtle_scene(
 
 
 def _marks(world: World, frames: Mapping[str, Frame], only: Sequence[str] | None) -> list[FrameMark]:
-    """The frames that hang together with a world, seen from its frame."""
+    """Return the frames that are connected to a world, relative to its frame."""
     places = placed(dict(frames))
     fixed = world.frame or 'world'
     own = {track.name for track in world.tracks}
@@ -122,7 +122,7 @@ def _window(world: World, time_s: float, colours: bool) -> Window:
 
 
 def trails_of(track: Track, from_s: float, until_s: float, tolerance_m: float) -> list[Trail]:
-    """What a track drew between two times, cut where the pen changed or nobody was there."""
+    """Yield the line of a track between two times, split where the pen changed or the turtle did not exist."""
     trails: list[Trail] = []
     ends = [*(pen.from_s for pen in track.pens[1:]), float('inf')]
     for pen, end_s in zip(track.pens, ends, strict=True):
@@ -133,7 +133,7 @@ def trails_of(track: Track, from_s: float, until_s: float, tolerance_m: float) -
 
 
 def _stretches(rows: list[Row]) -> list[list[Row]]:
-    """The rows cut where the time makes a gap."""
+    """Split the rows where the time has a gap."""
     cuts = [0, *(number for number in range(1, len(rows)) if rows[number][0] - rows[number - 1][0] > GAP_S), len(rows)]
     return [rows[start:end] for start, end in zip(cuts, cuts[1:], strict=False) if end > start]
 

@@ -1,4 +1,4 @@
-"""What moved in a recording: turtle windows and robots, with their poses, pens and wiped canvases over time."""
+"""The moving objects of a recording: turtle windows and robots, with their poses, pens and wiped canvases over time."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ PEN_WIDTH = 3
 ROBOT_TRAIL: Colour = (196, 78, 10)
 BACKGROUND = (69, 86, 255)
 GAP_S = 0.1
-"""A turtle whose pose is not published for so long is no longer there."""
+"""A turtle without a pose for this many seconds no longer exists."""
 START_S = 0.05
-"""How long before its first pose a turtle is taken to be there."""
+"""A turtle is assumed to exist this long before its first pose."""
 
 Row = tuple[float, ...]
 
 
 class Pen(NamedTuple):
-    """How a turtle draws from a time on: colour, width in pixels of a turtlesim window, and whether it draws at all."""
+    """The pen of a turtle from a time: colour, width in pixels of a turtlesim window, and whether it draws."""
 
     from_s: float
     colour: Colour
@@ -41,7 +41,7 @@ class Pen(NamedTuple):
 class Track(NamedTuple):
     """A turtle or robot: rows of (time in seconds, x, y in metres, heading in radians), and its pens in order of time.
 
-    `outline` is what a robot looks like from above, when it says so; see :mod:`edulaunch.canvas.outlines`.
+    `outline` is the shape of a robot from above, if it publishes one; see :mod:`edulaunch.canvas.outlines`.
     """
 
     name: str
@@ -50,7 +50,7 @@ class Track(NamedTuple):
     outline: list[Part] = []
 
     def row_at(self, time_s: float) -> Row | None:
-        """Where it was; None when it was not there. The first pose stands for the moment before it too."""
+        """Return the pose at a time, or None if it did not exist. The first pose also counts for the moment before it."""
         position = bisect_right(self.rows, time_s, key=itemgetter(0))
         if not position and self.rows and self.rows[0][0] - time_s < START_S:
             return self.rows[0]
@@ -58,10 +58,10 @@ class Track(NamedTuple):
 
 
 class World(NamedTuple):
-    """One turtlesim window, or the field of the robots that share an odometry frame, or a frame above it that stands still.
+    """One turtlesim window, or the field of the robots with a common odometry frame, or a common static ancestor of it.
 
-    `kind` is 'turtlesim' or 'robot'; `limits` is (left, right, bottom, top) in metres; `wipes` are the times when the canvas was
-    cleared; `frame` is the tf frame of the field ('' for turtles, which do not say).
+    `kind` is 'turtlesim' or 'robot'. `limits` is (left, right, bottom, top) in metres. `wipes` are the times when the canvas was
+    cleared. `frame` is the tf frame of the field, or '' for turtles, whose messages have no frame.
     """
 
     title: str
@@ -74,7 +74,7 @@ class World(NamedTuple):
 
 
 def read_worlds(recording: Recording) -> list[World]:
-    """The worlds of a recording, turtle windows first.
+    """Return the worlds of a recording, turtle windows first.
 
     :raises ValueError: when there was no turtle and no robot.
     """
@@ -103,7 +103,7 @@ def _turtle_window(recording: Recording, node: str, turtles: list[tuple[str, str
 
 
 def _wipes(recording: Recording, node: str) -> list[float]:
-    """When the window was cleared or reset."""
+    """Return the times when the window was cleared or reset."""
     namespace = node.rpartition('/')[0]
     return [
         call.time_s
@@ -123,8 +123,9 @@ def _pens(recording: Recording, turtle: str) -> list[Pen]:
 
 
 def _robot_fields(recording: Recording, topics: list[str]) -> list[World]:
-    """A field for each robot; one for all that share a frame that stands still. It shows their whole way at any time, so that
-    pictures of different times compare.
+    """Return a field for each robot, or one for all robots with a common static frame.
+
+    It always covers their whole path, so that pictures of different times can be compared.
     """
     if not topics:
         return []
@@ -139,7 +140,7 @@ def _robot_fields(recording: Recording, topics: list[str]) -> list[World]:
 
 
 def _field(recording: Recording, root: str, robots: list[tuple[str, str]], still: dict[str, Placed]) -> World:
-    """One robot in its odometry frame, or several in their root frame."""
+    """Return the field of one robot in its odometry frame, or of several in their root frame."""
     alone, tracks = len(robots) == 1, []
     for topic, frame in robots:
         namespace = topic.rpartition('/')[0]
@@ -157,7 +158,7 @@ def _field(recording: Recording, root: str, robots: list[tuple[str, str]], still
 
 
 def _moved(row: Row, place: Placed) -> Row:
-    """A pose in a frame, seen from the frame's root."""
+    """Return a pose in a frame, relative to the frame's root."""
     time, x, y, angle = row
     turn = heading(place.turn)
     c, s = math.cos(turn), math.sin(turn)
@@ -165,7 +166,7 @@ def _moved(row: Row, place: Placed) -> Row:
 
 
 def _outline(recording: Recording, namespace: str) -> list[Part]:
-    """The robot description of a namespace or one above it, else the footprint of a node in there."""
+    """Return the robot description of a namespace or its nearest parent, or the footprint of a node in the namespace."""
     named = {name.removesuffix('/robot_description'): name for name in recording.topics if name.endswith('/robot_description')}
     for above in sorted(named, key=len, reverse=True):
         texts = [getattr(message, 'data', '') for _, message in recording.messages(named[above])]

@@ -1,15 +1,15 @@
-"""What a lesson asks of its reader: predictions, questions, and a page that says how far one has come.
+"""Functions for lessons: predictions, questions, explanations, and a page that shows a student's progress.
 
-::
+Lessons use them like this::
 
-    from edulaunch.course import compare, explain, predict, progress, quiz
-    predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
-    compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., it was ..."
-    quiz('remapping', ...)                 # a question with choices; quiz('remapping', 'b') answers it
-    explain('why-twice', ...)              # write a sentence in place of the dots: it is kept, and the answer is shown
-    progress()                             # lessons, predictions, questions, exercises, and what to repeat
+        from edulaunch.course import compare, explain, predict, progress, quiz
+        predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
+        compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., it was ..."
+        quiz('remapping', ...)                 # a question with choices; quiz('remapping', 'b') answers it
+        explain('why-twice', ...)              # write a sentence in place of the dots to see the answer
+        progress()                             # lessons, predictions, questions, exercises, and what to repeat
 
-Nothing leaves the computer: answers are stored in a small readable file beside the notebook.
+Nothing leaves the computer: the answers are in a small readable file beside the notebook.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _PLACES = {
 
 
 def __getattr__(name: str) -> Any:
-    """Load what a lesson asks for when it asks: the command line looks at `plugin.py` alone."""
+    """Load a function when a lesson first uses it, because the command line needs only `plugin.py`."""
     if name not in _PLACES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     return getattr(import_module(f'.{_PLACES[name]}', __name__), name)

@@ -1,6 +1,6 @@
-"""``edulaunch course class FOLDER``: one page on a class: where each student is, what is hard, who is stuck.
+"""``edulaunch course class FOLDER``: one page on a class, with each student's progress, difficult exercises and stuck students.
 
-It knows what students handed over, and nothing else: their files `my_progress.toml`. These are no proof of anything.
+It reads only the files `my_progress.toml` that students handed in. These files prove nothing.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from .handed_in import Done, Refused, Standing
 from .lessons import LESSONS, manifest
 from .questions import Question, questions_file, read_questions
 
-STUCK_TRIES = 4  # of an exercise that is not done
+STUCK_TRIES = 4  # attempts at an unsolved exercise
 HARDEST = 5
-FEW = 2  # students who are added as successful ones: what one student has tried says little
+FEW = 2  # successful students added to each count, because one student's attempts are little evidence
 MOST_REFUSED = 50
 STYLE = (
     ':root{color-scheme:light dark;--ground:#fff;--ink:#1d2733;--faint:#5b6b7c;--line:#d5dde5;--done:#d7efdc;--tried:#fdeac2;'
@@ -49,24 +49,24 @@ class Class(NamedTuple):
     refused: Sequence[Refused]
 
     def of(self, student: Standing, exercise: Exercise) -> Done:
-        """What a student says of an exercise."""
+        """Return a student's record of an exercise."""
         return student.exercises.get(exercise.name, Done())
 
 
 def read_course_of(folder: str) -> tuple[list[Exercise], list[Question]]:
-    """The exercises and questions of a course.
+    """Return the exercises and questions of a course.
 
-    :raises UnusableInput: when it has none, or they cannot be read.
+    :raises UnusableInput: when it has no exercises, or they cannot be read.
     """
     place = manifest(folder)
     if place is None:
-        raise UnusableInput(f'there is no course in {folder}', help='give --course FOLDER')
+        raise UnusableInput(f'there is no course in {folder}', help='name one with --course FOLDER')
     path = questions_file(os.path.join(folder, LESSONS))
     return read_course(place), list(read_questions(path).questions.values())
 
 
 def page_of_class(known: Class) -> str:
-    """The page, as HTML."""
+    """Return the page as HTML."""
     count = len(known.standings)
     return html_page(
         'A class at a glance',
@@ -74,8 +74,8 @@ def page_of_class(known: Class) -> str:
         element('h1', 'A class at a glance'),
         element(
             'p',
-            f'{count} {"student" if count == 1 else "students"}, {len(known.exercises)} exercises. The page shows what '
-            'the files my_progress.toml say. Students keep these files themselves: they help you to help, and prove nothing.',
+            f'{count} {"student" if count == 1 else "students"}, {len(known.exercises)} exercises. The page shows the content of '
+            'the files my_progress.toml. Students keep these files themselves, so they help you to help, but they prove nothing.',
             class_='faint',
         ),
         *_stuck(known),
@@ -87,12 +87,12 @@ def page_of_class(known: Class) -> str:
 
 
 def is_stuck(done: Done) -> bool:
-    """Whether somebody tried an exercise often and has not done it."""
+    """Return whether a student has tried an exercise often without solving it."""
     return not done.done and done.attempts >= STUCK_TRIES
 
 
 def place_of(known: Class, student: Standing) -> str:
-    """Where a student is: the exercise that comes next, in the order of the course."""
+    """Return the exercise that is next for a student, in the order of the course."""
     places = [number for number, item in enumerate(known.exercises) if known.of(student, item).done]
     after = known.exercises[max(places) + 1 if places else 0 :]
     left = [item for item in (*after, *known.exercises) if not known.of(student, item).done]
@@ -106,9 +106,9 @@ def _stuck(known: Class) -> Iterable[Markup]:
         for item in known.exercises
         if is_stuck(done := known.of(student, item))
     )
-    yield element('h2', 'Who is stuck')
+    yield element('h2', 'Students who are stuck')
     if not rows:
-        yield element('p', f'Nobody has tried an exercise {STUCK_TRIES} times without success.')
+        yield element('p', f'No student has tried an exercise {STUCK_TRIES} times without success.')
         return
     head = table_row('student', 'exercise', 'tries', 'hints', 'best points', kind='th')
     cells = [
@@ -126,9 +126,9 @@ def _hard(known: Class) -> Iterable[Markup]:
             undone = sum(not done.done for done in tried)
             found.append((undone / (len(tried) + FEW), median(done.attempts for done in tried), item, tried, undone))
     found.sort(key=lambda row: (-row[0], -row[1]))
-    yield element('h2', 'What is hard')
+    yield element('h2', 'Difficult exercises')
     if not found:
-        yield element('p', 'Nobody has tried an exercise yet.')
+        yield element('p', 'No student has tried an exercise yet.')
         return
     head = table_row('exercise', 'lesson', 'tried', 'not done', 'tries (median)', 'opened a hint', kind='th')
     rows = [
@@ -151,17 +151,17 @@ def _questions(known: Class) -> Iterable[Markup]:
     if not found:
         return
     found.sort()
-    yield element('h2', 'Questions that were answered wrong at first')
+    yield element('h2', 'Questions with a wrong first answer')
     head = table_row('question', 'wrong at first', 'most frequent wrong answer', kind='th')
     yield element('div', element('table', head, *(table_row(*row[1:]) for row in found[:HARDEST])), class_='wide')
 
 
 def _grid(known: Class) -> Iterable[Markup]:
-    yield element('h2', 'Who is where')
+    yield element('h2', 'Progress of each student')
     yield element(
         'p',
-        '✓ is done, and the number behind it says after how many tries. A number alone counts tries of an exercise that is not '
-        f'done. From {STUCK_TRIES} tries on it has an exclamation mark.',
+        '✓ means done, followed by the number of attempts. A number alone counts the attempts at an exercise that is not '
+        f'done. It has an exclamation mark from {STUCK_TRIES} attempts.',
         class_='faint',
     )
     columns = (

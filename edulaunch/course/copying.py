@@ -1,6 +1,6 @@
-"""What leaves a course: a new one to begin with, what students get (one of them her own), and how that is copied or packed.
+"""Copy, pack and create courses: a new course, the students' copy (or one student's variant), and how files are written.
 
-Students get lessons without outputs, exercises, questions; no solution, no rubric, no kept output.
+Students get lessons without outputs, exercises and questions, but no solutions, rubrics or stored outputs.
 """
 
 from __future__ import annotations
@@ -27,34 +27,34 @@ from .questions import SEALED, seal
 from .stored import as_text, without_outputs
 
 STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
-"""The course that is copied: kept as files, so that it is read, run and checked as every course is."""
+"""The course that a new course is copied from; it is kept as files, so that it is checked like every course."""
 
 
 def new_course(folder: str) -> list[str]:
-    """Make a course. Returns its files, relative to the folder.
+    """Create a course. Return its files, relative to the folder.
 
-    :raises UnusableInput: when the folder exists and is not empty, or cannot be made.
+    :raises UnusableInput: when the folder exists and is not empty, or cannot be created.
     """
     if os.path.lexists(folder) and not (os.path.isdir(folder) and not os.listdir(folder)):
-        raise UnusableInput(f'{folder} is there already, and not empty', help='give the name of a folder that is not there yet')
+        raise UnusableInput(f'{folder} already exists and is not empty', help='name a new folder')
     try:
         shutil.copytree(STARTER, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns('__pycache__', 'my_*'))
     except OSError as error:
-        raise UnusableInput(f'{folder} cannot be made: {error}') from None
+        raise UnusableInput(f'cannot create {folder}: {error}') from None
     return sorted(files_below(folder, lambda name, inside: True))
 
 
 RUBRICS = 'rubrics'
 KEPT_BACK = ('solutions', RUBRICS, '__pycache__', 'my_progress.toml', 'my_progress.toml.bak')
-"""Never handed out, in whatever folder."""
+"""Never handed out, in any folder."""
 BESIDE = (MANIFEST, 'README.md', 'LICENSE', 'requirements.txt')
-"""Files beside the folders of a course, handed out where the course is a folder of its own (with its manifest in it)."""
+"""Files beside the folders of a course, handed out if the course has its own folder (with its manifest in it)."""
 
 
 def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
-    """The files that students get, by their path in the course with slashes, in alphabetical order.
+    """Return the files that students get, by their path in the course with slashes, in alphabetical order.
 
-    :param rubrics: also the rubrics, so that students can check what they wrote.
+    :param rubrics: include the rubrics, so that students can check their work.
     :raises UnusableInput: when a notebook cannot be read, or a file is a link (which may lead to a solution).
     """
     found: dict[str, bytes] = {}
@@ -71,8 +71,10 @@ def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
 
 
 def _is_handed_out(in_lessons: bool, name: str, inside: str) -> bool:
-    """Not what is kept back, what is hidden (.outputs, .ipynb_checkpoints), nor, beside the notebooks, what running them left
-    (my_launch, my_ws), the notes for teachers and what serves our tests. An exercise may be called my_package, or notes.
+    """Leave out hidden files (.outputs, .ipynb_checkpoints) and files that are kept back.
+
+    Beside the notebooks, this also leaves out the results of running them (my_launch, my_ws), the notes for teachers, and files
+    for our tests. An exercise may be named my_package, or notes.
     """
     if in_lessons and not inside and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
         return False
@@ -81,7 +83,9 @@ def _is_handed_out(in_lessons: bool, name: str, inside: str) -> bool:
 
 def _content(path: str) -> bytes:
     if os.path.islink(path):
-        raise UnusableInput(f'{path} is a link: what it leads to may not be meant for students', help='put the file itself there')
+        raise UnusableInput(
+            f'{path} is a link, and its target may not be meant for students', help='replace the link by the file'
+        )
     with open(path, 'rb') as file:
         data = file.read()
     if not path.endswith('.ipynb'):
@@ -93,13 +97,15 @@ LONGEST_NAME = 80
 
 
 def personal_files(files: Mapping[str, bytes], course: str, student: str, secret: CourseSecret) -> dict[str, bytes]:
-    """What is handed out, made for one student: exercises that have variants in hers, and the file by which she is graded.
+    """Return one student's copy: exercises in this student's variant, and the file by which the student is graded.
 
-    :param files: what all students get, by path.
-    :raises UnusableInput: when the name is none, or no exercise of the course has variants.
+    :param files: the files that all students get, by path.
+    :raises UnusableInput: for an invalid name, or when no exercise of the course has variants.
     """
     if not student.isprintable() or not 0 < len(student) <= LONGEST_NAME:
-        raise UnusableInput(f'{student!r} is no name of a student', help='the name of the folder with what the student hands in')
+        raise UnusableInput(
+            f'{student!r} is not a student name', help='use the name of the folder with the submissions of the student'
+        )
     path = manifest(course)
     known = read_course(path) if path else []
     variants = {item.name: found for item in known if (found := personal(item, student, secret)) is not None}
@@ -119,27 +125,27 @@ def _made(data: bytes, personal: Callable[[str], str]) -> bytes:
     try:
         return personal(data.decode('utf-8')).encode()
     except UnicodeDecodeError:
-        return data  # a picture, say
+        return data  # for example a picture
 
 
 RECORD = '.edulaunch_course.json'
-"""Beside the copy: what each file was when it was copied, so that a later copy knows which of them the student changed."""
+"""A file beside the copy: a digest of each copied file, so that a later copy knows which files the student changed."""
 MOST_NAMED = 8
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class Copied(NamedTuple):
-    """What a copy did: files written, and those of the student's that were left alone though the course has other ones."""
+    """The result of a copy: the written files, and files of the student that were kept although the course has newer ones."""
 
     written: list[str]
     left_alone: list[str]
 
 
 def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False) -> Copied:
-    """Write the files into a folder. A file that is there and differs stays, unless it is as an earlier copy left it.
+    """Write the files to a folder. An existing file that differs stays, unless it equals an earlier copy.
 
-    :param update: leave what the student changed, and write the others; else the whole copy is refused.
-    :raises UnusableInput: when the student changed files and `update` is not set; nothing is written then. Also when a file
+    :param update: keep the files that the student changed, and write the others; without it, refuse the whole copy.
+    :raises UnusableInput: when the student changed files and `update` is not set; then nothing is written. Also when a file
         cannot be read or written.
     """
     known = _record(target)
@@ -148,8 +154,8 @@ def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False)
     if changed and not update:
         more = f' and {len(changed) - MOST_NAMED} more' if len(changed) > MOST_NAMED else ''
         raise UnusableInput(
-            f'in {target} you changed {", ".join(changed[:MOST_NAMED])}{more}: nothing was copied',
-            help='--update leaves your files alone and copies what is new; or copy into another folder',
+            f'nothing was copied, because you changed {", ".join(changed[:MOST_NAMED])}{more} in {target}',
+            help='add --update to keep your files and copy the new ones, or copy to another folder',
         )
     written = [name for name in wanted if name not in changed]
     for name in written:
@@ -160,7 +166,7 @@ def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False)
 
 
 def write_zip(files: Mapping[str, bytes], path: str) -> None:
-    """A zip file of the same bytes whenever the files are the same.
+    """Write a zip file; equal files give the same bytes.
 
     :raises UnusableInput: when it cannot be written.
     """
@@ -173,7 +179,7 @@ def write_zip(files: Mapping[str, bytes], path: str) -> None:
                 entry.external_attr = 0o644 << 16
                 zipped.writestr(entry, data, ZIP_DEFLATED)
     except OSError as error:
-        raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None
+        raise UnusableInput(f'cannot write {path}: {error.strerror}') from None
 
 
 def _is_changed(target: str, name: str, known: Mapping[str, str]) -> bool:
@@ -186,7 +192,7 @@ def _digest(data: bytes) -> str:
 
 
 def _record(target: str) -> dict[str, str]:
-    """What was copied before; a record that cannot be read knows nothing, so that every file that differs counts as changed."""
+    """Return the record of the previous copy. An unreadable record is empty, so every file that differs counts as changed."""
     try:
         found = json.loads(_read(target, RECORD) or b'{}')
     except ValueError:
@@ -201,11 +207,11 @@ def _read(target: str, name: str) -> bytes | None:
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise UnusableInput(f'{os.path.join(target, name)} cannot be read: {error.strerror}') from None
+        raise UnusableInput(f'cannot read {os.path.join(target, name)}: {error.strerror}') from None
 
 
 def write_file(target: str, name: str, data: bytes | str) -> None:
-    """Write a file into a folder, with the folders between.
+    """Write a file to a folder, with the folders between.
 
     :param name: its path there, with slashes.
     :raises UnusableInput: when it cannot be written.
@@ -216,4 +222,4 @@ def write_file(target: str, name: str, data: bytes | str) -> None:
         with open(path, 'wb') as file:
             file.write(data.encode() if isinstance(data, str) else data)
     except OSError as error:
-        raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None
+        raise UnusableInput(f'cannot write {path}: {error.strerror}') from None

@@ -1,4 +1,4 @@
-"""``explain('name', ...)``: students write an explanation in their own words first; then they see the answer beside it."""
+"""``explain('name', ...)``: students first write an explanation in their own words, and then see the answer beside it."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ from .predictions import Verdict, keep
 from .questions import FILE, find_questions
 
 LONGEST = 2000
-"""Characters of an explanation that are kept."""
+"""The maximum number of characters of a stored explanation."""
 FEWEST = 4
-"""Verdict of an explanation; fewer do not open the answer."""
+"""The minimum number of words of an explanation; a shorter one does not open the answer."""
 
 
 def explain(name: str, text: str | EllipsisType = ...) -> Verdict:
-    """Keep an explanation in the progress file, and show the answer.
+    """Store an explanation in the progress file, and show the answer.
 
-    :param text: one or two sentences; ``...``, as a lesson has it, says how to write them.
+    :param name: the name of the explanation in `questions.toml`.
+    :param text: one or two sentences; ``...``, as in the lesson, shows how to write them.
     """
     known = find_questions().explanations
     if name not in known:
@@ -28,9 +29,9 @@ def explain(name: str, text: str | EllipsisType = ...) -> Verdict:
         there = f'did you mean explain({near!r}, ...)?' if near else f'{FILE} has no [[explanation]] of this name.'
         return Verdict(f'there is no explanation "{name}": {there}')
     if isinstance(text, EllipsisType):
-        return Verdict('Replace the three dots by one or two sentences in quotes, and run this cell. Then you see the answer.')
+        return Verdict('Replace the three dots by one or two sentences in quotation marks, and run this cell to see the answer.')
     words = ' '.join(visible(str(text)).split())[:LONGEST]
     if len(words.split()) < FEWEST:
-        return Verdict(f'Write at least {FEWEST} words, then you see the answer.')
+        return Verdict(f'Write at least {FEWEST} words to see the answer.')
     word = keep(lambda file: file.explanations.update({name: words}))
     return Verdict(f'You wrote: {words}', f'Answer: {known[name].answer}', word)

@@ -1,7 +1,7 @@
-"""Reads the progress files of a class: files of strangers, from a shared drive, homes or clones.
+"""Read the progress files of a class: untrusted files from a shared drive, home folders or clones.
 
-Nothing of a student's is run. Links are not followed. A file that is too large, or is not what `check()` writes, is refused with
-a reason of ours, and costs nobody else anything.
+No code of a student runs. Links are not followed. A file that is too large, or does not come from `check()`, is refused with
+a fixed reason, and does not affect other students.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from edulaunch.errors import UnusableInput
 MOST_BYTES = 64 << 10
 MOST_TABLES, MOST_TRIES, MOST_POINTS, MOST_ANSWERS = 500, 100_000, 10_000, 100
 MOST_STUDENTS = 2000
-MOST_ENTRIES, DEEPEST = 20_000, 8  # of one student's folder
+MOST_ENTRIES, DEEPEST = 20_000, 8  # limits for one student's folder
 LEFT_OUT = ('node_modules', '__pycache__', 'build', 'install', 'log', 'site-packages')
 KINDS: Mapping[str, tuple[type, ...]] = {
     'done': (bool,),
@@ -36,7 +36,7 @@ _MOODLE = re.compile(r'_\d+_assignsubmission_file_?$')
 
 
 class Done(NamedTuple):
-    """What a student says of one exercise."""
+    """A student's record of one exercise."""
 
     done: bool = False
     attempts: int = 0
@@ -44,7 +44,7 @@ class Done(NamedTuple):
     best_points: float = 0.0
 
     def __or__(self, other: object) -> Done:
-        """The better one of each, of two files of one student."""
+        """Return the better record of each exercise, from two files of one student."""
         if not isinstance(other, Done):
             return NotImplemented
         tries, hints = max(self.attempts, other.attempts), max(self.hints, other.hints)
@@ -52,9 +52,9 @@ class Done(NamedTuple):
 
 
 class Standing(NamedTuple):
-    """What the files of one student say.
+    """The content of one student's files.
 
-    :ivar answers: the letters that were chosen for each question, in their order.
+    :ivar answers: the chosen letters for each question, in order.
     """
 
     student: str
@@ -63,22 +63,22 @@ class Standing(NamedTuple):
 
 
 class Refused(NamedTuple):
-    """A file that could not be read: its path in the folder, and why."""
+    """A file that could not be read: its path in the folder, and the reason."""
 
     path: str
     why: str
 
 
 def read_class(folder: str) -> tuple[list[Standing], list[Refused]]:
-    """Read every progress file below a folder: a student is what lies directly in it.
+    """Read every progress file below a folder; each entry of the folder is a student.
 
-    :raises UnusableInput: when it is no folder that can be listed, or there is no progress file.
+    :raises UnusableInput: when the folder cannot be listed, or has no progress file.
     """
     try:
         names = sorted(os.listdir(folder))
     except OSError as error:
         raise UnusableInput(
-            f'{folder} cannot be read: {error.strerror}', help='give a folder with a folder for each student'
+            f'cannot read {folder}: {error.strerror}', help='name a folder with one folder for each student'
         ) from None
     found: dict[str, Standing] = {}
     refused = [Refused(os.curdir, f'only the first {MOST_STUDENTS} entries are read')] if len(names) > MOST_STUDENTS else []
@@ -96,7 +96,7 @@ def read_class(folder: str) -> tuple[list[Standing], list[Refused]]:
             known.answers.update(answers)
     if not found and not refused:
         raise UnusableInput(
-            f'there is no {NAME} below {folder}', help='students hand in this file, which lies beside their notebooks'
+            f'there is no {NAME} below {folder}', help='ask students to hand in this file, which is beside their notebooks'
         )
     return list(found.values()), refused
 
@@ -107,7 +107,7 @@ def _student(name: str) -> str:
 
 
 def _files(folder: str, name: str) -> Iterator[str]:
-    """The progress files of one entry of a folder, by their paths in it."""
+    """Return the progress files of one entry of a folder, by their paths in it."""
     place = os.path.join(folder, name)
     if os.path.islink(place):
         return
@@ -128,7 +128,7 @@ def _files(folder: str, name: str) -> Iterator[str]:
 
 
 def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
-    """Raise OSError or ValueError, with words of ours, for what is no progress file."""
+    """Return the content of a progress file. Raise OSError or ValueError, with fixed messages, for an invalid file."""
     import sys
 
     if sys.version_info >= (3, 11):
@@ -144,7 +144,7 @@ def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
         raise ValueError(f'it has more than {MOST_BYTES >> 10} KiB')
     try:
         tables = tomllib.loads(data.decode())
-    except (ValueError, RecursionError):  # what they say may quote the file
+    except (ValueError, RecursionError):  # their messages may quote the file
         raise ValueError('it is not TOML') from None
     tables.pop(PREDICTIONS, None)
     answers = tables.pop(ANSWERS, {})
@@ -158,12 +158,12 @@ def _done(table: Any) -> Done:
         raise ValueError('a table in it is not one of check()')
     for name, value in table.items():
         if type(value) not in KINDS[name]:
-            raise ValueError(f'{name} in it is of the wrong kind')
+            raise ValueError(f'{name} in it has the wrong type')
     tries, points, hints = table.get('attempts', 0), table.get('best_points', 0), table.get('hints', [])
     if not 0 <= tries <= MOST_TRIES or not (isfinite(points) and 0 <= points <= MOST_POINTS):
-        raise ValueError('a number in it is too large, or none')
+        raise ValueError('a number in it is too large or invalid')
     if len(hints) > LEVELS or any(type(level) is not int or not 1 <= level <= LEVELS for level in hints):
-        raise ValueError('hints in it are not levels of hints')
+        raise ValueError('its hints are not valid hint levels')
     return Done(table.get('done', False), tries, len(set(hints)), float(points))
 
 

@@ -1,4 +1,4 @@
-"""`edulaunch course lint`: what all lessons of a course have in common, without running them."""
+"""`edulaunch course lint`: check the common form of all lessons of a course, without running them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ASKS = re.compile(r"^(quiz|explain)\('([\w-]+)'", re.MULTILINE)
 
 
 def lesson_problems(course: str) -> Iterator[str]:
-    """What is wrong with the lessons of a course, one line each; nothing when it has none."""
+    """Yield the problems of a course's lessons, one line each; nothing for a course without lessons."""
     folder = os.path.join(course, LESSONS)
     if not os.path.isdir(folder):
         return
@@ -46,23 +46,23 @@ def _form(cells: Sequence[Cell]) -> Iterator[str]:
     if not cells or not cells[0].source.startswith('# '):
         yield 'it does not begin with a heading "# Title"'
     ids = [cell.ident for cell in cells]
-    yield from (f'the cell id "{ident}" is there {count} times' for ident, count in Counter(ids).items() if count > 1)
-    yield from (f'the cell id "{ident}" is not made of words like see-the-turtle' for ident in ids if not _ID.fullmatch(ident))
+    yield from (f'the cell id "{ident}" appears {count} times' for ident, count in Counter(ids).items() if count > 1)
+    yield from (f'the cell id "{ident}" must consist of words like see-the-turtle' for ident in ids if not _ID.fullmatch(ident))
     full = [cell.ident or '?' for cell in cells if cell.outputs or cell.counted]
     if full:
-        yield f'it has outputs, which students would get (first in the cell {full[0]}); `edulaunch course store` keeps them apart'
+        yield f'it has outputs, which students would get (first in the cell {full[0]}); use `edulaunch course store`'
 
 
 def _kept(path: str, cells: Sequence[Cell]) -> Iterator[str]:
-    """Whether each code cell has its kept outputs, and nothing is kept of cells that are gone."""
+    """Check that each code cell has stored outputs, and that no outputs belong to deleted cells."""
     try:
         kept = set(read_outputs(path))
     except UnusableInput as error:
         yield str(error)
         return
     code = [cell.ident for cell in cells if cell.kind == 'code']
-    yield from (f'nothing is kept of what the cell {ident} gives' for ident in code if ident not in kept)
-    yield from (f'outputs are kept of the cell {ident}, which is gone' for ident in sorted(kept - set(code)))
+    yield from (f'the cell {ident} has no stored outputs' for ident in code if ident not in kept)
+    yield from (f'the outputs of a missing cell {ident} are stored' for ident in sorted(kept - set(code)))
 
 
 def _questions(folder: str, lessons: list[str], asked: set[tuple[str, str]]) -> Iterator[str]:
@@ -75,7 +75,7 @@ def _questions(folder: str, lessons: list[str], asked: set[tuple[str, str]]) -> 
     known: dict[tuple[str, str], Question | Explanation] = {('quiz', name): item for name, item in questions.items()}
     known.update({('explain', name): item for name, item in explanations.items()})
     for call, name in sorted(asked - set(known), reverse=True):
-        yield f'{LESSONS}/{FILE} has no {kinds[call]} "{name}", which a lesson asks'
+        yield f'{LESSONS}/{FILE} has no {kinds[call]} "{name}", which a lesson uses'
     for (call, name), item in known.items():
         if item.lesson not in lessons:
-            yield f'{LESSONS}/{FILE}: the {kinds[call]} "{name}" names the lesson {item.lesson}, which is not there'
+            yield f'{LESSONS}/{FILE}: the {kinds[call]} "{name}" names the lesson {item.lesson}, which does not exist'

@@ -1,9 +1,9 @@
-"""A lesson as parts that a page or a slide shows: what is text, code, a picture, a guess, a question.
+"""A lesson as the parts of a page or a slide: text, code, pictures, predictions, questions.
 
-A page cannot ask first and show later, so what a lesson asks to be predicted is folded away on it, what was right is told to
-teachers alone, and questions stand there without their answers.
+A page cannot ask first and show later, so it folds away the answers to predictions. Only teachers see the right answers, and
+questions appear without answers.
 
-As HTML they are made by nbconvert's Markdown and colours, which are loaded late: they need the notebook extra.
+nbconvert's Markdown and colours convert the parts to HTML. It is loaded late, because it needs the notebook extra.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ _FRAME, _STILL = re.compile(r'<iframe [^>]*srcdoc="([^"]*)"'), re.compile(r'src=
 
 
 class Output(NamedTuple):
-    """Something that a cell gave.
+    """An output of a cell.
 
     :param kind: text, error, picture, html or replay.
-    :param text: what it says; of a picture and a replay, their caption.
-    :param data: the bytes of the picture, PNG or SVG; none where only the caption was kept.
-    :param page: of html and replay, the HTML.
+    :param text: its text; for a picture or a replay, the caption.
+    :param data: the bytes of the picture, PNG or SVG; None if only the caption was stored.
+    :param page: for html and replay, the HTML.
     """
 
     kind: str
@@ -50,13 +50,13 @@ class Output(NamedTuple):
 
 
 class Part(NamedTuple):
-    """One thing on a page.
+    """One element of a page.
 
-    :param kind: text (Markdown), code, guess (place for a prediction), answer (to one, for teachers) or quiz.
+    :param kind: text (Markdown), code, guess (place for a prediction), answer (to a prediction, for teachers) or quiz.
     :param ident: the cell's id.
-    :param text: the Markdown, the code, what form the guess has, the answer.
-    :param file: the name of the file that the code is written to.
-    :param folded: whether the outputs are the answer to a prediction, to be opened by who has guessed.
+    :param text: the Markdown, the code, the form of the prediction, or the answer.
+    :param file: the name of the file to which the code is written.
+    :param folded: whether the outputs answer a prediction, so that they are opened only after it.
     """
 
     kind: str
@@ -71,10 +71,10 @@ class Part(NamedTuple):
 def lesson_parts(
     cells: Iterable[Cell], outputs: Mapping[str, list[dict[str, Any]]], questions: Questions, teacher: bool
 ) -> Iterator[Part]:
-    """The parts of a notebook's cells in their order.
+    """Return the parts of a notebook's cells in order.
 
-    :param outputs: what each code cell gave, by its id.
-    :param teacher: tell what was right where something is predicted.
+    :param outputs: the outputs of each code cell, by its id.
+    :param teacher: include the right answers to predictions.
     """
     asked = False
     for cell in cells:
@@ -101,12 +101,13 @@ def lesson_parts(
 
 
 def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool) -> Iterator[Part]:
-    """The lines of a cell that are no call of `predict`, `compare` or `quiz`, and what they gave; and the guess's place."""
+    """Return the lines of a cell without calls of `predict`, `compare` or `quiz`, their outputs, and the place of the
+    prediction."""
     predicts = _PREDICTS.search(source)
     if predicts:
         yield Part('guess', ident, predicts[2] or '')
     called = _CALLS.search(source)
-    if called:  # what such a call returns is shown last
+    if called:  # the result of such a call is the last output
         source, gave = _CALLS.sub('', source).strip('\n'), tuple(output for output in gave if output.kind in ('text', 'error'))
         gave = tuple(
             output for output in gave if not output.text.startswith(('It was ', 'You predicted ', 'No prediction yet', '<'))
@@ -135,7 +136,7 @@ def _plain(text: str | list[str]) -> str:
 
 
 def _shown(data: Mapping[str, Any]) -> Output:
-    """What is displayed of several forms of one thing: pictures with their caption, tables, else the text."""
+    """Return an output in its best form: a picture with its caption, a table, or text."""
     text, page = _plain(data.get('text/plain', '')), ''.join(data.get('text/html', ''))
     if 'image/png' in data:
         return Output('picture', text, b64decode(''.join(data['image/png'])))
@@ -154,7 +155,7 @@ _LANGUAGES = {'.xml': 'xml', '.urdf': 'xml', '.xacro': 'xml', '.yaml': 'yaml', '
 
 
 def environment() -> Any:
-    """The templates, with the filters `markdown`, `code` and `picture`.
+    """Return the templates, with the filters `markdown`, `code` and `picture`.
 
     :raises UnusableInput: when nbconvert is not installed.
     """
@@ -163,7 +164,7 @@ def environment() -> Any:
         from jinja2 import Environment, FileSystemLoader
     except ImportError:
         raise UnusableInput(
-            'nbconvert, which makes pages of lessons, is not installed', help=how_to_install('notebook')
+            'nbconvert, which converts lessons to pages, is not installed', help=how_to_install('notebook')
         ) from None
     templates = Environment(loader=FileSystemLoader(FOLDER), autoescape=True, trim_blocks=True, lstrip_blocks=True)
     templates.filters.update(code=_code, picture=_picture, markdown=_safe(markdown))
@@ -177,10 +178,10 @@ def _safe(function: Callable[..., str]) -> Callable[..., Any]:
 
 
 def markdown(text: str, prefix: str = '', lower: int = 0, opened: bool = False) -> str:
-    """Markdown as HTML: headings have ids that begin with `prefix`, formulas are drawn, tables' heads name their columns.
+    """Convert Markdown to HTML: heading ids begin with `prefix`, formulas become drawings, table headings name their columns.
 
-    :param lower: by how many levels headings go down.
-    :param opened: show what the text folds away.
+    :param lower: the number of levels by which headings are lowered.
+    :param opened: open what the text folds away.
     """
     from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 
@@ -201,7 +202,7 @@ def markdown(text: str, prefix: str = '', lower: int = 0, opened: bool = False) 
 
 
 def heading_id(prefix: str, html: str) -> str:
-    """The id of a heading, given what stands in it."""
+    """Return the id of a heading from its text."""
     return prefix + re.sub(r'\W+', '-', re.sub(r'<[^>]*>|&\w+;', '', html)).strip('-').lower()
 
 
@@ -210,7 +211,7 @@ def _heading(level: int, html: str, prefix: str) -> str:
 
 
 def _formula(latex: str) -> str:
-    """A formula as a drawing; as it was written where it cannot be drawn."""
+    """Return a formula as a drawing, or unchanged if it cannot be drawn."""
     from matplotlib.mathtext import math_to_image
 
     drawn = BytesIO()
@@ -223,7 +224,7 @@ def _formula(latex: str) -> str:
 
 
 def _code(part: Part) -> Any:
-    """A part's code with its colours."""
+    """Return a part's code with syntax colours."""
     from markupsafe import Markup
     from nbconvert.filters import Highlight2HTML
 
@@ -233,6 +234,6 @@ def _code(part: Part) -> Any:
 
 
 def _picture(output: Output) -> str:
-    """Where a picture's bytes are: in the page itself."""
+    """Return the address of a picture: its bytes are in the page itself."""
     kind = 'svg+xml' if output.kind == 'replay' else 'png'
     return f'data:image/{kind};base64,{b64encode(output.data).decode()}'

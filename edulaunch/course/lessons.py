@@ -1,6 +1,6 @@
-"""Where a course lies (around the current folder, a given one, or ours, which comes with edulaunch), and its lessons as data.
+"""Find a course (around the current folder, in a given folder, or the one of edulaunch), and read its lessons.
 
-Notes for teachers are ``lessons/notes/NN_name.md``: never handed out to students.
+Notes for teachers are in ``lessons/notes/NN_name.md``; students never get them.
 """
 
 from __future__ import annotations
@@ -22,35 +22,35 @@ _HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def our_course() -> str:
-    """The folder of the course that comes with edulaunch: inside the installed package, or the source tree."""
+    """Return the folder of the course that comes with edulaunch: in the installed package, or in the source tree."""
     inside = os.path.join(_HERE, 'ours')
     return inside if os.path.isdir(inside) else os.path.dirname(os.path.dirname(_HERE))
 
 
 def manifest(folder: str) -> str | None:
-    """The course.toml of a course: in its folder, or in ``exercises`` there; None when there is none."""
+    """Return the course.toml of a course: in its folder, or in ``exercises`` there. Return None without one."""
     places = (os.path.join(folder, MANIFEST), os.path.join(folder, EXERCISES, MANIFEST))
     return next((place for place in places if os.path.isfile(place)), None)
 
 
 def has_manifest(folder: str) -> bool:
-    """Whether there is a manifest in the folder, readable or not."""
+    """Return whether the folder has a manifest, readable or not."""
     return any(os.path.isfile(os.path.join(folder, *place)) for place in ((MANIFEST,), (EXERCISES, MANIFEST)))
 
 
 def given_course(folder: str) -> str:
-    """The folder, when there is a course in it.
+    """Return the folder if it has a course.
 
-    :raises UnusableInput: when there is none.
+    :raises UnusableInput: when it has no course.
     """
     if manifest(folder) is None:
-        help = f'`edulaunch course new DIR` makes a course with all its parts; {MANIFEST} names its exercises'
+        help = f'create a course with `edulaunch course new DIR`; its {MANIFEST} lists the exercises'
         raise UnusableInput(f'there is no course in {folder}: neither {MANIFEST} nor {EXERCISES}/{MANIFEST}', help=help)
     return folder
 
 
 def course_around(folder: str) -> str:
-    """The course in this folder or above it, else ours."""
+    """Return the course in this folder or a parent folder, otherwise the one of edulaunch."""
     courses = (above for above in here_and_above(folder) if manifest(above) is not None and os.path.basename(above) != EXERCISES)
     return next(courses, None) or our_course()
 
@@ -63,7 +63,7 @@ class Lesson(NamedTuple):
 
     :param name: its file name without the ending.
     :param title: its first heading.
-    :param predictions: the names of the predictions that it asks for.
+    :param predictions: the names of the predictions in it.
     """
 
     name: str
@@ -72,7 +72,7 @@ class Lesson(NamedTuple):
 
 
 def lessons_folder() -> str | None:
-    """The folder with notebooks: this one, or ``lessons`` in it; None when neither has any."""
+    """Return the folder with notebooks: this one, or ``lessons`` in it. Return None if neither has any."""
     for folder in (os.getcwd(), os.path.join(os.getcwd(), 'lessons')):
         if os.path.isdir(folder) and any(map(_is_lesson, os.listdir(folder))):
             return folder
@@ -80,20 +80,20 @@ def lessons_folder() -> str | None:
 
 
 def read_lessons(folder: str) -> list[Lesson]:
-    """The lessons of a folder in their order. A notebook that cannot be read counts by its name alone."""
+    """Return the lessons of a folder in order. An unreadable notebook has only a name."""
     return [_lesson(folder, name) for name in sorted(filter(_is_lesson, os.listdir(folder)))]
 
 
 def the_one(given: str, known: Iterable[str], refusal: str) -> str:
-    """The name of the lesson that is meant: a number or the beginning of it is enough.
+    """Return the full name of a lesson; its number or the beginning of its name is enough.
 
-    :raises UnusableInput: with the refusal, when it is none of those known, or several.
+    :raises UnusableInput: with the message `refusal`, for no match or several matches.
     """
     fitting = [name for name in known if name.startswith(os.path.basename(given).removesuffix('.ipynb').zfill(2))]
     if len(fitting) == 1:
         return fitting[0]
     near = nearest(given, known)
-    raise UnusableInput(refusal, help=f'did you mean {near}?' if near else f'There are: {", ".join(known)}')
+    raise UnusableInput(refusal, help=f'did you mean {near}?' if near else f'choose one of: {", ".join(known)}')
 
 
 def _is_lesson(name: str) -> bool:
@@ -111,7 +111,7 @@ def _lesson(folder: str, file: str) -> Lesson:
 
 
 def contents(course: str) -> str:
-    """The lessons in their order, each with its exercises; those of no lesson stand at the end.
+    """Return the lessons in order, each with its exercises; exercises without a lesson come last.
 
     :raises UnusableInput: when the manifest cannot be read.
     """
@@ -133,14 +133,14 @@ def _line(exercise: Exercise) -> str:
 
 FOLDER = 'notes'
 _NONE = (
-    'those of our course are in the source of edulaunch, not in what is installed;'
-    f' of your own course write {LESSONS}/{FOLDER}/01_name.md for 01_name.ipynb'
+    'notes on the course of edulaunch are only in its source, not in the installed package;'
+    f' for your own course, write {LESSONS}/{FOLDER}/01_name.md on 01_name.ipynb'
 )
 _ROW = re.compile(r'^\| *(\d+) *\| *(.+?) *\|', re.MULTILINE)
 
 
 def read_notes(course: str) -> dict[str, str]:
-    """The notes of a course, Markdown by the name of the lesson, in their order.
+    """Return the notes of a course, as Markdown by the name of the lesson, in order.
 
     :raises UnusableInput: when one cannot be read.
     """
@@ -152,19 +152,19 @@ def read_notes(course: str) -> dict[str, str]:
                 with open(os.path.join(folder, name), encoding='utf-8') as file:
                     found[name.removesuffix('.md')] = file.read()
             except (OSError, ValueError) as error:
-                raise UnusableInput(f'the notes {os.path.join(folder, name)} cannot be read: {error}') from None
+                raise UnusableInput(f'cannot read the notes {os.path.join(folder, name)}: {error}') from None
     return found
 
 
 def time_plan(notes: str) -> list[tuple[int, str]]:
-    """The rows of a time plan: minutes, and the heading of the section. A row is ``| 5 | 1.1 Heading | what |``."""
+    """Return the rows of a time plan: minutes, and the heading of the section. A row is ``| 5 | 1.1 Heading | what |``."""
     return [(int(minutes), section) for minutes, section in _ROW.findall(notes)]
 
 
 def notes_of(course: str, name: str) -> str:
-    """The notes on one lesson; a number or the beginning of its name is enough.
+    """Return the notes on one lesson; its number or the beginning of its name is enough.
 
-    :raises UnusableInput: when there are none.
+    :raises UnusableInput: when the lesson has no notes.
     """
     known = read_notes(course)
     if not known:
@@ -173,7 +173,7 @@ def notes_of(course: str, name: str) -> str:
 
 
 def list_of_notes(course: str) -> str:
-    """One line for each lesson that has notes: its minutes, and what the notes are called."""
+    """Return one line for each lesson with notes: its minutes and the title of the notes."""
     known = read_notes(course)
     if not known:
         raise UnusableInput(f'{course} has no notes for teachers', help=_NONE)

@@ -1,4 +1,4 @@
-"""A prediction is entered before the run, kept in the progress file of the current folder, and compared with what happened."""
+"""Predictions are entered before the run, stored in the progress file of the current folder, and compared with the result."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from edugrade.reports.markup import element, joined, visible
 from edulaunch.errors import UnusableInput
 
 LONGEST = 300
-"""Characters of a prediction that are kept."""
+"""The maximum number of characters of a stored prediction."""
 
 
 BOX = 'border-left:4px solid #888;padding:.1em 1em;max-width:60em'
-"""The style of what a lesson's questions show."""
+"""The style of questions and answers in a lesson."""
 
 
 class Verdict:
@@ -35,10 +35,10 @@ class Verdict:
 
 
 def predict(name: str, guess: Any) -> Verdict:
-    """Keep what you expect, before you look.
+    """Store your expectation before you see the result.
 
-    :param name: what the prediction is about; `compare` asks for it under this name.
-    :param guess: a number, several numbers in parentheses, a word. ``...``, as a lesson hands it out, is no guess yet.
+    :param name: the name of the prediction; `compare` uses the same name.
+    :param guess: a number, several numbers in parentheses, or a word. ``...``, as in the lesson, is not a prediction yet.
     """
     if isinstance(guess, EllipsisType):
         return Verdict('No prediction yet: replace the three dots by what you expect, and run this cell again.')
@@ -47,11 +47,12 @@ def predict(name: str, guess: Any) -> Verdict:
 
 
 def compare(name: str, was: Any) -> Verdict:
-    """Put what happened beside what was predicted under this name.
+    """Show the result beside the prediction of this name.
 
-    Two numbers, or points of equally many, are compared by their distance.
+    Two numbers, or points of the same dimension, are compared by their distance.
 
-    :param was: what happened: a number, several numbers, a word.
+    :param name: the name of the prediction.
+    :param was: the result: a number, several numbers, or a word.
     """
     guessed = kept().predictions.get(name)
     if guessed is None:
@@ -60,7 +61,7 @@ def compare(name: str, was: Any) -> Verdict:
 
 
 def _text(value: Any) -> str:
-    """A value as a person writes it: numbers short, words without quotes."""
+    """Return a value in readable form: short numbers, words without quotation marks."""
     if isinstance(value, str):
         return value.strip()
     if isinstance(value, float):
@@ -82,12 +83,12 @@ def _verdict(guessed: str, was: str) -> str:
 
 
 def _bare(text: str) -> str:
-    """Words without what does not matter in them: "No." is "no"."""
+    """Return words without unimportant differences: "No." is "no"."""
     return ' '.join(text.casefold().strip(' .!?').replace(',', ' ').split())
 
 
 def _numbers(text: str) -> list[float] | None:
-    """The numbers of a text that is nothing but numbers, with or without parentheses."""
+    """Return the numbers of a string that contains only numbers, with or without parentheses."""
     try:
         return [float(word) for word in text.strip('()[] ').split(',')]
     except ValueError:
@@ -95,9 +96,9 @@ def _numbers(text: str) -> list[float] | None:
 
 
 def keep(change: Callable[[ProgressFile], None]) -> str:
-    """Change the progress file. Returns what the student must be told about it, mostly nothing.
+    """Change the progress file. Return a message for the student, usually an empty string.
 
-    A file that cannot be written costs nobody an answer.
+    A file that cannot be written does not lose the answer in the notebook.
     """
     try:
         with ProgressFile.changing(os.getcwd()) as file:
@@ -109,5 +110,5 @@ def keep(change: Callable[[ProgressFile], None]) -> str:
 
 
 def kept() -> ProgressFile:
-    """The progress of the current folder."""
+    """Return the progress of the current folder."""
     return ProgressFile(os.getcwd())

@@ -1,4 +1,4 @@
-"""Questions and explanations of a course: ``lessons/questions.toml`` for authors, a file that hides answers for students."""
+"""Questions and explanations of a course: ``lessons/questions.toml`` for authors, a file with hidden answers for students."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edugrade.course import here_and_above, parse_toml
 from edulaunch.errors import UnusableInput
 
 FILE, SEALED = 'questions.toml', '.questions'
-"""What authors write, and what students get: the same text in Base64, in a hidden file.
+"""The file of authors, and the file of students: the same content in Base64, in a hidden file.
 
 This keeps answers from being read by accident. It does not protect them: the notebook of a student has to show them later.
 """
@@ -52,25 +52,25 @@ class Explanation(NamedTuple):
 
 
 class Questions(NamedTuple):
-    """All of a file, by name, in its order."""
+    """The content of a questions file by name, in its order."""
 
     questions: dict[str, Question]
     explanations: dict[str, Explanation]
 
 
 def seal(data: bytes) -> bytes:
-    """Return the content of a questions file as students get it."""
+    """Return the content of a questions file in the form for students."""
     return encodebytes(data)
 
 
 def questions_file(folder: str) -> str | None:
-    """Return the questions file of a folder of lessons, or None. What an update brought wins over an older open file."""
+    """Return the questions file of a folder of lessons, or None. The file of an update replaces an older readable file."""
     places = (os.path.join(folder, name) for name in (SEALED, FILE))
     return next(filter(os.path.isfile, places), None)
 
 
 def read_questions(path: str | None) -> Questions:
-    """Return the questions and explanations of a file; none when there is no path.
+    """Return the questions and explanations of a file; none without a path.
 
     :raises UnusableInput: when the file cannot be read or a field is missing; names file and question.
     """
@@ -81,14 +81,14 @@ def read_questions(path: str | None) -> Questions:
             data = file.read()
         tables = parse_toml((b64decode(data, validate=False) if os.path.basename(path) == SEALED else data).decode())
     except (OSError, ValueError) as error:
-        raise UnusableInput(f'the questions in {path} cannot be read: {error}') from None
+        raise UnusableInput(f'cannot read the questions in {path}: {error}') from None
     questions = (_question(path, entry) for entry in tables.get('question', []))
     explanations = (_explanation(path, entry) for entry in tables.get('explanation', []))
     return Questions({item.name: item for item in questions}, {item.name: item for item in explanations})
 
 
 def find_questions() -> Questions:
-    """Return the questions beside the notebook, or in the folder ``lessons`` here or above; none when there is no such file."""
+    """Return the questions beside the notebook, or in the folder ``lessons`` here or in a parent; none without such a file."""
     for above in here_and_above(os.curdir):
         for folder in (above, os.path.join(above, 'lessons')):
             if (path := questions_file(folder)) is not None:
@@ -113,11 +113,11 @@ def _explanation(path: str, entry: dict[str, Any]) -> Explanation:
     try:
         return Explanation(name, entry['lesson'], entry['answer'].strip())
     except (KeyError, TypeError, AttributeError) as error:
-        help = '[[explanation]] with name, lesson and answer'
+        help = 'write [[explanation]] with name, lesson and answer'
         raise UnusableInput(f'{path}: the explanation "{name}" lacks {error}', help=help) from None
 
 
 _FORM = (
-    '[[question]] with name, lesson, text, right = "a", and choices = [["a choice", "the comment on it"], ...],'
+    'write [[question]] with name, lesson, text, right = "a", and choices = [["a choice", "the comment on it"], ...],'
     f' two to {len(LETTERS)} of them'
 )

@@ -1,7 +1,7 @@
 """``quiz('name', ...)``: a question with choices. Write a letter in place of the dots to answer it.
 
-What it shows is text and plain HTML without scripts or widgets, so that a notebook that was saved and opened again still shows
-the question, the answer and the comment.
+The output is text and plain HTML without scripts or widgets. A saved notebook thus still shows the question, the answer and
+the comment.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .questions import FILE, LETTERS, Question, find_questions
 def find_question(name: str) -> Question:
     """Return a question by its name.
 
-    :raises UnusableInput: when there is none; names the nearest.
+    :raises UnusableInput: for an unknown name; the message names the nearest one.
     """
     known = find_questions().questions
     if name in known:
@@ -33,14 +33,14 @@ def find_question(name: str) -> Question:
 
 
 _CHOICE = 'margin:.2em 0 .2em 1.5em'
-"""The letters are text: JupyterLab shows its own numbers in a list."""
+"""The letters are part of the text, because JupyterLab replaces them by its own numbers in a list."""
 
 
 class Asked:
     """A question as a cell shows it, before or after the answer.
 
     :param chosen: the letter of the answer; empty before it.
-    :param word: what the student should know about the progress file, mostly nothing.
+    :param word: a message about the progress file, usually empty.
     """
 
     def __init__(self, question: Question, chosen: str = '', word: str = '') -> None:
@@ -50,7 +50,7 @@ class Asked:
 
     @property
     def comment(self) -> list[str]:
-        """The lines below the choices."""
+        """Return the lines below the choices."""
         question = self.question
         if not self.chosen:
             return [
@@ -82,9 +82,11 @@ class Asked:
 
 
 def quiz(name: str, choice: str | EllipsisType = ...) -> Asked | Verdict:
-    """Show a question of the course, or answer it. Each answer is kept in the progress file.
+    """Show a question of the course, or answer it. Each answer is stored in the progress file.
 
-    :param choice: the letter of an answer; ``...``, as a lesson has it, shows the question.
+    :param name: the name of the question in `questions.toml`.
+    :param choice: the letter of an answer; ``...``, as in the lesson, shows the question.
+    :raises UnusableInput: for an unknown question; the message names the nearest one.
     """
     try:
         question = find_question(name)

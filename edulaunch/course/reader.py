@@ -1,4 +1,4 @@
-"""`edulaunch course reader`: a course as accessible HTML pages that need neither a network nor Jupyter, and as PDF."""
+"""`edulaunch course reader`: write a course as accessible HTML pages that need no network and no Jupyter, and as PDF."""
 
 from __future__ import annotations
 
@@ -48,17 +48,17 @@ class Page(NamedTuple):
 def write_reader(
     course: str, target: str, *, teacher: bool = False, kept: bool = False, pdf: bool = False, say: Say = lambda line: None
 ) -> tuple[list[str], str]:
-    """Write the pages of a course into a folder; returns their names, and why there is no PDF although it was asked for.
+    """Write the pages of a course to a folder; return their names, and why there is no PDF if one was requested.
 
-    :param teacher: with what was right, answers open, and the notes for teachers.
-    :param kept: take the outputs that are kept beside the lessons, which have no pictures; else the lessons are run.
+    :param teacher: include right answers, open all answers, and add the notes for teachers.
+    :param kept: use the outputs stored beside the lessons, which have no pictures; without it, run the lessons.
     :param say: called with one line for each lesson that has run.
     :raises UnusableInput: when the folder has other files in it, a lesson cannot be read or run, or nbconvert is missing.
     """
     templates = environment()
     pages = list(read_pages(course, teacher=teacher, kept=kept, say=say))
     if not pages:
-        raise UnusableInput(f'there is no lesson in {os.path.join(course, LESSONS)}', help='lessons are called 01_name.ipynb')
+        raise UnusableInput(f'there is no lesson in {os.path.join(course, LESSONS)}', help='name lessons like 01_name.ipynb')
     _make_room(target)
     shutil.copy(os.path.join(FOLDER, 'reader.css'), os.path.join(target, 'reader.css'))
     page, about = templates.get_template('page.html.j2'), {'course': course_title(course), 'teacher': teacher, 'language': 'en'}
@@ -110,7 +110,7 @@ def read_pages(
 
 
 def course_title(course: str) -> str:
-    """What a course is called: `title` in its course.toml, else its folder."""
+    """Return the title of a course: `title` in its course.toml, or the name of its folder."""
     path = manifest(course)
     try:
         return str(read_toml(path)['title']) if path else os.path.basename(os.path.abspath(course))
@@ -127,7 +127,7 @@ def _page(name: str, parts: tuple[Part, ...], notes: str) -> Page:
 
 
 def _write_replays(target: str, page: Page) -> dict[str, str]:
-    """Write the replays of a lesson as pages of their own; returns where they are, by their captions."""
+    """Write the replays of a lesson as separate pages; return their addresses by their captions."""
     places: dict[str, str] = {}
     for output in (output for part in page.parts for output in part.outputs if output.kind == 'replay' and output.page):
         places[output.text] = f'{REPLAYS}/{page.name}-{len(places) + 1}.html'
@@ -136,10 +136,10 @@ def _write_replays(target: str, page: Page) -> dict[str, str]:
 
 
 def _make_room(target: str) -> None:
-    """A folder for pages: a new one, or one that has a reader already, which goes."""
+    """Return a folder for pages: a new one, or one with an older reader, which is deleted."""
     if os.path.isdir(target) and os.listdir(target):
         if not os.path.isfile(os.path.join(target, 'reader.css')):
-            raise UnusableInput(f'{target} has other files in it', help='give a folder that is not there yet')
+            raise UnusableInput(f'{target} contains other files', help='name a new folder')
         for name in os.listdir(target):
             if name.endswith('.html') or name == 'course.pdf':
                 os.remove(os.path.join(target, name))
@@ -152,17 +152,17 @@ WAIT_S = 300.0
 
 
 def write_pdf(page: str, pdf: str) -> str:
-    """Print an HTML file, with its headings as an outline and its structure kept for screen readers.
+    """Print an HTML file to PDF, with its headings as an outline and its structure kept for screen readers.
 
-    Returns why there is none, and what to do instead; nothing when it is written.
+    Return an empty string, or why there is no PDF and what to do instead.
     """
     browser = next(filter(None, map(which, BROWSERS)), None)
-    instead = f'open {page} in a browser and print it into a file'
+    instead = f'open {page} in a browser and print it to a file'
     if browser is None:
-        return f'no PDF: there is no Chromium here ({", ".join(BROWSERS[:3])}); {instead}'
+        return f'no PDF, because no Chromium is installed ({", ".join(BROWSERS[:3])}); {instead}'
     with TemporaryDirectory(prefix='edulaunch-pdf-', ignore_cleanup_errors=True) as profile:
         words = ['--headless', '--disable-gpu', '--no-pdf-header-footer', '--generate-pdf-document-outline']
-        words += ['--no-sandbox'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []  # as root it has none
+        words += ['--no-sandbox'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []  # root cannot use the sandbox
         words += [f'--user-data-dir={profile}', f'--print-to-pdf={os.path.abspath(pdf)}', Path(page).resolve().as_uri()]
         try:
             done = run([browser, *words], capture_output=True, text=True, errors='replace', timeout=WAIT_S)

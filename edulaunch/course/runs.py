@@ -1,6 +1,6 @@
-"""Run the lessons of a course for pages and slides: several at once, and each only once while nothing changes.
+"""Run the lessons of a course for pages and slides: several at once, and each only once until something changes.
 
-Each lesson runs in its own folder. The files that earlier lessons write with ``%%writefile`` are there already, as for a student
+Each lesson runs in its own folder. The files that earlier lessons write with ``%%writefile`` are already there, as for a student
 who has done them. A lesson that needs more than these files fails in such a folder. Then all lessons run in one folder, in order.
 """
 
@@ -29,12 +29,12 @@ from .stored import run_notebook, without_place
 
 WRITES = '%%writefile '
 Outputs = dict[str, list[dict[str, Any]]]
-"""What each code cell of a lesson gave, by its id."""
+"""The outputs of each code cell of a lesson, by its id."""
 Say = Callable[[str], None]
 
 
 def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lambda line: None) -> dict[str, Outputs]:
-    """Return what lessons give when a student runs them, by the lesson's name.
+    """Return the outputs of lessons that run as for a student, by the lesson's name.
 
     :param names: all lessons up to the last wanted one, in their order.
     :param wanted: the lessons whose outputs are needed.
@@ -46,7 +46,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
     found = {name: kept for name in wanted if (kept := _read(keys[name])) is not None}
     missing = [name for name in wanted if name not in found]
     if found:
-        say(f'{len(found)} of {len(wanted)} lessons have not changed since they last ran')
+        say(f'{len(found)} of {len(wanted)} lessons have not changed since their last run')
     try:
         run = dict(_apart(files, names, missing, say))
     except UnusableInput:
@@ -58,7 +58,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
 
 
 def _apart(files: dict[str, bytes], names: list[str], missing: list[str], say: Say) -> Iterator[tuple[str, Outputs]]:
-    """Run each lesson in a folder with the files that the lessons before it write, as many at once as there are processors."""
+    """Run each lesson in a folder with the files of the lessons before it, with one process for each processor."""
 
     def one(name: str) -> Outputs:
         with TemporaryDirectory(prefix='edulaunch-lesson-', ignore_cleanup_errors=True) as place:
@@ -72,7 +72,7 @@ def _apart(files: dict[str, bytes], names: list[str], missing: list[str], say: S
 
 
 def _in_order(files: dict[str, bytes], names: list[str], say: Say) -> Iterator[tuple[str, Outputs]]:
-    """Run one lesson after the other in one folder."""
+    """Run the lessons in order in one folder."""
     with TemporaryDirectory(prefix='edulaunch-lesson-', ignore_cleanup_errors=True) as place:
         copy_files(files, place)
         for number, name in enumerate(names):
@@ -101,7 +101,7 @@ def _written(files: dict[str, bytes], names: list[str]) -> dict[str, bytes]:
 
 
 def _key(files: dict[str, bytes], names: list[str]) -> str:
-    """Return a digest of all that the outputs depend on: edulaunch, the course's files, the lessons up to this one."""
+    """Return a digest of everything that influences the outputs: edulaunch, the course's files, the lessons up to this one."""
     digest = sha256(sys.version.encode())
     for root in (engine_folder(), os.path.dirname(os.path.abspath(edugrade.__file__)), rubrics_folder()):
         for name in files_below(root, lambda each, inside: each not in ('__pycache__', 'ours') and not each.endswith('.pyc')):
@@ -127,7 +127,7 @@ def _read(key: str) -> Outputs | None:
 
 
 def _store(key: str, outputs: Outputs) -> None:
-    """Keep outputs for the next time; a folder that cannot be written costs only time."""
+    """Store outputs for the next time; if the folder cannot be written, only time is lost."""
     try:
         os.makedirs(os.path.dirname(_place(key)), exist_ok=True)
         write_whole(_place(key), json.dumps(outputs))

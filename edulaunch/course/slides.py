@@ -1,6 +1,7 @@
 """`edulaunch course slides`: a lesson as slides, in one HTML file.
 
-The lesson alone decides what a slide shows. A heading begins a slide. The answer to a prediction is on the next slide. A slide
+The lesson alone decides the content of a slide. A heading begins a slide. The answer to a prediction is on the next slide. A
+slide
 shows the first sentence of a paragraph; the speaker's text below has the whole paragraph.
 """
 
@@ -17,7 +18,7 @@ from .reader import read_pages
 from .runs import Say
 
 FULL = 16
-"""Lines on a slide."""
+"""The maximum number of lines on a slide."""
 _WIDE = 80
 _KEPT_WHOLE = re.compile(r'#|\||[-*] |\d+\. |<|    |\*\*(Predict|Explain|Change|Write|Repair|Find|Fill|Add)')
 _LEADS = re.compile(r'(?!#)[^\n]*[^.!?\s]\n\n- ')
@@ -28,9 +29,9 @@ _PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?<![.!?])
 class Slide(NamedTuple):
     """One slide.
 
-    :param under: the heading of the section that it belongs to, where it does not begin it.
-    :param parts: what is shown.
-    :param told: the Markdown of which only a part is shown.
+    :param under: the heading of its section, if the slide does not begin the section.
+    :param parts: the content of the slide.
+    :param told: the Markdown of which the slide has only a part.
     """
 
     under: str
@@ -41,10 +42,10 @@ class Slide(NamedTuple):
 def write_slides(
     course: str, lesson: str, out: str | None = None, *, kept: bool = False, say: Say = lambda line: None
 ) -> tuple[str, int]:
-    """Write the slides of a lesson; returns the file and how many slides there are.
+    """Write the slides of a lesson; return the file and the number of slides.
 
-    :param lesson: its name, or the beginning of it.
-    :param kept: take the outputs that are kept, which have no pictures; else the lesson runs.
+    :param lesson: its name, or the beginning of its name.
+    :param kept: use the stored outputs, which have no pictures; without it, run the lesson.
     :param say: called with one line when it has run.
     :raises UnusableInput: when there is no such lesson, or it cannot be run.
     """
@@ -65,7 +66,7 @@ def write_slides(
 
 
 def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
-    """The slides of a lesson's parts."""
+    """Return the slides for a lesson's parts."""
     slide, lines, asked = Slide('', [], []), 0, False
     for part in (piece for whole in parts for piece in _pieces(whole)):
         short = _short(part)
@@ -85,7 +86,7 @@ def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
 
 
 def _pieces(part: Part) -> Iterator[Part]:
-    """Paragraphs, tables and lists of a text, each by itself; code and what it gave by itself, too, when both are long."""
+    """Split Markdown into paragraphs, tables and lists; also separate code from its outputs if both are long."""
     if part.kind == 'text':
         yield from (part._replace(text=found.strip('\n')) for found in _PIECES.findall(part.text) if found.strip())
     elif part.kind == 'code' and part.outputs:
@@ -107,7 +108,7 @@ def _lines(part: Part) -> int:
 
 
 def _short(part: Part) -> Part:
-    """Of a plain paragraph the first sentence."""
+    """Return the first sentence of a plain paragraph."""
     if part.kind != 'text' or _KEPT_WHOLE.match(part.text) or _LEADS.match(part.text):
         return part
     joined = ' '.join(part.text.split('\n'))

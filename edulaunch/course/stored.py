@@ -1,7 +1,7 @@
-"""The outputs of a lesson's clean run, kept beside it: a student gets the notebook without them, nbval compares with them.
+"""The outputs of a lesson's clean run, stored beside it: students get the notebook without them, and nbval compares them.
 
-``lessons/.outputs/01_first_launch.json`` holds what each code cell of ``lessons/01_first_launch.ipynb`` gave, in their order.
-Pictures and HTML are not kept: what they show is in their text and in a digest beside it, which nbval compares.
+``lessons/.outputs/01_first_launch.json`` has the outputs of each code cell of ``lessons/01_first_launch.ipynb``, in order.
+Pictures and HTML are not stored: nbval compares their captions and digests instead.
 """
 
 from __future__ import annotations
@@ -25,33 +25,33 @@ from .notebook_file import read_notebook, read_outputs_file
 
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
-"""Kinds of data of which only the presence is kept."""
+"""For these kinds of data, only their presence is stored."""
 _folders: list[TemporaryDirectory[str]] = []
 _COLOURS = re.compile(r'\x1b\[[0-9;]*m')
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')
 
 
 def outputs_file(notebook: str) -> str:
-    """Where the outputs of a notebook are kept."""
+    """Return the path of the stored outputs of a notebook."""
     folder, name = os.path.split(os.path.abspath(notebook))
     return os.path.join(folder, FOLDER, f'{os.path.splitext(name)[0]}.json')
 
 
 def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
-    """The kept outputs, by the cell's id.
+    """Return the stored outputs by the cell's id.
 
-    :raises UnusableInput: when there are none, or they cannot be read.
+    :raises UnusableInput: when they are missing or cannot be read.
     """
     path = outputs_file(notebook)
     try:
         return read_outputs_file(path)
     except (OSError, ValueError) as error:
-        help = f'`edulaunch course store {os.path.basename(notebook)}` runs the notebook and keeps them'
-        raise UnusableInput(f'the outputs of {notebook} cannot be read: {error}', help=help) from None
+        help = f'run the notebook and store its outputs with `edulaunch course store {os.path.basename(notebook)}`'
+        raise UnusableInput(f'cannot read the outputs of {notebook}: {error}', help=help) from None
 
 
 def store_outputs(notebook: str) -> None:
-    """Run a notebook, and keep what its cells gave; the notebook itself is left without outputs.
+    """Run a notebook, and store the outputs of its cells; the notebook itself keeps no outputs.
 
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
@@ -61,7 +61,7 @@ def store_outputs(notebook: str) -> None:
 
 
 def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
-    """A notebook after a run in its folder, in a fresh kernel; the file stays as it is.
+    """Return a notebook after a run in its folder, in a fresh kernel; the file does not change.
 
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
@@ -74,27 +74,27 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
         raise UnusableInput(f'{notebook} has a cell without an id', help='open it in JupyterLab and save it again')
     try:
         done = read(notebook, as_version=4)
-    except Exception as error:  # whatever Jupyter says of what is no notebook
-        raise UnusableInput(f'{notebook} cannot be read as a notebook: {str(error).splitlines()[0][:200]}') from None
+    except Exception as error:  # Jupyter raises many kinds of errors for an invalid notebook
+        raise UnusableInput(f'cannot read {notebook} as a notebook: {str(error).splitlines()[0][:200]}') from None
     client = nbclient.NotebookClient(
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
     try:
         with TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True) as progress:
             environ = {**os.environ, PROGRESS: progress}
-            asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))  # a loop of its own, also in a thread
+            asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))  # a separate loop, also in a thread
     except nbclient.exceptions.CellTimeoutError:
-        raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='let it simulate less') from None
+        raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
     except nbclient.exceptions.DeadKernelError:
-        raise UnusableInput(f'{notebook}: the kernel died', help='run the cells one by one to see in which') from None
+        raise UnusableInput(f'{notebook}: the kernel died', help='run the cells one by one to find the cause') from None
     except nbclient.exceptions.CellExecutionError as error:
-        help = 'a cell that shall fail has the tag raises-exception'
+        help = 'if the cell should fail, give it the tag raises-exception'
         raise UnusableInput(f'{notebook}: {_failure(done) or error}', help=help) from None
     return done
 
 
 def _failure(notebook: Any) -> str:
-    """Which cell of a notebook failed, and how, without colours and inner frames."""
+    """Describe which cell of a notebook failed, and how, without colours and inner frames."""
     for cell in notebook['cells']:
         for output in cell.get('outputs', ()):
             if output['output_type'] == 'error' and 'raises-exception' not in cell['metadata'].get('tags', ()):
@@ -104,12 +104,12 @@ def _failure(notebook: Any) -> str:
 
 
 def strip(notebook: str) -> None:
-    """Take outputs, counts and what an editor left out of a notebook."""
+    """Remove outputs, execution counts and editor data from a notebook."""
     _write(notebook, without_outputs(read_notebook(notebook).content))
 
 
 def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
-    """A notebook's content, changed in place: no outputs, no counts, of the metadata kernel and tags alone."""
+    """Change a notebook's content in place: remove outputs and counts, and keep only kernel and tags of the metadata."""
     for cell in _code(raw):
         cell['outputs'], cell['execution_count'] = [], None
     for cell in raw['cells']:
@@ -119,7 +119,7 @@ def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def pytest_itemcollected(item: Any) -> None:
-    """pytest's hook, to be imported by the ``conftest.py`` of a folder of lessons: gives nbval's cells their kept outputs."""
+    """Give nbval's cells their stored outputs; a hook of pytest for the ``conftest.py`` of a folder of lessons."""
     cell = getattr(item, 'cell', None)
     if cell is None or item.path.suffix != '.ipynb':
         return
@@ -139,7 +139,7 @@ def pytest_itemcollected(item: Any) -> None:
 
 
 def _give_a_fresh_progress(notebook: Any) -> None:
-    """Let the kernel of a notebook keep a progress file of its own: what nbval runs is nobody's try, and finds no earlier one."""
+    """Give the kernel of a notebook its own progress file, so that nbval reads and records no attempts of a student."""
     start = notebook.setup
     if getattr(start, '__name__', '') == 'start_afresh':
         return
@@ -153,7 +153,7 @@ def _give_a_fresh_progress(notebook: Any) -> None:
 
 @contextmanager
 def fresh_progress() -> Iterator[None]:
-    """Programs that are started inside keep their progress in an empty folder, which stays until this process ends."""
+    """Make programs that start in this context keep their progress in an empty folder, which exists until this process ends."""
     folder = TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True)
     _folders.append(folder)
     before = os.environ.get(PROGRESS)
@@ -167,8 +167,9 @@ def fresh_progress() -> Iterator[None]:
 
 
 def without_place(outputs: Any, folder: str) -> Any:
-    """Outputs without what depends on where and how a notebook is run: the path of its folder and of edulaunch, and lines as
-    counted in a cell, which are known only where a front end keeps a history.
+    """Return outputs without parts that depend on place and front end.
+
+    These are the path of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
     """
     text = json.dumps(outputs)
     for place in (folder, os.path.dirname(engine_folder())):
@@ -181,7 +182,7 @@ def _code(notebook: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _kept(cell: dict[str, Any], folder: str) -> Iterator[dict[str, Any]]:
-    """What is kept of a cell's outputs: without execution counts, bytes of pictures, and the path of the folder."""
+    """Return the stored form of a cell's outputs: without execution counts, bytes of pictures, and the path of the folder."""
     for output in without_place(cell['outputs'], folder):
         if 'execution_count' in output:
             output['execution_count'] = None
@@ -198,5 +199,5 @@ def _write(path: str, content: object) -> None:
 
 
 def as_text(content: object) -> str:
-    """A notebook, or its outputs, as Jupyter writes them."""
+    """Return a notebook, or its outputs, in the form in which Jupyter writes them."""
     return json.dumps(content, indent=1, ensure_ascii=False) + '\n'

@@ -23,34 +23,36 @@ FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'template')
 REQUIREMENTS = 'requirements.txt'
 EXECUTABLE = ('postBuild',)
 NEXT = {
-    'github': 'push it to GitHub: each push checks the course and grades what lies in submissions/',
+    'github': 'push it to GitHub: each push checks the course and grades the files in submissions/',
     'classroom': 'give it to an assignment as its template repository; with rubrics (release --with-rubrics), without solutions',
     'gradescope': 'upload a zip file under "Configure Autograder" of its assignment',
-    'devcontainer': 'push what `edulaunch course release` makes, with these files: "Code", "Codespaces" on GitHub opens it',
-    'binder': 'push what `edulaunch course release` makes, with these files, and give the address of the repository to Binder',
-    'docker': 'build and run it as the first lines of Dockerfile say',
-    'vscode': 'open the course in VS Code, and install the extension that it offers: it helps where launch files are written',
-    'jupyterhub': 'build and run it as the first lines of jupyterhub/jupyterhub_config.py say',
+    'devcontainer': 'push the output of `edulaunch course release` with these files; on GitHub, "Code", "Codespaces" opens it',
+    'binder': 'push the output of `edulaunch course release` with these files, and enter the address of the repository at Binder',
+    'docker': 'build and run it as described at the top of Dockerfile',
+    'vscode': 'open the course in VS Code, and install the extension that it suggests, which helps to write launch files',
+    'jupyterhub': 'build and run it as described at the top of jupyterhub/jupyterhub_config.py',
 }
-"""What to do with each."""
+"""The next step for each template."""
 WITH = {'jupyterhub': ('docker',)}
 """Templates that another one builds on."""
 
 
 def write_template(name: str, course: str) -> list[str]:
-    """Put the files of a template into a course. Returns their paths, relative to it; requirements.txt is one if there was none.
+    """Write the files of a template to a course. Return their paths relative to it, including a new requirements.txt.
 
-    :raises UnusableInput: when there is no such template or course, and when a file is there that says something else: then
-        nothing is written.
+    :raises UnusableInput: for an unknown template or course, or when a file exists with other content; then nothing
+        is written.
     """
     if name not in NEXT:
-        raise UnusableInput(f'there is no template {name!r}', help=did_you_mean(name, NEXT) or 'there are ' + ', '.join(NEXT))
+        raise UnusableInput(
+            f'there is no template {name!r}', help=did_you_mean(name, NEXT) or 'choose one of: ' + ', '.join(NEXT)
+        )
     given_course(course)
     files = {name: text for part in (*WITH.get(name, ()), name) for name, text in _files(part, course).items()}
     for path, data in files.items():
         there = os.path.join(course, path)
         if os.path.exists(there) and Path(there).read_bytes() != data:
-            raise UnusableInput(f'{there} is there already, and says something else', help='move it away; nothing was written')
+            raise UnusableInput(f'{there} already exists with other content', help='move it away; nothing was written')
     for path, data in files.items():
         write_file(course, path, data)
         if os.path.basename(path) in EXECUTABLE:
@@ -77,13 +79,13 @@ def _files(name: str, course: str) -> dict[str, bytes]:
 
 
 def _exercises() -> list[tuple[str, str]]:
-    """Name and path of each exercise of the course that is the current folder."""
+    """Return name and path of each exercise of the course in the current folder."""
     place = manifest('.')
     return [(entry.name, f'{EXERCISES}/{entry.path}') for entry in (read_course(place) if place else ())]
 
 
 def _requirements(course: str) -> str:
-    """What the course says that it needs; else this edulaunch, with a notebook."""
+    """Return the requirements of the course, or this version of edulaunch with the notebook extra."""
     path = os.path.join(course, REQUIREMENTS)
     return Path(path).read_text('utf-8') if os.path.exists(path) else f'edulaunch[notebook]=={__version__}\n'
 

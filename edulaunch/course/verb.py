@@ -1,4 +1,4 @@
-"""`edulaunch course`: what authors, teachers and students do with a whole course."""
+"""`edulaunch course`: commands for authors, teachers and students of a course."""
 
 from __future__ import annotations
 
@@ -13,52 +13,60 @@ from edulaunch.errors import MissingExtra, UnusableInput
 
 
 def add_verbs(verbs: Any) -> None:
-    """The sub-verbs, each with the course that it is about."""
-    reader = verbs.add_parser('reader', help='Make accessible HTML pages of all lessons, to be read without Jupyter and network')
-    reader.add_argument('out', metavar='OUT', help='a folder for the pages')
-    reader.add_argument('--teacher', action='store_true', help='with what was right, and the notes for teachers')
-    reader.add_argument('--kept', action='store_true', help='run nothing: the outputs that are kept, without pictures')
-    reader.add_argument('--pdf', action='store_true', help='OUT/course.pdf too, by a Chromium that is on this computer')
-    slides = verbs.add_parser('slides', help='Make slides of a lesson: one HTML file that needs no network')
-    slides.add_argument('lesson', metavar='LESSON', help='its name, or its number')
-    slides.add_argument('out', nargs='?', metavar='OUT', help='the file (default: LESSON.slides.html)')
-    slides.add_argument('--kept', action='store_true', help='run nothing: the outputs that are kept, without pictures')
-    notes = verbs.add_parser('notes', help='Show the notes for teachers on a lesson, or which there are')
-    notes.add_argument('lesson', nargs='?', metavar='LESSON', help='its name, or its number')
+    """Add the sub-verbs for pages, slides and notes, each with its course."""
+    reader = verbs.add_parser('reader', help='write accessible HTML pages of all lessons, which need no Jupyter and no network')
+    reader.add_argument('out', metavar='OUT', help='folder for the pages')
+    reader.add_argument('--teacher', action='store_true', help='include right answers and the notes for teachers')
+    reader.add_argument(
+        '--kept', action='store_true', help='use the stored outputs, without pictures, instead of running lessons'
+    )
+    reader.add_argument('--pdf', action='store_true', help='also write OUT/course.pdf with the Chromium on this computer')
+    slides = verbs.add_parser('slides', help='write slides of a lesson as one HTML file that needs no network')
+    slides.add_argument('lesson', metavar='LESSON', help='name or number of the lesson')
+    slides.add_argument('out', nargs='?', metavar='OUT', help='name of the file (default: LESSON.slides.html)')
+    slides.add_argument(
+        '--kept', action='store_true', help='use the stored outputs, without pictures, instead of running the lesson'
+    )
+    notes = verbs.add_parser('notes', help='show the notes for teachers on a lesson, or list all notes')
+    notes.add_argument('lesson', nargs='?', metavar='LESSON', help='name or number of the lesson')
     for parser in (reader, slides, notes):
-        parser.add_argument('--course', metavar='COURSE', help='its folder (default: the one around this folder, else ours)')
+        parser.add_argument(
+            '--course',
+            metavar='COURSE',
+            help='folder of the course (default: the course around this folder, or that of edulaunch)',
+        )
 
 
 def _progress(line: str) -> None:
-    """Print one line of progress; the result stays alone on standard output."""
+    """Print one line of progress on standard error, so that standard output has only the result."""
     print(line, file=sys.stderr, flush=True)
 
 
 def _reader(arguments: argparse.Namespace) -> int:
-    """`edulaunch course reader OUT`."""
+    """Run `edulaunch course reader OUT`."""
     from edulaunch.course.reader import write_reader
 
     out = arguments.out
     names, problem = write_reader(
         _chosen_course(arguments), out, teacher=arguments.teacher, kept=arguments.kept, pdf=arguments.pdf, say=_progress
     )
-    print(f'{out}: {len(names)} pages. Begin with {os.path.join(out, names[0])}')
+    print(f'{out}: {len(names)} pages. Open {os.path.join(out, names[0])} first')
     if arguments.pdf:
         print(problem or f'{os.path.join(out, "course.pdf")}: the whole course')
     return 1 if problem else 0
 
 
 def _slides(arguments: argparse.Namespace) -> int:
-    """`edulaunch course slides LESSON [OUT]`."""
+    """Run `edulaunch course slides LESSON [OUT]`."""
     from edulaunch.course.slides import write_slides
 
     out, count = write_slides(_chosen_course(arguments), arguments.lesson, arguments.out, kept=arguments.kept, say=_progress)
-    print(f'{out}: {count} slides. Open it in a browser: arrow keys, N for the whole text, O for all slides, or print it')
+    print(f'{out}: {count} slides. Open it in a browser, and use the arrow keys (N: the whole text, O: all slides)')
     return 0
 
 
 def _notes(arguments: argparse.Namespace) -> int:
-    """`edulaunch course notes [LESSON]`."""
+    """Run `edulaunch course notes [LESSON]`."""
     from edulaunch.course.lessons import list_of_notes, notes_of
 
     course = _chosen_course(arguments)
@@ -67,7 +75,7 @@ def _notes(arguments: argparse.Namespace) -> int:
 
 
 def _class(arguments: argparse.Namespace) -> int:
-    """`edulaunch course class FOLDER`."""
+    """Run `edulaunch course class FOLDER`."""
     from edugrade.files import write_whole
 
     from edulaunch.course.class_page import Class, page_of_class, read_course_of
@@ -76,7 +84,7 @@ def _class(arguments: argparse.Namespace) -> int:
     standings, refused = read_class(arguments.folder)
     write_whole(arguments.out, page_of_class(Class(*read_course_of(_chosen_course(arguments)), standings, refused)))
     for item in refused:
-        print(f'{item.path} is left out: {item.why}'.encode('ascii', 'backslashreplace').decode(), file=sys.stderr)
+        print(f'skipped {item.path}: {item.why}'.encode('ascii', 'backslashreplace').decode(), file=sys.stderr)
     count = len(standings)
     print(f'{arguments.out}: {count} {"student" if count == 1 else "students"}. Open it in a browser')
     return 1 if refused else 0
@@ -89,56 +97,60 @@ def _chosen_course(arguments: argparse.Namespace) -> str:
 
 
 def course_arguments(parser: argparse.ArgumentParser) -> None:
-    """The sub-verbs of `edulaunch course`."""
+    """Add the sub-verbs of `edulaunch course`."""
     verbs = parser.add_subparsers(dest='what', metavar='VERB', required=True)
-    new = verbs.add_parser('new', help='Make a course of your own: one lesson and one exercise to begin with')
+    new = verbs.add_parser('new', help='create your own course, with a first lesson and a first exercise')
     new.add_argument('folder', metavar='DIR')
-    copy = verbs.add_parser('copy', help='Put the course into a folder, as students get it')
+    copy = verbs.add_parser('copy', help='copy the course to a folder, as students get it')
     copy.add_argument('folder', metavar='DIR')
-    copy.add_argument('--update', action='store_true', help='leave the files that you changed, copy what is new')
+    copy.add_argument('--update', action='store_true', help='keep the files that you changed, and copy the new ones')
+    copy.add_argument('--course', metavar='COURSE', help='folder of another course (default: the course of edulaunch)')
     copy.add_argument(
-        '--course', metavar='COURSE', help='the folder of another course (default: the one that comes with edulaunch)'
+        '--student', metavar='NAME', help='create a personalised course, with names and numbers of exercises chosen for NAME'
     )
     copy.add_argument(
-        '--student', metavar='NAME', help="make it one student's own: with names and numbers of exercises chosen for NAME"
+        '--course-secret-file', metavar='FILE', help='file with the secret that chooses them; give edugrade batch the same one'
     )
-    copy.add_argument('--course-secret-file', metavar='FILE', help='the secret that chooses them; edugrade batch takes the same')
-    lint = verbs.add_parser('lint', help='Check that lessons, exercises, solutions and rubrics belong together')
+    lint = verbs.add_parser('lint', help='check that lessons, exercises, solutions and rubrics match')
     lint.add_argument('folder', nargs='?', default='.', metavar='DIR')
     lint.add_argument('--quick', action='store_true', help='launch nothing')
-    listed = verbs.add_parser('list', help='Name the lessons and exercises of the course around this folder, or of ours')
+    listed = verbs.add_parser(
+        'list', help='list the lessons and exercises of the course around this folder, or of that of edulaunch'
+    )
     listed.add_argument('folder', nargs='?', metavar='DIR')
-    verbs.add_parser('status', help='Say how far you are, and what to repeat')
-    opened = verbs.add_parser('open', help='Open the lessons in JupyterLab')
+    verbs.add_parser('status', help='show your progress, and what to repeat')
+    opened = verbs.add_parser('open', help='open the lessons in JupyterLab')
     opened.add_argument('folder', nargs='?', default='.', metavar='DIR')
-    release = verbs.add_parser('release', help='Make what students get of your course: a folder, or a zip file')
+    release = verbs.add_parser('release', help='write the version of your course for students, to a folder or a zip file')
     release.add_argument('folder', metavar='DIR')
-    release.add_argument('out', metavar='OUT', help='a folder, or the name of a file that ends in .zip')
-    release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
-    template = verbs.add_parser('template', help='Put the files into a course with which a platform opens, checks or grades it')
+    release.add_argument('out', metavar='OUT', help='folder, or name of a file that ends in .zip')
+    release.add_argument('--with-rubrics', action='store_true', help="include the rubrics, which check('...') needs")
+    template = verbs.add_parser('template', help='add the files with which a platform opens, checks or grades a course')
     template.add_argument(
         'name', metavar='NAME', help='github, classroom, gradescope, devcontainer, binder, docker or jupyterhub'
     )
     template.add_argument('folder', nargs='?', default='.', metavar='DIR')
-    lite = verbs.add_parser('lite', help='Make the edition that runs in a browser, for any web server')
+    lite = verbs.add_parser('lite', help='write the edition that runs in a browser, for any web server')
     lite.add_argument('out', metavar='OUT')
-    lite.add_argument('--pyodide', metavar='FOLDER', required=True, help='of Pyodide, such as node_modules/pyodide')
+    lite.add_argument('--pyodide', metavar='FOLDER', required=True, help='folder of Pyodide, such as node_modules/pyodide')
     lite.add_argument(
-        '--course', metavar='COURSE', help='whose exercises it offers (default: the course that comes with edulaunch)'
+        '--course', metavar='COURSE', help='folder of the course with the exercises (default: the course of edulaunch)'
     )
-    store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
+    store = verbs.add_parser('store', help='run lessons, and store their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
     add_verbs(verbs)
-    of_class = verbs.add_parser('class', help='Make a page on a class: where each student is, what is hard, who is stuck')
+    of_class = verbs.add_parser('class', help='write a page on a class: progress, difficult exercises, students who are stuck')
     of_class.add_argument(
-        'folder', metavar='FOLDER', help='with what each student handed over: my_progress.toml, or a folder with it'
+        'folder', metavar='FOLDER', help='folder with what each student handed in: my_progress.toml, or a folder with it'
     )
-    of_class.add_argument('--out', metavar='FILE', default='class.html', help='the page (default: class.html)')
-    of_class.add_argument('--course', metavar='COURSE', help='its folder (default: the one around this folder, else ours)')
+    of_class.add_argument('--out', metavar='FILE', default='class.html', help='name of the page (default: class.html)')
+    of_class.add_argument(
+        '--course', metavar='COURSE', help='folder of the course (default: the course around this folder, or that of edulaunch)'
+    )
 
 
 def course_verb(arguments: argparse.Namespace) -> int:
-    """Returns the exit code."""
+    """Run the sub-verb; return the exit code."""
     code: int = globals()[f'_{arguments.what}'](arguments)
     return code
 
@@ -148,7 +160,7 @@ def _new(arguments: argparse.Namespace) -> int:
 
     for name in new_course(arguments.folder):
         print(f'  {name}')
-    print(f'{arguments.folder} is a course. Check it: edulaunch course lint {arguments.folder}')
+    print(f'created the course {arguments.folder}. Check it with: edulaunch course lint {arguments.folder}')
     return 0
 
 
@@ -163,8 +175,8 @@ def _copy(arguments: argparse.Namespace) -> int:
         files = _personal(files, course, arguments.student, arguments.course_secret_file)
     done = copy_files(files, arguments.folder, update=arguments.update)
     for name in done.left_alone:
-        print(f'left alone, for you changed it: {name}')
-    print(f'{arguments.folder}: {len(done.written)} files copied. Begin: edulaunch course open {arguments.folder}')
+        print(f'kept, because you changed it: {name}')
+    print(f'{arguments.folder}: {len(done.written)} files copied. Open them with: edulaunch course open {arguments.folder}')
     return 0
 
 
@@ -174,7 +186,9 @@ def _personal(files: dict[str, bytes], course: str, student: str, secret: str | 
     from edulaunch.course.copying import personal_files
 
     if secret is None:
-        raise UnusableInput('whose variant it is is chosen by the secret of the course', help='--course-secret-file FILE')
+        raise UnusableInput(
+            '--student needs the secret of the course, which chooses the variants', help='name it with --course-secret-file FILE'
+        )
     return personal_files(files, course, student, CourseSecret(secret))
 
 
@@ -187,13 +201,13 @@ def _lint(arguments: argparse.Namespace) -> int:
 
     try:
         problems = list(listed(lesson_problems(given_course(arguments.folder))))
-    except UnusableInput:  # in a manifest that is there, the check says all that is wrong
+    except UnusableInput:  # if the manifest exists, the check reports all its problems
         if not has_manifest(arguments.folder):
             raise
         problems = []
     for problem in problems:
         print(f'course: {problem}')
-    sys.stdout.flush()  # edugrade's processes write too
+    sys.stdout.flush()  # edugrade's processes write, too
     return 1 if check([arguments.folder, *(['--quick'] if arguments.quick else [])]) or problems else 0
 
 
@@ -235,9 +249,7 @@ def _release(arguments: argparse.Namespace) -> int:
     else:
         _not_into_itself(course, out)
         if os.path.isdir(out) and os.listdir(out):
-            raise UnusableInput(
-                f'{out} is not empty: what lies there would be released too', help='give a folder that is not there yet'
-            )
+            raise UnusableInput(f'{out} is not empty, and its files would be released, too', help='name a new folder')
         copy_files(files, out)
     kept_back = 'solutions and outputs' if arguments.with_rubrics else 'solutions, outputs and rubrics'
     print(f'{out}: {len(files)} files, without {kept_back}')
@@ -246,7 +258,7 @@ def _release(arguments: argparse.Namespace) -> int:
 
 def _not_into_itself(course: str, target: str) -> None:
     if os.path.realpath(course) == os.path.realpath(target):
-        raise UnusableInput(f'{target} is the course itself', help='give another folder')
+        raise UnusableInput(f'{target} is the course itself', help='name another folder')
 
 
 def _template(arguments: argparse.Namespace) -> int:
@@ -264,7 +276,7 @@ def _lite(arguments: argparse.Namespace) -> int:
 
     for note in make_site(arguments.out, arguments.pyodide, given_course(arguments.course or our_course())):
         print(f'note: {note}')
-    print(f'{arguments.out} is a web site. Look at it: python -m http.server --directory {arguments.out}')
+    print(f'wrote the web site {arguments.out}. View it with: python -m http.server --directory {arguments.out}')
     return 0
 
 
@@ -279,5 +291,5 @@ def _store(arguments: argparse.Namespace) -> int:
             near = nearest_file(name, [file for file in beside if file.endswith('.ipynb')])
             raise UnusableInput(f'{notebook} does not exist', help=near and f'did you mean {os.path.join(folder, near)!r}?')
         store_outputs(notebook)
-        print(f'{notebook}: its outputs are kept, the notebook itself has none')
+        print(f'stored the outputs of {notebook}; the notebook itself has no outputs')
     return 0

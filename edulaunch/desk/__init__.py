@@ -1,4 +1,4 @@
-"""The desk: what a person types at and looks at.
+"""The user interface: the commands, the shared machine and the live view.
 
 `cli/` has the commands `edulaunch` and `ros2`, one file for each verb.
 `machine/` is the simulated machine that terminals and notebooks share: a server, its clients, and the connection between them.

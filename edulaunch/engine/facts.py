@@ -15,14 +15,14 @@ def with_facts(error: Error, about: str, **data: Any) -> Error:
     """The error, which keeps its own text and now carries facts.
 
     :param about: the rule that has words for it, such as 'programs.after-shutdown'.
-    :param data: what these words name: texts, numbers, and lists of texts.
+    :param data: the values of these names: strings, numbers, and lists of strings.
     """
     error.edulaunch_facts = {'about': about, **data}  # type: ignore[attr-defined]
     return error
 
 
 def facts_of(error: BaseException | None) -> dict[str, Any]:
-    """What an error carries; nothing as long as nobody gave it facts."""
+    """Return the facts of an error; an empty dict if it has none."""
     found: dict[str, Any] = getattr(error, 'edulaunch_facts', {})
     return found
 

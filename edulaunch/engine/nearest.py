@@ -1,6 +1,6 @@
 """The nearest match among known names, for "did you mean" lines.
 
-The module belongs to no room of the engine: all wings ask it, and so it lies below all of them.
+The module is in no room of the engine, because all wings use it.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
 
 
 def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
-    """The known names that `name` was probably meant to be, the nearest first: the one that it is but for case and separators,
-    or up to `most` that are close.
+    """Return the known names that `name` was probably meant to be, the nearest first. A name that differs only in case and
+    separators is returned alone; otherwise, up to `most` close names are returned.
     """
     folded = {_folded(candidate): candidate for candidate in sorted(set(names), reverse=True)}
     same = folded.get(_folded(name))
@@ -51,7 +51,9 @@ def _edits(one: str, other: str) -> int:
 
 
 def nearest_file(name: str, names: Iterable[str]) -> str | None:
-    """The same for names of files, by what stands before their endings: two are not alike because both end in `.launch.py`."""
+    """Do the same for file names, and compare only the part before their endings, because `.launch.py` alone does not make two
+    names similar.
+    """
     files = sorted(file for file in names if _stem(file))
     stem = nearest(_stem(name), map(_stem, files))
     alike = [file for file in files if _stem(file) == stem]

@@ -1,8 +1,8 @@
 """The seams of the engine to the wings above: the facade sets here what they have.
 
-Code that runs outside any launched program, such as a plain script or a notebook cell that imports rclpy, needs a machine of its
-own at its first use of ROS. And who asks a recording for a picture needs the wing that draws it. The engine makes neither.
-`import edulaunch` loads this small module and none of the rooms that use it.
+A plain script or a notebook cell that imports rclpy runs outside any launched program. At its first use of ROS, it needs its own
+machine. Code that requests a picture of a recording needs the wing that draws it. The engine creates neither. `import edulaunch`
+loads this small module and none of the rooms that use it.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """`launch_test FILE [name:=value ...]` of the package launch_testing; returns its exit code."""
+    """Run `launch_test FILE [name:=value ...]` of the package launch_testing; return its exit code."""
     from edulaunch.ros.sourcing import source
 
     source()

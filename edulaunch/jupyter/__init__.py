@@ -1,6 +1,6 @@
 """`ros2` in a notebook: `%load_ext edulaunch.jupyter`, then `%ros2 launch ...`, `%ros2 topic list` and so on.
 
-One simulated machine lives behind the notebook: a launch starts it anew, the commands after it look at what still runs there.
+One simulated machine runs behind the notebook. A launch starts it again, and later commands examine the programs that still run.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """What `%load_ext edulaunch.jupyter` calls."""
+    """Register the magics; `%load_ext edulaunch.jupyter` calls this."""
     from edulaunch.jupyter.hints import matcher, watch_names
     from edulaunch.jupyter.magics import RosMagics
 

@@ -1,4 +1,4 @@
-"""``check('circle')``: grades an exercise from a notebook, with the rubric that `edugrade` uses."""
+"""``check('circle')``: grade an exercise from a notebook, with the rubric that `edugrade` uses."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ if TYPE_CHECKING:
 
 
 def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
-    """Grade your launch file and show the report; write how far you are into ``my_progress.toml`` beside the notebook.
+    """Grade your launch file, show the report, and write your progress to ``my_progress.toml`` beside the notebook.
 
     ::
 
         from edulaunch import check
-        check('circle')             # exercises/circle.launch.py, here or in a folder above
-        check('circle', hint=1)     # a question; 2 says where to look, 3 is almost the answer
-        check('radio')              # what "Your turn" in a lesson asks for: by the rubric in checks/ beside the notebook
+        check('circle')             # exercises/circle.launch.py, here or in a parent folder
+        check('circle', hint=1)     # a question; 2 points to the place, 3 is almost the answer
+        check('radio')              # "Your turn" of a lesson, with the rubric in checks/ beside the notebook
 
     :param exercise: the name of an exercise or of a turn, or the path of a launch file or of a package's folder.
-    :param hint: the level of a hint to open (1 to 3); nothing is graded then.
+    :param hint: the level of a hint to open (1 to 3); this grades nothing.
+    :raises UnusableInput: when there is no such exercise, hint or file, or the grader is not installed.
     """
     from edulaunch.runtime import plugins
 

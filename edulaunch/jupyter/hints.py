@@ -1,5 +1,6 @@
-"""Help while one types and after a mistake: the Tab key behind `%ros2`, and a line below "name ... is not defined" and a folder
-that is not there: nearly always a cell has not been run.
+"""Help in a notebook: Tab completes `%ros2`, and a line of help follows a NameError or a missing folder.
+
+The cause of such an error is nearly always a cell that was not run.
 """
 
 from __future__ import annotations
@@ -28,10 +29,10 @@ SET_UP = ('Path', 'edulaunch', 'compare', 'predict', 'quiz')
 
 
 def unfinished(text: str, line: str) -> str | None:
-    """What stands behind `ros2` on an unfinished line of a cell; None for a line that is Python.
+    """Return the words after `ros2` on an unfinished line of a cell; None for a line of Python.
 
     :param text: the cell up to the cursor.
-    :param line: the last line of that.
+    :param line: the last line of `text`.
     """
     if text.startswith('%%ros2') and '\n' in text:
         return line.lstrip()
@@ -40,7 +41,7 @@ def unfinished(text: str, line: str) -> str | None:
 
 
 def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
-    """The word that is being typed, and those that it could become."""
+    """Return the word before the cursor, and its completions."""
     *words, typed = typed_line.split(' ')
     words = [word for word in words if word]
     session = terminal.machine.session
@@ -55,7 +56,7 @@ def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
 
 
 def matcher(terminal: Terminal) -> Any:
-    """A matcher for IPython's completer: alone on a line of `ros2`, silent elsewhere."""
+    """A matcher for IPython's completer: the only one on a line of `ros2`, without results elsewhere."""
     from IPython.core.completer import SimpleCompletion, context_matcher
 
     @context_matcher(identifier='edulaunch.ros2')  # type: ignore[untyped-decorator, unused-ignore]
@@ -91,31 +92,31 @@ def _shown(shell: Any, kind: type[Exception], error: Exception, trace: Traceback
 
 
 def missing_folder_help(path: object) -> str:
-    """What to try when a file cannot be written because a cell that makes its folder was left out."""
+    """Suggest what to do if a file cannot be written because the cell that creates its folder was not run."""
     folder = os.path.dirname(os.fspath(path)) if isinstance(path, str | os.PathLike) else ''
     if not folder or os.path.isabs(folder) or os.path.isdir(folder):
         return ''
-    return f'there is no folder {folder!r} yet: run the cells above this one first; one of them makes it'
+    return f'there is no folder {folder!r} yet: run the cells above first, because one of them creates it'
 
 
 def missing_name_help(name: str, line: str, known: dict[str, Any]) -> str:
-    """What to try for a name that no cell has made.
+    """Suggest what to do about a name that no cell has defined.
 
-    :param line: the line in which it is used.
+    :param line: the line that uses the name.
     :param known: the names of the notebook.
     """
     if not name:
         return ''
     if re.search(rf'\b(predict|compare|quiz|check)\(.*\b{name}\b', line) and not re.search(rf'\b{name}[.(\[]', line):
-        return f'a word stands in quotes: {name!r}'
+        return f'put a string in quotation marks: {name!r}'
     if name in SET_UP:
-        return 'the first cell of this lesson brings it: run that cell, after each restart of the kernel'
+        return 'run the first cell of this lesson, which defines this name; run it again after each restart of the kernel'
     if name == 'check':
-        return 'write above it: from edulaunch import check'
+        return 'write this line above: from edulaunch import check'
     near = nearest(name, (word for word in known if not word.startswith('_') and word not in ('In', 'Out', 'exit', 'quit')))
     if near is not None:
-        return f'write {near}, if that is the one you mean'
-    return f'the cell that makes {name} has not been run, or ended with an error: run it first, and look at what it says'
+        return f'did you mean {near}?'
+    return f'run the cell that defines {name} first; if it ends with an error, fix that error'
 
 
 def _last(trace: TracebackType) -> TracebackType:
@@ -130,5 +131,5 @@ def _last_line(trace: TracebackType) -> str:
 
 
 def _in_a_cell(trace: TracebackType, known: dict[str, Any]) -> bool:
-    """Whether the line that failed stands in the notebook, and not in a library that it calls."""
+    """Return whether the failing line is in the notebook, and not in a library that it calls."""
     return _last(trace).tb_frame.f_globals is known

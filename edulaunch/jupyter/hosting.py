@@ -1,7 +1,7 @@
-"""Lets terminals reach the machine of a notebook, on the notebook's own asyncio loop.
+"""Connect terminals to the machine of a notebook, on the notebook's own asyncio loop.
 
-Between two cells time stands still, so that a lesson runs the same each time. While a terminal is connected it goes on, with the
-clock on the wall.
+Time does not pass between two cells, so that a lesson runs the same each time. While a terminal is connected, simulated time
+follows real time.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from edulaunch.runtime.session import Session
 
 
 class Hosting(LiveMachine):
-    """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it.
+    """The server of a notebook's machine. It needs a running loop, and a system that allows it.
 
     :ivar joins_next: whether the next machine joins a real network.
     """
@@ -45,13 +45,13 @@ class Hosting(LiveMachine):
         self.joins_next = False
 
     def has_programs(self) -> bool:
-        """Whether programs may have been left running in a terminal, or in one of a desk. To look at a desk is not enough."""
+        """Return whether programs may still run in a terminal, or in one of a live view. A live view alone does not count."""
         if self._server is None:
             return False
         return self._server.has_terminals() or self._has_joined() or any(page.viewer.has_programs() for page in self.pages)
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Do something where the machine runs, and look again at what is due; from any thread."""
+        """Run a function on the machine's thread, and check again what is due; callable from any thread."""
 
         def act() -> None:
             action()
@@ -69,20 +69,20 @@ class Hosting(LiveMachine):
         return self._server is not None and self.has_joined
 
     def join_network(self, joins: bool) -> str:
-        """Join, or leave; returns what to say. While it has joined time goes on by itself.
+        """Join or leave a real network; return a message. After joining, time passes by itself.
 
-        What runs in the time of the simulation stays there: the next launch joins.
+        A running simulation keeps its own time; the next launch joins.
         """
         assert self._server is not None
         self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)
         if self.joins_next:
-            return "the next %ros2 launch joins the network: its clock is that of the wall, this one's is that of the simulation"
+            return 'the next %ros2 launch joins the network, in real time; the launch of now keeps its simulated time'
         answer = super().join_network(joins)
         self._look_again(0.0)
         return answer
 
     def serve(self, session: Session) -> None:
-        """From now on terminals find this session; the notebook that was used last is the one that they find."""
+        """Serve this session to terminals from now on; terminals find the notebook that was used last."""
         if self._loop is None:
             return
         try:
@@ -114,7 +114,7 @@ class Hosting(LiveMachine):
 
     @contextmanager
     def cell(self) -> Iterator[None]:
-        """Around a cell that lets time pass: for terminals it goes on from where that has come to."""
+        """Surround a cell that lets time pass: for terminals, time continues from the end of the cell."""
         with suppress(RuntimeError):
             self._loop = asyncio.get_running_loop()
         try:
@@ -126,7 +126,7 @@ class Hosting(LiveMachine):
                 self._look_again(0.0)
 
     def _on_readable(self) -> None:
-        """Somebody has said something."""
+        """Read from a terminal."""
         server = self._server
         assert server is not None
         with in_its_turn():
@@ -134,7 +134,7 @@ class Hosting(LiveMachine):
         self._look_again(0.0)
 
     def _go_on(self) -> None:
-        """Run what is due, for as long as anybody is connected."""
+        """Run the due items while any terminal is connected."""
         server = self._server
         assert server is not None
         is_seen = any(page.is_shown() for page in self.pages)
@@ -165,7 +165,7 @@ class Hosting(LiveMachine):
 
 
 def _number(server: Server) -> int:
-    """What a loop has to wait for to hear any terminal.
+    """Return the file that a loop must watch to notice input of any terminal.
 
     :raises NotImplementedError: on systems where a set of connections is not one file.
     """

@@ -1,4 +1,5 @@
-"""Widgets: `edulaunch.interact` runs again with other numbers by moving sliders, and a keyboard for a program that reads one."""
+"""Widgets: `edulaunch.interact` runs a function again for other values of sliders, and a keyboard for a program that reads
+one."""
 
 from __future__ import annotations
 
@@ -11,11 +12,11 @@ from edulaunch.engine.recording import Recording
 from edulaunch.errors import EdulaunchError
 
 BUTTONS = {'arrow-up': '\x1b[A', 'arrow-down': '\x1b[B', 'arrow-left': '\x1b[D', 'arrow-right': '\x1b[C'}
-"""Icons, and what a terminal sends for these keys."""
+"""Icons, and the bytes that a terminal sends for these keys."""
 
 
 def interact(run: Callable[..., Any], **choices: Any) -> Any:
-    """A widget with a slider or another choice for each argument of a function; what it returns is shown below.
+    """Show a slider or another control for each argument of a function, and below them the result of the function.
 
     ::
 
@@ -24,9 +25,10 @@ def interact(run: Callable[..., Any], **choices: Any) -> Any:
 
         edulaunch.interact(circle, radius=(0.5, 2.0))
 
-    It runs when a slider is let go, not while it moves: a run takes a moment. A Recording is shown as its turtles.
+    The function runs when a slider is released, because a run takes a moment. A Recording is shown as its turtles.
 
-    :param choices: as ipywidgets abbreviates them: (least, most), (least, most, step), a list, True, a text, or a widget.
+    :param run: the function, which is called with the values of the controls by name.
+    :param choices: in the short form of ipywidgets: (min, max), (min, max, step), a list, True, a string, or a widget.
     :raises UnusableInput: when ipywidgets is not installed.
     """
     ipywidgets = widgets()
@@ -51,7 +53,7 @@ def interact(run: Callable[..., Any], **choices: Any) -> Any:
 
 
 def keyboard(press: Callable[[str], str], title: str) -> Any:
-    """A widget; each press gives the keys to `press`, and shows what that returns.
+    """Show a keyboard widget; each press sends the keys to `press`, and shows the result.
 
     :raises ImportError: without ipywidgets.
     """
@@ -72,7 +74,7 @@ def keyboard(press: Callable[[str], str], title: str) -> Any:
         keys, text.value = text.value, ''
         pressed(keys if len(keys) == 1 else f'{keys}\n')
 
-    line = Text(placeholder='a key, or a line, then Enter', continuous_update=False)
+    line = Text(placeholder='a key, or a line, followed by Enter', continuous_update=False)
     line.observe(lambda change: entered(line) if change.new else None, 'value')
     keys = HBox([*(button(*each) for each in BUTTONS.items()), line])
-    return VBox([Label(f'keyboard of {title}: each press lets one second pass'), keys, shown])
+    return VBox([Label(f'keyboard of {title}: one second passes with each press'), keys, shown])

@@ -1,4 +1,4 @@
-"""A line behind `%ros2`: the words, and what we add to a shell's."""
+"""A line after `%ros2`: its words, and the options that `ros2` itself does not have."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _OURS = re.compile(r'\s--(for|seed)\s+\S+')
 
 
 class Line(NamedTuple):
-    """What a line says.
+    """The parts of a line.
 
-    :ivar words: behind `ros2`, without our own options and the last `&`.
-    :ivar seconds, seed: of `--for` and `--seed`, if they are given.
-    :ivar stays: whether it ends in `&`: the command goes on beside the next ones.
-    :ivar quiet: whether a launch or a run is to say nothing, neither its console nor mistakes that are found (`--quiet`).
-    :ivar shell: the text, when commands are joined as in a shell; else empty.
+    :ivar words: the words after `ros2`, without our own options and the last `&`.
+    :ivar seconds, seed: the values of `--for` and `--seed`, if given.
+    :ivar stays: whether the line ends in `&`: the command continues beside the next ones.
+    :ivar quiet: whether a launch or a run hides its console and its advice (`--quiet`).
+    :ivar shell: the whole line, if it joins commands as in a shell; otherwise empty.
     """
 
     words: list[str]
@@ -35,7 +35,7 @@ class Line(NamedTuple):
 def read_line(text: str) -> Line:
     """Read a line.
 
-    :raises UnusableInput: for words that cannot be read.
+    :raises UnusableInput: when the words cannot be parsed.
     """
     try:
         words = shlex.split(text)
@@ -43,7 +43,7 @@ def read_line(text: str) -> Line:
         lexer.whitespace_split = True
         signs = [word for word in lexer if not set(word) - set(SHELL_SIGNS)]
     except ValueError as error:
-        raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
+        raise UnusableInput(f'cannot read this command: {error}', help='add the missing quotation mark') from None
     stays = signs[-1:] == ['&'] and text.rstrip().endswith('&')
     if stays:
         signs.pop()
@@ -58,7 +58,7 @@ def read_line(text: str) -> Line:
 
 
 def _take_number(words: list[str], option: str) -> float | None:
-    """The number behind an option of ours, which is taken out of the words; None when it is not there."""
+    """Return the number after one of our options, and remove both from the words; None without the option."""
     if option not in words:
         return None
     position = words.index(option)
@@ -68,7 +68,7 @@ def _take_number(words: list[str], option: str) -> float | None:
 
 
 def number_of(text: str | None, name: str) -> float:
-    """A number of simulated seconds.
+    """Return a number of simulated seconds.
 
     :raises UnusableInput: for anything else.
     """

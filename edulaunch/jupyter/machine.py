@@ -1,4 +1,4 @@
-"""The machine behind a notebook: its Session, what was left running with `&`, and the door for terminals."""
+"""The machine behind a notebook: its Session, the jobs that run with `&`, and the server for terminals."""
 
 from __future__ import annotations
 
@@ -33,20 +33,20 @@ from edulaunch.runtime.session import Session, index_for
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
 OTHER_S = 5.0
-"""Simulated seconds after which Ctrl-C is pressed, unless `--for` says it: for a launch, for what says a lot, for others."""
+"""Simulated seconds until Ctrl-C without `--for`: for a launch, for commands with much output, for others."""
 PRESS_S = 1.0
-"""Simulated seconds that pass for a key: so long a turtle follows it."""
+"""Simulated seconds that pass for a key: a turtle moves for this long."""
 SIZE = (80, 24)
-OTHER_MACHINE = """note: terminals have a machine of their own, on which this launch does not run
-  help: what you start in a terminal from now on is on this one
+OTHER_MACHINE = """note: open terminals use another machine, so this launch does not appear there
+  help: start your commands again in the terminals to use this machine
 """
-BESIDE = """note: {job} still runs: this launch runs beside it, from t = {time:.2f} s of the same machine
-  help: end it before you compare runs: {stop}
+BESIDE = """note: {job} still runs, so this launch starts beside it at t = {time:.2f} s on the same machine
+  help: to compare runs, end it first: {stop}
 """
 
 
 class Job(NamedTuple):
-    """One of them, numbered as a shell does."""
+    """A job, numbered as in a shell."""
 
     number: int
     process: Process
@@ -59,50 +59,50 @@ class Job(NamedTuple):
 
 
 class Jobs:
-    """All of them, in the order in which they were started."""
+    """All jobs, in the order in which they were started."""
 
     def __init__(self) -> None:
         self._jobs: list[Job] = []
 
     def add(self, process: Process, text: str) -> Job:
-        """One more."""
+        """Add a job."""
         self._jobs.append(Job(max((job.number for job in self._jobs), default=0) + 1, process, text))
         return self._jobs[-1]
 
     def running(self) -> list[Job]:
-        """Those that have not ended."""
+        """Return the jobs that have not ended."""
         return [job for job in self._jobs if job.process.returncode is None]
 
     def chosen(self, number: str) -> list[Job]:
-        """All, or the one of that number.
+        """Return all jobs, or the job with that number.
 
-        :raises UnusableInput: when there is none.
+        :raises UnusableInput: for an unknown number.
         """
         found = [job for job in self._jobs if number in ('', str(job.number), f'%{job.number}')]
         if number and not found:
             known = ', '.join(str(job.number) for job in self._jobs)
-            raise UnusableInput(f'there is no job {number}', help=f'jobs: {known}' if known else 'nothing was started with &')
+            raise UnusableInput(f'there is no job {number}', help=f'jobs: {known}' if known else 'no job was started with &')
         return found
 
     def forget_ended(self) -> None:
-        """As a shell does once it has told of them."""
+        """Forget the jobs that have ended, as a shell does after it has listed them."""
         self._jobs = self.running()
 
     def clear(self) -> None:
-        """The machine is gone."""
+        """Forget all jobs, because their machine has ended."""
         self._jobs.clear()
 
 
 class Machine:
-    """Runs `ros2` command lines on one machine that terminals see, too.
+    """Runs `ros2` command lines on one machine that terminals can use, too.
 
-    A launch starts it anew, unless something was left running there on purpose (with `&`, or in a terminal); every other command
-    runs beside what still runs.
+    A launch starts a new machine, unless a program still runs on purpose (with `&`, or in a terminal). Every other command
+    runs beside the programs that still run.
 
-    :param write: called as write(stream, text) with everything that is printed.
-    :param workspaces: gives the folders with packages for a new machine.
-    :ivar show_keyboard: called as show_keyboard(press, title) for a program that reads keys: press(keys) presses them and returns
-        what is said.
+    :param write: called as write(stream, text) with all output.
+    :param workspaces: returns the folders with packages for a new machine.
+    :ivar show_keyboard: called as show_keyboard(press, title) for a program that reads keys; press(keys) presses them and returns
+        the output.
     """
 
     def __init__(self, write: Callable[[str, str], object], workspaces: Callable[[], Sequence[str]]) -> None:
@@ -120,12 +120,13 @@ class Machine:
         return Session(seed=seed, workspaces=list(self._workspaces()), console=self._write, start_ns=start_ns)
 
     def _index(self, session: Session) -> Index:
-        """The packages for a command: those of the machine; of workspaces as they are now, for a cell may have written one."""
+        """Return the packages for a command: those of the machine, and of the workspaces as they are now, which a cell may
+        change."""
         found = list(self._workspaces())
         return index_for(found) if found else session.index
 
     def _use(self, session: Session) -> Session:
-        """Let a session be the notebook's machine from now on; the one before ends."""
+        """Use a session as the notebook's machine from now on; the previous one ends."""
         if self.session is not session:
             if self.session is not None:
                 self.session.close()
@@ -135,13 +136,13 @@ class Machine:
         return session
 
     def launch(self, line: Line) -> Recording | None:
-        """Start a launch file: on a new machine, or beside what was left running on purpose.
+        """Start a launch file: on a new machine, or beside programs that still run on purpose.
 
-        The machine before is kept until it is sure that the new launch works.
+        The previous machine is kept until the new launch certainly works.
         """
         words = line.words[1:]
         if not words:
-            raise UnusableInput('launch what?', help='%ros2 launch PACKAGE FILE name:=value --for SECONDS')
+            raise UnusableInput('no launch file is named', help='write %ros2 launch PACKAGE FILE name:=value --for SECONDS')
         here = self.session
         stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_programs())
         session = here if here is not None and stays else self._new_session(line.seed)
@@ -174,12 +175,12 @@ class Machine:
         return found
 
     def _advice(self, session: Session, process: Process, typed: str = '') -> list[str]:
-        """What is reported below a cell, of its own command alone."""
+        """Report advice below a cell, on its own command only."""
         helped = session.host.hints.helped(process.pid)
         return end_of_run_lines(session.of_command(process.pid), helped=helped, typed=typed)
 
     def _say_what_runs(self, session: Session | None, stays: bool) -> None:
-        """A launch beside programs of earlier cells or terminals is not the same run as one on a machine of its own."""
+        """Print a note: a launch beside programs of earlier cells or terminals differs from one on a new machine."""
         if session is None or not stays:
             return
         for job in self._jobs.running():
@@ -187,7 +188,7 @@ class Machine:
             self._write('stderr', note)
 
     def _begin(self, session: Session, words: list[str], beside: bool) -> LaunchRun:
-        """Start the launch. Where it runs beside others, the one that the last cell showed ends first: its time is over."""
+        """Start the launch. If it runs beside others, first end the launch of the previous cell, because its time is over."""
         package_or_file, file, arguments = split_words(words[0], words[1:])
         find_launch_file(session.index, package_or_file, file)
         if beside and self._foreground is not None:
@@ -196,7 +197,7 @@ class Machine:
         return session.launch(package_or_file, file, arguments)
 
     def own_word(self, word: str, *values: str) -> None:
-        """`jobs`, `stop` and `wait`: what a notebook has instead of a shell's `jobs`, Ctrl-C and `sleep`."""
+        """Run `jobs`, `stop` or `wait`, which replace a shell's `jobs`, Ctrl-C and `sleep` in a notebook."""
         session = self.session
         if word == 'wait':
             seconds = number_of(values[0] if values else None, 'wait')
@@ -220,7 +221,7 @@ class Machine:
             self.show_keyboard(partial(self._press, session, job), job.text)
 
     def _press(self, session: Session, job: Job, keys: str) -> str:
-        """Press keys for a job, and let some time pass; returns what was said meanwhile."""
+        """Press keys for a job, and let some time pass; return the output of that time."""
         printed: list[str] = []
         job.process.on_output = lambda stream, text: printed.append(text)
         with self.hosting.cell(), outer_loop_set_aside():
@@ -230,7 +231,7 @@ class Machine:
         return ''.join(printed)
 
     def command(self, line: Line) -> None:
-        """Run a command to its end, or press Ctrl-C when its time is up."""
+        """Run a command to its end, or press Ctrl-C when its time is over."""
         words, seconds = line.words, line.seconds
         limit_s = COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds
         is_guest = self.session is None and not line.stays and not line.shell and has_terminals_machine()
@@ -241,7 +242,7 @@ class Machine:
         spec = ProcessSpec(argv=argv, name='ros2', cwd=os.getcwd(), shell=bool(line.shell))
         if not session.host.knows(spec):
             raise UnusableInput(
-                f'{argv[0]!r} needs a real shell', help='one command at a time works; | > < && ; join commands of ros2'
+                f'{argv[0]!r} needs a real shell', help='run one command at a time, or join ros2 commands with | > < && ;'
             )
         ended = None if line.stays else lambda code: session.sim.stop()
         process: Any = session.host.start(spec, self._write, ended, index=self._index(session))
@@ -259,7 +260,7 @@ class Machine:
             return
 
         def on_late(interrupted: bool) -> None:
-            pressed = f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
+            pressed = f'^C (edulaunch pressed it at t = {session.sim.elapsed_s:.2f} s; set the time with --for SECONDS)\n'
             if interrupted or seconds is None:
                 self._write('stdout', '^C\n' if interrupted else pressed)
 

@@ -1,4 +1,4 @@
-"""The magics: thin words around :class:`~edulaunch.jupyter.terminal.Terminal`."""
+"""The magics: thin wrappers of :class:`~edulaunch.jupyter.terminal.Terminal`."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ class RosMagics(Magics):
     @no_var_expand
     @line_cell_magic
     def ros2(self, line: str, cell: str | None = None) -> Any:
-        """The `ros2` command on the simulated machine. `%%ros2` takes several, one on each line; the last Recording is returned.
+        """Run `ros2` on the simulated machine. `%%ros2` runs several commands, one on each line, and returns the last Recording::
 
-        %ros2 launch PACKAGE FILE name:=value --for 20     start anew, run 20 simulated seconds; returns the Recording
-        %ros2 topic list                                   any other command, beside what still runs
+        %ros2 launch PACKAGE FILE name:=value --for 20     start a new machine, run 20 simulated seconds, return the Recording
+        %ros2 topic list                                   any other command, beside the programs that still run
         %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
-        %ros2 run turtlesim draw_square &                  leave it running; a program that reads keys gets buttons
-        %ros2 view frames                                  the live desk, here with its tf frames; time goes on while it is seen
-        %ros2 jobs      %ros2 stop      %ros2 wait 5       what was left running; end it; let simulated seconds pass
+        %ros2 run turtlesim draw_square &                  run it in the background; a program that reads keys gets buttons
+        %ros2 view frames                                  show the live view with its tab Frames; time passes while it is visible
+        %ros2 jobs      %ros2 stop      %ros2 wait 5       list jobs, end them, let simulated seconds pass
 
-        --quiet behind a launch or a run shows errors only. Tab completes. Brackets and dollar signs are passed on as they are.
+        --quiet after a launch or a run shows only errors. Tab completes. Brackets and dollar signs are passed on unchanged.
         """
         return self._printing(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
 
@@ -49,43 +49,43 @@ class RosMagics(Magics):
     @no_var_expand
     @line_magic
     def colcon(self, line: str) -> None:
-        """Says what of `colcon build` is not needed here."""
+        """Explain which parts of `colcon build` are not needed here."""
         self._printing(lambda: self.terminal.set_up(f'colcon {line}'))
 
     @no_var_expand
     @line_magic
     def rosdep(self, line: str) -> None:
-        """Says what of `rosdep install` is not needed here."""
+        """Explain which parts of `rosdep install` are not needed here."""
         self._printing(lambda: self.terminal.set_up(f'rosdep {line}'))
 
     @no_var_expand
     @line_magic
     def apt(self, line: str) -> None:
-        """Says what of `apt install ros-jazzy-...` is here already."""
+        """Explain which packages of `apt install ros-jazzy-...` are already here."""
         self._printing(lambda: self.terminal.set_up(f'apt {line}'))
 
     @no_var_expand
     @line_magic
     def edulaunch(self, line: str) -> None:
-        """The command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`."""
+        """Run the command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`."""
         from edulaunch.desk.cli.main import main
 
         with redirect_stderr(sys.stdout):
             try:
                 main(shlex.split(line))
-            except SystemExit:  # argparse has said why
+            except SystemExit:  # argparse has printed the reason
                 pass
             except ValueError as error:
-                print(f'error: {error}: a quote is not closed')
+                print(f'error: {error}: add the missing quotation mark')
 
     @line_magic
     def recording(self, line: str) -> Recording:
-        """The Recording of the simulated machine from its start until now."""
+        """Return the Recording of the simulated machine from its start until now."""
         found: Recording = self._printing(self.terminal.recording)
         return found
 
     def _printing(self, action: Callable[[], Any]) -> Any:
-        """Print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed."""
+        """Print the output in one piece: both streams in order, as one output of the cell on machines of any speed."""
         try:
             return action()
         finally:
@@ -94,7 +94,7 @@ class RosMagics(Magics):
 
 
 def _show_keyboard(press: Callable[[str], str], title: str) -> None:
-    """Show buttons, where the front end has any."""
+    """Show buttons, if the front end has widgets."""
     import IPython.display as front_end
 
     display: Any = front_end.display
@@ -103,4 +103,6 @@ def _show_keyboard(press: Callable[[str], str], title: str) -> None:
 
         display(keyboard(press, title))
     except ImportError:
-        sys.stdout.write(f'{title} reads the keyboard\n  help: pip install ipywidgets gives it buttons; or use a terminal\n')
+        sys.stdout.write(
+            f'{title} reads the keyboard\n  help: type pip install ipywidgets to get buttons here, or run it in a terminal\n'
+        )

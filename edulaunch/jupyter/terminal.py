@@ -1,4 +1,4 @@
-"""A terminal on a simulated machine that outlives its commands."""
+"""A terminal on a simulated machine that continues after its commands."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from edulaunch.jupyter.line import QUIET, read_line
 from edulaunch.jupyter.machine import Machine
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
-"""With one of these `ros2 launch` starts nothing."""
+"""With one of these options, `ros2 launch` starts nothing."""
 LISTS = (['node', 'list'], ['topic', 'list'], ['service', 'list'], ['param', 'list'], ['action', 'list'])
-"""They find nothing where nothing runs, and ROS 2 prints nothing then."""
-NOTHING_RUNS = 'note: nothing runs yet; start something: %ros2 launch PACKAGE FILE, or %ros2 run PACKAGE EXECUTABLE &\n'
+"""These commands find nothing on an idle machine, and ROS 2 prints nothing then."""
+NOTHING_RUNS = 'note: no program runs yet; start one with %ros2 launch PACKAGE FILE, or %ros2 run PACKAGE EXECUTABLE &\n'
 SAID_ALWAYS = ('warning:', 'error:', 'note:')
-"""What `--quiet` does not hide."""
+"""Output that `--quiet` does not hide."""
 
 
 class Terminal:
-    """Reads what stands in a cell, and lets the machine do it.
+    """Reads the lines of a cell, and runs them on the machine.
 
-    :param write: called as write(stream, text) with everything that is printed.
+    :param write: called as write(stream, text) with all output.
     """
 
     def __init__(self, write: Callable[[str, str], object]) -> None:
@@ -36,9 +36,9 @@ class Terminal:
         self._sourced: list[str] = []
 
     def ros2(self, text: str) -> Any:
-        """Run the words behind `ros2`. A launch returns its Recording, `view` the live desk.
+        """Run the words after `ros2`. A launch returns its Recording, `view` the live view.
 
-        :raises UnusableInput: for a launch file that is not there, or words that cannot be read.
+        :raises UnusableInput: for a missing launch file, or words that cannot be parsed.
         :raises LaunchFileError: for a launch file with a mistake; names the student's file and line.
         """
         line = read_line(text)
@@ -59,9 +59,9 @@ class Terminal:
         return None
 
     def several(self, first: str, cell: str) -> Any:
-        """Run the lines of a cell one after the other, but empty ones and those that begin with `#`; returns the last Recording.
+        """Run the lines of a cell in order, except empty ones and those with a leading `#`; return the last Recording.
 
-        :param first: what stands behind `%%ros2`: `--quiet` for each launch and run, or a command.
+        :param first: the words after `%%ros2`: `--quiet` for each launch and run, or a command.
         """
         quiet = first.split() == [QUIET]
         lines = ['' if quiet else first, *cell.split('\n')]
@@ -77,20 +77,20 @@ class Terminal:
             self._show(stream, text)
 
     def view(self, words: list[str]) -> Any:
-        """The live desk of the machine, with a tab open: `view`, `view frames`. Time goes on while somebody looks.
+        """Return the live view of the machine, with a tab open: `view`, `view frames`. Time passes while it is visible.
 
-        :raises UnusableInput: when nothing runs yet, or there is no such tab.
+        :raises UnusableInput: when no program has run yet, or for an unknown tab.
         """
         from edulaunch.desk.machine.started import desk_widget
 
         if self.machine.session is None:
-            raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')
+            raise UnusableInput('nothing has run yet', help='start a launch file: %ros2 launch PACKAGE FILE')
         with self.machine.hosting.cell():
             self.machine.hosting.serve(self.machine.session)
         return desk_widget(self.machine.hosting, words[0] if words else 'graph')
 
     def source(self, path: str) -> None:
-        """Use the packages of a workspace from the next launch on.
+        """Use the packages of a workspace from the next launch.
 
         :param path: a workspace, its `install` folder, a setup file in that, or a package.
         :raises UnusableInput: when there is no such folder.
@@ -100,32 +100,32 @@ class Terminal:
             return
         folder = os.path.dirname(path) if os.path.basename(path).startswith(('setup.', 'local_setup.')) else path
         if os.path.basename(folder.rstrip('/')) == 'install' and not os.path.isdir(folder):
-            folder = os.path.dirname(folder.rstrip('/'))  # nothing has to be built here
+            folder = os.path.dirname(folder.rstrip('/'))  # no build is needed here
         if not os.path.isdir(folder or '.'):
             raise UnusableInput(
-                f'{path!r}: there is no such workspace', help='%source takes a folder with packages, such as my_ws'
+                f'{path!r}: there is no such workspace', help='name a folder with packages, such as %source my_ws'
             )
         self._sourced.append(os.path.abspath(folder or '.'))
 
     def set_up(self, line: str) -> None:
-        """Answer a command that sets up a real ROS 2 machine: a sentence about what is not needed here.
+        """Answer a command that sets up a real ROS 2 computer: explain what is not needed here.
 
         :raises UnusableInput: for another command.
         """
         text = answer(line.split())
         if text is None:
-            raise UnusableInput(f'{line!r} sets up nothing of ROS 2', help=f'for a command of your own machine: !{line}')
+            raise UnusableInput(f'{line!r} is not a set-up command of ROS 2', help=f'run it on your own computer with !{line}')
         self._write('stdout', f'{text}\n')
 
     def recording(self) -> Recording:
-        """What happened on the machine until now.
+        """Return the recording of the machine until now.
 
-        :raises UnusableInput: when nothing was started yet.
+        :raises UnusableInput: when no program was started yet.
         """
         if self.machine.session is None:
-            raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')
+            raise UnusableInput('nothing has run yet', help='start a launch file: %ros2 launch PACKAGE FILE')
         return self.machine.session.snapshot()
 
     def workspaces(self) -> list[str]:
-        """What was sourced; else what is found from the folder of the notebook."""
+        """Return the sourced packages, or those found from the folder of the notebook."""
         return self._sourced or find_workspaces(os.getcwd(), os.environ)

@@ -1,8 +1,8 @@
-"""The way to a node's own state, for programs of ours that run on our rclpy or on ROS 2's own.
+"""Access to a node's own state, for programs of edulaunch that run on our rclpy or on ROS 2's own.
 
-`core_of(node)` gives the names of a node, the values that its parameters are given from outside, and its place in the graph. Our
-rclpy answers unless somebody chooses another: `edulaunch.extras.native` does where ROS 2's own rclpy runs our programs. What is
-chosen must have the members of `rclpy.node_parts.core.NodeCore` that the callers of `core_of` use.
+`core_of(node)` returns the names of a node, the parameter values from outside, and its place in the graph. Our rclpy provides it,
+unless other code replaces it: `edulaunch.extras.native` does so where ROS 2's own rclpy runs our programs. The replacement must
+have the members of `rclpy.node_parts.core.NodeCore` that the callers of `core_of` use.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Names that a module of ROS 2 has only because it imports them, and that programs import from there all the same.
 
-`from rclpy.node import Publisher` is what editors write by themselves, and it works with ROS 2. Here a module imports what
-it needs, late; the other names that it has there are listed in `passed_on.txt` and loaded when they are asked for.
+Editors insert `from rclpy.node import Publisher` automatically, and it works with ROS 2. Here a module imports what it needs,
+late. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
 """
 
 from __future__ import annotations

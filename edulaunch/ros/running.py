@@ -1,4 +1,4 @@
-"""How the built-in programs run, each of which is a node that somebody spins until Ctrl-C."""
+"""Run the built-in programs, each of which is a node that spins until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def spin(make_node: Callable[[], Node], args: list[str] | None = None) -> None:
 
 
 def run(body: Callable[[], object], args: list[str] | None = None) -> None:
-    """Run `body` between init and shutdown; `args` are those of `rclpy.init`, default: of the command line."""
+    """Run `body` between init and shutdown. `args` are those of `rclpy.init` (default: those of the command line)."""
     try:
         rclpy.init(args=args)
         body()

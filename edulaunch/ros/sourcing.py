@@ -20,11 +20,11 @@ _INDEXES: list[Index] = []
 
 
 def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
-    """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. Doing it twice is doing it once.
+    """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. Repeating it changes nothing.
 
-    :param workspaces: folders with packages, built by colcon or not: their modules, interfaces and programs are there afterwards,
-        too, as after `source install/setup.bash`. A workspace in which something was written since is sourced anew.
-    :raises ForeignRosError: when an `rclpy` that is not ours can be imported already; nothing is changed then.
+    :param workspaces: folders with packages, built by colcon or not. Afterwards, their modules, interfaces and programs are
+        available, as after `source install/setup.bash`. A workspace with changed files is sourced again.
+    :raises ForeignRosError: when another `rclpy` can already be imported; then nothing changes.
     """
     from edulaunch.engine.interfaces.importer import installed_registry
 
@@ -71,7 +71,7 @@ def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
 
 
 def _foreign_rclpy(ours: str) -> str | None:
-    """Where an rclpy of somebody else is, if there is one."""
+    """Return the folder of a foreign rclpy, if there is one."""
     loaded = sys.modules.get('rclpy')
     spec = PathFinder.find_spec('rclpy') if loaded is None else loaded.__spec__
     if spec is None or spec.origin is None or spec.origin.startswith(ours + os.sep):

@@ -1,5 +1,6 @@
-"""The process that stands for code outside any launched program; where a plain script can see the real clock, the time of what
-it uses of ROS must be the real one, too.
+"""The process that represents code outside any launched program, such as a plain script or a notebook cell.
+
+A plain script that reads the real clock gets the real time from ROS, too.
 """
 
 from __future__ import annotations
@@ -24,12 +25,13 @@ from edulaunch.runtime.fittings import hint_of
 from edulaunch.runtime.shell import SimulatedShell
 
 CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable, vars(time).values()))))
-"""Whoever has one of these among its global names looks at the real clock, or waits for it."""
+"""A module with one of these global names reads the real clock, or waits for it."""
 
 
 def script_sees_the_clock() -> bool:
-    """Asked from inside the script's first use of ROS. False in tests and notebooks, whose code is not run as a script: there
-    simulated time passes as fast as it can.
+    """Return whether the script that first uses ROS reads the real clock.
+
+    The result is False in tests and notebooks, whose code is not a script: there, simulated time passes as fast as possible.
     """
     main = getattr(sys.modules.get('__main__'), '__file__', None)
     if main is None or not is_own(main):
@@ -44,10 +46,10 @@ def script_sees_the_clock() -> bool:
 
 
 class AmbientProcess(Process):
-    """A script or notebook cell that uses the ROS faces by itself: its streams are the real ones."""
+    """A script or notebook cell that uses ROS packages directly: its streams are the real ones."""
 
     def has_imported(self, package: str) -> bool:
-        """Whether this interpreter, whose imports no loader sees, has imported a package."""
+        """Return whether this interpreter, whose imports no loader observes, has imported a package."""
         return package in sys.modules
 
     def write(self, stream: str, text: str) -> None:
@@ -57,15 +59,16 @@ class AmbientProcess(Process):
         target.flush()
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
+        """Start a thread as every program does; a real thread starts a real one, which runs independently of the main thread."""
         if current_task().is_real_thread:
             return start_real_thread(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)
 
 
 def make_ambient_process(task: AmbientTask) -> Process:
-    """A process around `task`, with a graph, an index of what was sourced and a host of its own. In a script that sees the real
-    clock simulated time is real time.
+    """Create a process around `task`, with its own graph, host and index of sourced packages.
+
+    In a script that reads the real clock, simulated time equals real time.
     """
     task.real_threads = RealThreads(task)
     if script_sees_the_clock():
@@ -77,7 +80,7 @@ def make_ambient_process(task: AmbientTask) -> Process:
 
 
 def ambient_process_on(host: Host, task: AmbientTask) -> Process:
-    """A process around `task` on a machine that there is already."""
+    """Create a process around `task` on an existing machine."""
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.lifecycle.task = task
@@ -85,6 +88,6 @@ def ambient_process_on(host: Host, task: AmbientTask) -> Process:
     process.sourced_path = sourced_path()
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.streams.stdin = sys.stdin
-    process.streams.is_writing = True  # to the real streams, always
+    process.streams.is_writing = True  # always to the real streams
     process.signals.handlers.clear()
     return process

@@ -1,7 +1,7 @@
-"""The part of a machine's recording that belongs to one command: its programs from start to end, and what ran beside them.
+"""The part of a machine's recording that belongs to one command: its programs from start to end, and other programs meanwhile.
 
-A machine outlives its commands. Who is asked about one of them must not hear of programs that ended before it, and of what others
-did beside it only as much as its own programs could notice.
+A machine runs longer than its commands. Advice on a command must not mention earlier programs. Of concurrent programs, it
+may use only what the command's own programs could notice.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ Row = list[Any]
 
 
 class Excerpt:
-    """What one command did, and what was there meanwhile.
+    """The records of one command, and of other programs that ran at the same time.
 
-    :param recorder: of the machine.
-    :param leader: process id of the command. Raises KeyError when no such program was recorded.
-    :ivar beside: of other programs that ran meanwhile, by their names in the excerpt: the command line that started each.
-    :ivar programs: launch names of the command's own programs. Another program of such a name is renamed in the excerpt.
+    :param recorder: the recorder of the machine.
+    :param leader: process id of the command. Raises KeyError for an unknown program.
+    :ivar beside: for each other program of that time, by its name in the excerpt, the command line that started it.
+    :ivar programs: launch names of the command's own programs. Other programs with such a name are renamed in the excerpt.
     """
 
     def __init__(self, recorder: Recorder, leader: int) -> None:
@@ -47,13 +47,13 @@ class Excerpt:
         self.programs = frozenset(self._names[pid] for pid in own if pid in self._names)
 
     def _overlaps(self, start: int, end: int | None) -> bool:
-        """Whether something lived while the command ran; what ended at the moment of its start did not."""
+        """Return whether an object existed while the command ran; one that ended at the moment of the start did not."""
         return start <= self._until and (end is None or end > self._since)
 
     def content(self, launch: dict[str, Any]) -> dict[str, Any]:
-        """The excerpt as plain data, with the parts of a recording.
+        """Return the excerpt as plain data, with the parts of a recording.
 
-        :param launch: what is known of the launch, when the command is one that a session began.
+        :param launch: the record of the launch, if a session began the command.
         """
         recorder = self._recorder
         nodes = list(self._nodes())
@@ -86,19 +86,19 @@ class Excerpt:
         }
 
     def _nodes(self) -> Iterator[Row]:
-        """The nodes that lived meanwhile; those of another computer belong to no recorded program."""
+        """Return the nodes of that time; nodes of another computer belong to no recorded program."""
         pids = self._recorder.pids
         for row in self._recorder.nodes:
             if self._overlaps(row[2], row[3]):
                 yield [row[0], self._names.get(pids.get(row[4], 0), row[1]), *row[2:]]
 
     def _rows(self, rows: list[Row]) -> list[Row]:
-        """What was written meanwhile: rows are in order of time."""
+        """Return the rows of that time, which are in order of time."""
         start = bisect_left(rows, self._since, key=lambda row: row[0])
         return rows[start : bisect_right(rows, self._until, key=lambda row: row[0])]
 
     def _facts(self) -> list[Row]:
-        """Those of the programs that ran meanwhile."""
+        """Return the rows of programs that ran at that time."""
         rows = [
             [row[0], self._names[pid], *row[2:]]
             for pid, row in self._recorder.facts_of()
@@ -107,7 +107,7 @@ class Excerpt:
         return sorted(rows, key=lambda row: row[0])
 
     def _topics(self, endpoints: list[Row]) -> Iterator[dict[str, Any]]:
-        """The messages of the publishers that were there; what they keep for late subscriptions counts from before, too."""
+        """Return the messages of publishers of that time, including earlier ones that they keep for late subscriptions."""
         heard = {row[4] for row in endpoints if row[0] == 'publisher'}
         kept = {row[4] for row in endpoints if row[0] == 'publisher' and 'transient_local' in row[6]}
         named = {(row[1], row[2]) for row in endpoints if row[0] == 'publisher'}

@@ -1,4 +1,4 @@
-"""What a simulated machine and a session get from the rooms above: the `ros2` tool, a shell, help for errors."""
+"""Parts that wings above provide to a simulated machine and a session: the `ros2` tool, a shell, help for errors."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from edulaunch.runtime.shell import SimulatedShell
 
 
 def command_set() -> CommandSet:
-    """The commands of a machine on which ROS 2 is installed."""
+    """Return the commands of a machine with ROS 2."""
     return CommandSet({'ros2': ros2_command.run}, SimulatedShell())
 
 
 def hint_of(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
-    """The line of help below an error; None when no rule knows it.
+    """Return the line of help below an error; None if no rule recognises it.
 
     :param error: type, message, place, facts and process, as plain data.
-    :param env: of the program in whose terminal it is read.
+    :param env: the environment of the program in whose terminal the user reads it.
     """
     help: str | None = view('help_below')(error, env)
     return None if help is None else f'  help: {help}'
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """The help for an error as plain data (type, message, place, facts), in one line; None when no rule knows it."""
+    """Return the help for an error as plain data (type, message, place, facts), in one line; None if no rule recognises it."""
     help: str | None = view('help_of')(error)
     return help
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """The help for an error of which only facts are known, in one line; '' when there are none."""
+    """Return the help for an error of which only facts are known, in one line, or an empty string."""
     help: str = view('help_of_facts')(facts)
     return help

@@ -154,7 +154,7 @@ class Watcher:
         """Python has not confirmed a signal in time."""
         now_s = time.monotonic()
         if self._end_at_s is not None and now_s >= self._end_at_s:
-            self._end(f'{self._where()} does not let the run end')
+            self._end(f'{self._where()} prevents the end of the run')
         elif self._judge_at_s is not None and now_s >= self._judge_at_s:
             self._judge_at_s = None
             if self._presses >= 3:

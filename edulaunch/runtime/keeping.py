@@ -1,4 +1,4 @@
-"""What lets the recording of a run be kept whatever ends it: signals from outside, no memory left, no open file left."""
+"""Keep the recording of a run that ends early: by a signal from outside, or without memory or open files."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from edulaunch.errors import EdulaunchError
 from edulaunch.runtime.interrupt_watcher import WatchedSignals
 
 ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
-"""Signals that end a program: `kill`, a terminal that closes, Ctrl-backslash."""
+"""Signals that end a program: `kill`, a closed terminal, Ctrl-backslash."""
 SPENT = (errno.EMFILE, errno.ENFILE, errno.ENOMEM)
 MEMORY_BYTES = 32 << 20
 DESCRIPTORS = 8
 
 
 class Ending:
-    """In force, the first signal of `ENDING` lets a run stop between two steps; a second one raises KeyboardInterrupt.
+    """While active, the first signal of `ENDING` makes a run stop between two steps; a second one raises KeyboardInterrupt.
 
-    Python would end at once, and the recording with it. A signal that somebody else handles or ignores (`nohup`) stays as it is,
-    and so do all of them outside the main thread.
+    Without it, Python would end immediately and lose the recording. Signals that are ignored (`nohup`) or have another handler do
+    not change, and outside the main thread none changes.
 
     :param stop: called at the first signal.
-    :ivar came: the first signal that came; None before.
-    :ivar watched: where a signal that was heard is confirmed.
-    :ivar is_saving: the run is over and its recording is written: further signals wait until that is done.
+    :ivar came: the first signal that arrived, or None.
+    :ivar watched: confirms a signal that has arrived.
+    :ivar is_saving: the run is over and its recording is being written, so further signals wait.
     """
 
     def __init__(self, stop: Callable[[], object] = lambda: None) -> None:
@@ -61,15 +61,15 @@ class Ending:
             raise KeyboardInterrupt
 
     def text(self, elapsed_s: float) -> str:
-        """What ended the run, and when in simulated seconds."""
+        """Return which signal ended the run, and when in simulated seconds."""
         return f'{signal.Signals(self.came or 0).name} ended the run at {elapsed_s:.2f} s of simulated time'
 
 
 @contextmanager
 def first_interrupt_waits(text: str) -> Iterator[None]:
-    """Let the first Ctrl-C print a note only, while something is done that should be finished. The second one interrupts.
+    """Make the first Ctrl-C print only a note during work that should be finished. The second one interrupts.
 
-    :param text: the note: what is done, and what a second Ctrl-C gives up.
+    :param text: the note, which names the work and what a second Ctrl-C loses.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.default_int_handler or threading.current_thread() is not threading.main_thread():
@@ -88,35 +88,35 @@ def first_interrupt_waits(text: str) -> Iterator[None]:
 
 
 class Reserve:
-    """Some memory and open files that are put aside for the end of a run, when a program may have taken all others."""
+    """Some memory and open files that are reserved for the end of a run, in case a program takes all others."""
 
     def __init__(self) -> None:
         self._memory = bytearray(MEMORY_BYTES)
         self._files = [os.open(os.devnull, os.O_RDONLY) for _ in range(DESCRIPTORS)]
 
     def release(self) -> None:
-        """Give them back; doing it twice is doing it once."""
+        """Release the reserve; repeating it changes nothing."""
         self._memory = bytearray()
         while self._files:
             os.close(self._files.pop())
 
 
 def spent(error: BaseException | None) -> EdulaunchError | None:
-    """The sentence for an error that says that a program took all memory or all open files; None for any other error."""
+    """Return the error message if a program took all memory or all open files; None for any other error."""
     if isinstance(error, MemoryError):
-        what, help = 'memory', 'look for a list or a text in a program that grows without end'
+        what, help = 'memory', 'look for a list or string in a program that grows without limit'
     elif isinstance(error, OSError) and error.errno in SPENT:
         what, help = f'resources ({error.strerror})', 'look for a program that opens files or sockets and never closes them'
     else:
         return None
-    return EdulaunchError(f'the programs of the run took all {what} that this computer gives; the run ended there', help=help)
+    return EdulaunchError(f'the run ended early, because its programs used all {what} of this computer', help=help)
 
 
 def run_kept(run: Callable[[], object], stop: Callable[[], object], note_end: Callable[[], object]) -> None:
-    """Run a simulation so that a signal, or a program that takes everything, ends it and leaves its recording.
+    """Run a simulation so that a signal or an exhausted computer ends it without losing its recording.
 
-    :param stop: lets it stop between two steps.
-    :param note_end: records that it ended before its time.
+    :param stop: makes it stop between two steps.
+    :param note_end: records that it ended early.
     """
     reserve = Reserve()
     try:
@@ -135,8 +135,8 @@ def run_kept(run: Callable[[], object], stop: Callable[[], object], note_end: Ca
 
 
 def advice_or_why_not(look: Callable[[], list[str]]) -> list[str]:
-    """The lines of advice that `look` makes; one line that says so when it fails: advice costs no recording."""
+    """Return the lines of advice from `look`. If that fails, return one warning, so that the recording is not lost."""
     try:
         return look()
     except Exception as error:
-        return [f'warning: edulaunch could not look for advice on this run ({type(error).__name__}: {error})']
+        return [f'warning: edulaunch could not check this run for mistakes ({type(error).__name__}: {error})']

@@ -1,4 +1,4 @@
-"""`ros2 launch` as a process of the simulation, and how its end is told."""
+"""`ros2 launch` as a process of the simulation, and how its failure is reported."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from edulaunch.errors import LaunchFileError
 from edulaunch.runtime.fittings import help_of
 
 _STOPPED = {
-    'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
+    'KeyboardInterrupt': ('the launch file was interrupted', 'run it again'),
     'RunawayProgramError': (
         'the launch file never came to its end and was stopped',
         'look for a loop that does not end: a launch file only says what to start',
@@ -25,7 +25,7 @@ _STOPPED = {
 
 
 class Explanation(NamedTuple):
-    """An error in words: ROS 2's text with the place in the student's file, and what to try; and what is known, as data."""
+    """An error for people: ROS 2's message, the place in the student's file, what to try, and the facts as data."""
 
     text: str
     help: str | None
@@ -58,16 +58,16 @@ class LaunchRun:
         self.recorder = recorder
 
     def start(self) -> None:
-        """Let the process begin."""
+        """Start the process."""
         self._host.adopt(self.process)
 
     @property
     def is_over(self) -> bool:
-        """Whether launch has ended."""
+        """Return whether launch has ended."""
         return self.process.returncode is not None
 
     def interrupt(self) -> None:
-        """SIGINT for launch and, in a terminal, for everything it started."""
+        """Send SIGINT to launch and, in a terminal, to everything it started."""
         self.process.send_signal(signal.SIGINT)
         if self.interactive:
             for process in self._host.processes:
@@ -77,7 +77,7 @@ class LaunchRun:
                 program.send_signal(signal.SIGINT)
 
     def _main(self, process: Process) -> int:
-        """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""
+        """The main program of `ros2 launch FILE name:=value ...`; return launch's own return code."""
         from launch import LaunchDescription, LaunchService
         from launch.actions import IncludeLaunchDescription
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
@@ -89,14 +89,14 @@ class LaunchRun:
 
     @property
     def error(self) -> BaseException | None:
-        """The first exception that launch caught, if any."""
+        """Return the first exception that launch caught, if any."""
         errors = self.process.state.get('launch.exceptions')
         return errors[0] if errors else None
 
     def raise_error(self) -> None:
-        """Raise what went wrong in the launch file, if something did.
+        """Raise the error of the launch file, if there was one.
 
-        :raises LaunchFileError: with ROS 2's text, the place and one line of help.
+        :raises LaunchFileError: with ROS 2's message, the place and one line of help.
         """
         error = self.error
         if error is not None:
@@ -109,12 +109,12 @@ class LaunchRun:
             raise LaunchFileError(what if place is None else f'{what}\n  at {place}', help=help)
 
     def describe(self, recorder: Recorder) -> None:
-        """Tell the recorder what was launched."""
+        """Pass the launch file and its arguments to the recorder."""
         recorder.launch = describe(self)
 
 
 def explain(error: BaseException, index: Index) -> Explanation:
-    """An exception from a launch file as a message for people; places are in the student's own files."""
+    """Return an exception from a launch file as a message for people; places are in the student's own files."""
     from launch._failure import failure_data
 
     data = failure_data(error, index)
@@ -123,7 +123,7 @@ def explain(error: BaseException, index: Index) -> Explanation:
 
 
 def describe(launch: LaunchRun) -> dict[str, Any]:
-    """What a recording keeps of a launch."""
+    """Return the record of a launch for a recording."""
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     explanation = None if (error := launch.error) is None else explain(error, launch.process.index)
@@ -158,15 +158,15 @@ def _declared(argument: Any) -> list[Any]:
 
 
 def note_unread_arguments(process: Process, given: Iterable[str]) -> None:
-    """Note what :class:`UnreadArgument` says as facts (`argument unread`), of a `ros2 launch` that somebody typed."""
+    """Note the unused arguments of a typed `ros2 launch` as facts (`argument unread`); see :class:`UnreadArgument`."""
     for one in _unread_arguments(process, given):
         process.fact('argument unread', (one.name, one.included), one._asdict())
 
 
 def _unread_arguments(process: Process, given: Iterable[str]) -> list[UnreadArgument]:
-    """Launch arguments that no launch file declares or reads, and those of an include that the included file does not declare.
+    """Yield launch arguments that no launch file declares or reads, and arguments of an include that its file does not declare.
 
-    ROS 2 accepts them in silence.
+    ROS 2 accepts them silently.
     """
     state, source = process.state, process.index.source_path
     read, names = state.get('launch.read', ()), [argument.name for argument in state.get('launch.declared', ())]

@@ -1,4 +1,4 @@
-"""Launch files, found as `ros2 launch` finds them."""
+"""Find launch files as `ros2 launch` does."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
 def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
-    """The absolute path of a launch file, given as `ros2 launch` takes it.
+    """Return the absolute path of a launch file, given as for `ros2 launch`.
 
-    :raises UnusableInput: with the text of `ros2 launch`, and the nearest name there is.
+    :raises UnusableInput: with the message of `ros2 launch`, and the nearest name.
     """
     first = os.fspath(path_or_package)
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
@@ -31,7 +31,7 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
         path = str(get_share_file_path_from_package(package_name=first, file_name=file))
         return path if os.path.isfile(path) else _existing_file(os.path.realpath(path))
     except MultipleLaunchFilesError as error:
-        raise UnusableInput(str(error), help='give the path of the one you mean') from None
+        raise UnusableInput(str(error), help='give the path of the launch file') from None
     except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
         text = str(error.args[0]) if error.args else str(error)
         raise UnusableInput(text, help=_nearest_help(index, first, file)) from None
@@ -80,9 +80,9 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
 
 
 def launch_argument(word: str) -> tuple[str, str]:
-    """Name and value of a `name:=value`.
+    """Return name and value of `name:=value`.
 
-    :raises UnusableInput: for another word, with ROS 2's text.
+    :raises UnusableInput: for another word, with ROS 2's message.
     """
     name, sign, value = word.partition(':=')
     if not (name and sign and value):
@@ -92,8 +92,10 @@ def launch_argument(word: str) -> tuple[str, str]:
 
 
 def launch_files_of(index: Index, package: str) -> list[str]:
-    """Names of the launch files in a package's share, in alphabetical order; of plain .py, .xml and .yaml files only those that
-    lie in a folder called launch."""
+    """Return the names of the launch files in a package's share, in alphabetical order.
+
+    Files that end in plain .py, .xml or .yaml count only in a folder named launch.
+    """
     return sorted(
         {
             name

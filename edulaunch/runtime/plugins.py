@@ -1,9 +1,9 @@
-"""Plug-ins: what adds verbs, options, packages and rules to edulaunch without being known to it.
+"""Plug-ins: packages that add verbs, options, packages and rules to edulaunch, without being known to it.
 
-An entry point of the group `edulaunch.plugins` names a :class:`Plugin`, in the `pyproject.toml` of whoever brings it. They are
-looked for once in a process: when a word is not built in, for help and completion, and by those who need all plug-ins of a kind.
-`importlib.metadata` would take 50 ms to be loaded and 20 ms to look. So this file reads `entry_points.txt` of each folder of
-metadata on the path by itself, as the packaging standard describes that file, in 2 ms.
+An entry point of the group `edulaunch.plugins` in the `pyproject.toml` of a package names a :class:`Plugin`. A process searches
+for them at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
+`importlib.metadata` takes 50 ms to load and 20 ms to search. So this file reads `entry_points.txt` of each folder of
+metadata on the path itself, in 2 ms, in the form of the packaging standard.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ class Verb(NamedTuple):
 class GradingVerb(NamedTuple):
     """A verb of the grader.
 
-    :ivar function: the function of the words behind the verb that returns the exit code: `module:function`.
-    :ivar example: how it is called, for `edugrade --help`, without `edugrade` in front.
-    :ivar about: what that does.
+    :ivar function: `module:function` for the words after the verb; it returns the exit code.
+    :ivar example: an example call for `edugrade --help`, without the leading `edugrade`.
+    :ivar about: the purpose of the example.
     """
 
     function: str
@@ -48,22 +48,22 @@ class GradingVerb(NamedTuple):
 
 
 class Plugin(NamedTuple):
-    """What a plug-in adds. Modules are named, and loaded when they are used.
+    """The contents of a plug-in. It names modules, which are loaded when they are used.
 
-    :ivar needs: modules of other plug-ins without which it is not there.
+    :ivar needs: modules of other plug-ins; without them, this plug-in counts as missing.
     :ivar verbs: verbs of `edulaunch`.
     :ivar grading: verbs of `edugrade`.
-    :ivar options: options of a command, `launch`, `ros2 launch` or `view`. The module has `add_options(parser)` and the function
-        that the command calls. `launch` calls `session_class(arguments)`, and `ros2 launch` calls `begin(arguments, process)`.
-        `view` calls `view(arguments)`, which returns what to serve in place of the page.
-    :ivar services: what answers inside the machine: the module that makes it. `edulaunch.desk.machine.network` says what the
-        service `network` has. Of any other one, `peer(machine, connection)` returns who talks on a connection.
-    :ivar packages: folders with ROS packages in source form, which are found behind those of the student.
-    :ivar rules: modules with rules of advice, by what they look at: one of `edulaunch.advice.rule.KINDS`.
-    :ivar templates: files for a course, for `edulaunch course template NAME`: `module:function`. It is called in the folder of
-        the course with the text of requirements.txt and (name, path) of each exercise, and returns the files by path.
+    :ivar options: options of a command (`launch`, `ros2 launch` or `view`): a module with `add_options(parser)`. The command also
+        calls `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`, and `view(arguments)` for
+        `view`, which returns what to serve in place of the page.
+    :ivar services: services of the machine: the module that creates each. `edulaunch.desk.machine.network` defines the
+        service `network`. For any other one, `peer(machine, connection)` returns the peer of a connection.
+    :ivar packages: folders with ROS packages in source form, which are searched after those of the student.
+    :ivar rules: modules with rules of advice, by their subject: one of `edulaunch.advice.rule.KINDS`.
+    :ivar templates: files for a course, for `edulaunch course template NAME`: `module:function`. It runs in the folder of
+        the course, receives the content of requirements.txt and (name, path) of each exercise, and returns the files by path.
     :ivar parsers: other commands that the Tab key completes, each with the function that returns its parser: `module:function`.
-    :ivar functions: functions that the package `edulaunch` offers in the plug-in's place: `module:function`.
+    :ivar functions: functions that the package `edulaunch` offers from the plug-in: `module:function`.
     """
 
     needs: tuple[str, ...] = ()
@@ -79,7 +79,7 @@ class Plugin(NamedTuple):
 
 
 class Source(NamedTuple):
-    """Which of our own plug-ins brings something, and how it is installed."""
+    """The plug-in of edulaunch that provides something, and how to install it."""
 
     plugin: str
     install: str
@@ -107,18 +107,18 @@ SOURCES = {
         for verb in ('batch', 'classroom', 'doctor', 'export', 'gradescope', 'sign', 'similar', 'verify')
     },
 }
-"""What our own plug-ins bring, so that one that is asked for and not there can be named."""
+"""The contents of our own plug-ins, so that errors can name a missing one."""
 
 
 @cache
 def plugins() -> dict[str, Plugin]:
-    """The plug-ins that are here, by name. One that cannot be loaded is named in a warning on standard error."""
+    """Return the installed plug-ins by name. Print a warning for one that cannot be loaded."""
     return _usable(lambda name: True)
 
 
 @cache
 def plugins_of_others() -> dict[str, Plugin]:
-    """Those of somebody else, by name. Our own bring no packages and no rules, and so a run need not load them."""
+    """Return third-party plug-ins by name. Our own have no packages and no rules, so a run need not load them."""
     ours = {source.plugin for source in SOURCES.values()}
     return _usable(lambda name: name not in ours)
 
@@ -133,7 +133,7 @@ def _usable(is_wanted: Callable[[str], bool]) -> dict[str, Plugin]:
 
 
 class Entry(NamedTuple):
-    """An entry point: its name, `module:object`, and which distribution has it."""
+    """An entry point: its name, `module:object`, and its distribution."""
 
     name: str
     place: str
@@ -141,9 +141,9 @@ class Entry(NamedTuple):
 
 
 def entries() -> Iterator[Entry]:
-    """The entry points of the group in all distributions that are installed as folders on the path.
+    """Return the entry points of the group in all distributions that are folders on the path.
 
-    The current folder is none of them: `python -m` puts it on the path, and what lies there may be a submission.
+    The current folder does not count: `python -m` puts it on the path, and it may contain a submission.
     """
     here = os.path.realpath(os.curdir)
     for folder in sys.path:
@@ -173,7 +173,7 @@ def _entries_of(path: str, owner: str) -> Iterator[Entry]:
 
 @cache
 def _loaded(entry: Entry) -> Plugin | None:
-    """The plug-in; None when its folder was taken away, or when it is broken."""
+    """Return the plug-in, or None if its folder was deleted or it is broken."""
     module = entry.place.partition(':')[0]
     try:
         plugin = function(entry.place)
@@ -183,17 +183,17 @@ def _loaded(entry: Entry) -> Plugin | None:
         return None
     if isinstance(plugin, Plugin):
         return plugin
-    _warn(entry, f'{entry.place} is no edulaunch.runtime.plugins.Plugin')
+    _warn(entry, f'{entry.place} is not an edulaunch.runtime.plugins.Plugin')
     return None
 
 
 def _warn(entry: Entry, why: str) -> None:
     print(f'warning: the plug-in {entry.name!r} of {entry.owner} cannot be used: {why}', file=sys.stderr)
-    print(f'  help: repair {entry.place.partition(":")[0]}, or remove it: pip uninstall {entry.owner}', file=sys.stderr)
+    print(f'  help: fix {entry.place.partition(":")[0]}, or remove it: pip uninstall {entry.owner}', file=sys.stderr)
 
 
 def is_here(module: str) -> bool:
-    """Whether a module can be imported; its folder may have been taken away."""
+    """Return whether a module can be imported; its folder may have been deleted."""
     try:
         spec = find_spec(module)
     except ModuleNotFoundError:
@@ -202,71 +202,71 @@ def is_here(module: str) -> bool:
 
 
 def verbs() -> dict[str, Verb]:
-    """The verbs of `edulaunch` that plug-ins bring."""
+    """Return the verbs of `edulaunch` from plug-ins."""
     return {word: verb for plugin in plugins().values() for word, verb in plugin.verbs.items()}
 
 
 def grading_verbs() -> dict[str, GradingVerb]:
-    """The verbs of `edugrade` that plug-ins bring."""
+    """Return the verbs of `edugrade` from plug-ins."""
     return {word: verb for plugin in plugins().values() for word, verb in plugin.grading.items()}
 
 
 def offered(name: str) -> Any:
-    """A function that the package `edulaunch` offers in a plug-in's place, such as `edulaunch.check`.
+    """Return a function that the package `edulaunch` offers from a plug-in, such as `edulaunch.check`.
 
-    :raises UnusableInput: when no plug-in brings it.
+    :raises UnusableInput: when no plug-in provides it.
     """
     place = next((plugin.functions[name] for plugin in plugins().values() if name in plugin.functions), None)
     if place is None:
-        raise absent(f'edulaunch.{name}') or UnusableInput(f'no plug-in brings edulaunch.{name}')
+        raise absent(f'edulaunch.{name}') or UnusableInput(f'no plug-in provides edulaunch.{name}')
     return function(place)
 
 
 def parser_of(command: str) -> Any | None:
-    """The parser of another command that a plug-in brings, such as `edugrade`; None when no plug-in brings it."""
+    """Return the parser of another command from a plug-in, such as `edugrade`; None if no plug-in provides it."""
     return next((function(plugin.parsers[command])() for plugin in plugins().values() if command in plugin.parsers), None)
 
 
 def options_of_plugins(command: str) -> Iterator[Any]:
-    """The modules with options that plug-ins add to a command."""
+    """Return the modules with options that plug-ins add to a command."""
     return (import_module(plugin.options[command]) for plugin in plugins().values() if command in plugin.options)
 
 
 def package_folders() -> list[str]:
-    """The folders with ROS packages that plug-ins bring."""
+    """Return the folders with ROS packages from plug-ins."""
     return [folder for plugin in plugins_of_others().values() for folder in plugin.packages]
 
 
 def modules_with_rules(kind: str) -> list[Any]:
-    """The modules with rules of advice that plug-ins bring for one kind of thing."""
+    """Return the modules with rules of advice from plug-ins for one kind of subject."""
     return [import_module(plugin.rules[kind]) for plugin in plugins_of_others().values() if kind in plugin.rules]
 
 
 def template(name: str) -> Any | None:
-    """The function that makes the files of a template for courses; None when no plug-in brings it."""
+    """Return the function that creates the files of a template for courses; None if no plug-in provides it."""
     return next((function(plugin.templates[name]) for plugin in plugins().values() if name in plugin.templates), None)
 
 
 def service(name: str) -> Any | None:
-    """The module that makes a service of the machine; None when no plug-in brings it."""
+    """Return the module that creates a service of the machine; None if no plug-in provides it."""
     return next((import_module(plugin.services[name]) for plugin in plugins().values() if name in plugin.services), None)
 
 
 def function(place: str) -> Any:
-    """What `module:function` names."""
+    """Return the object that `module:function` names."""
     module, _, name = place.partition(':')
     return getattr(import_module(module), name)
 
 
 def _lacking(name: str) -> str:
-    """The plug-in itself, or the one that it needs and that is not here."""
+    """Return the plug-in itself, or the missing one that it needs."""
     found = next((_loaded(entry) for entry in entries() if entry.name == name), None)
     lacking = [need for need in found.needs if not is_here(need)] if found is not None else []
     return lacking[0].rpartition('.')[2] if lacking else name
 
 
 def absent(what: str) -> UnusableInput | None:
-    """The error for what one of our own plug-ins would bring if it was here; None for anything else.
+    """Return the error for a feature of one of our own plug-ins that is missing; None for any other feature.
 
     :param what: a command and its verb or option: 'edulaunch network', 'ros2 launch --network'.
     """

@@ -1,4 +1,4 @@
-"""The seam for the `ros2` command of a simulated machine: the wing `desk`, above this one, has it; the facade sets it here."""
+"""The connection to the `ros2` command of a simulated machine, which is in the wing `desk` above; the facade sets it here."""
 
 from __future__ import annotations
 
@@ -15,6 +15,6 @@ def _nobody(*arguments: Any) -> Any:
 run: Callable[[Any], Any] = _nobody
 """Called with the process of a `ros2` command line; returns its exit code."""
 complete: Callable[[list[str], str, Callable[[], Any], Callable[[str], list[str]]], Iterable[str]] = _nobody
-"""Called with the words behind `ros2`, what is typed of the next one, a function that gives the index of packages, and one that
-gives the lines which a command prints; returns what the next word may be.
+"""Called with the words after `ros2`, the typed part of the next word, a function that returns the index of packages, and one
+that returns the lines which a command prints. Returns the candidates for the next word.
 """

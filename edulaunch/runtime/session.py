@@ -1,4 +1,4 @@
-"""The composition root: the only place that wires simulation, graph, packages, processes and recorder together."""
+"""The composition root: the only place that connects simulation, graph, packages, processes and recorder."""
 
 from __future__ import annotations
 
@@ -37,26 +37,26 @@ from edulaunch.runtime.still_busy import StillBusy
 PathLike = str | os.PathLike[str]
 TURN_LIMIT_S = 2.0
 MOST_TRACES = 8
-"""A machine on which somebody launches all day keeps what the last launches did."""
+"""A machine on which a user launches all day keeps the traces of the last launches only."""
 
 
 class Session:
-    """A simulated machine with ROS 2 on it, on which launch files are run.
+    """A simulated machine with ROS 2 that runs launch files.
 
-    :param seed: of all randomness.
+    :param seed: the seed of all random numbers.
     :param workspaces: folders with packages (a colcon workspace, its `install` folder, or source packages), searched in this
-        order before the underlay.
-    :param env: environment of everything that runs; default: a copy of this program's, with USER set.
-    :param stdin: for programs that read their keyboard, by launch name ('game-2', or 'game' for each so called) or executable:
-        a text, which is there from the start; a list of (simulated seconds, text), each typed at its time; or an open text
-        file such as `sys.stdin` (while a program waits for it, simulated time keeps pace with real time).
+        order before the packages of edulaunch.
+    :param env: environment of all programs (default: a copy of this program's environment, with USER set).
+    :param stdin: keyboard input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. A string
+        is available from the start. A list of (simulated seconds, string) types each string at its time. An open text file,
+        such as `sys.stdin`, is read when a program waits for it; meanwhile, simulated time follows real time.
     :param console: called as console(stream, text) with everything that launch prints.
-    :param turn_limit_s: a program that keeps its turn for so many seconds of processor time is stopped, a few times later when
-        it still works on something (see `Watchdog`); 0: none is.
-    :ivar traces: what each launch on it did, the last ones; see `edulaunch.advice.plan.launch_trace`.
-    :ivar steps_launches: whether a launch that begins stops before its first action.
-    :param start_ns: what the clock shows at the beginning, in ns since 1970.
-    :param near: of two packages with one name, the one that is nearer to this folder counts. None means the current folder.
+    :param turn_limit_s: seconds of processor time after which a program that keeps its turn is stopped (see `Watchdog`); 0
+        disables the limit.
+    :ivar traces: the steps of the last launches; see `edulaunch.advice.plan.launch_trace`.
+    :ivar steps_launches: whether new launches stop before their first action.
+    :param start_ns: the time of the clock at the beginning, in ns since 1970.
+    :param near: of two packages with one name, the nearer one to this folder counts (default: the current folder).
     """
 
     simulation_class = Simulation
@@ -112,7 +112,7 @@ class Session:
         self.recorder.roots = list(with_real_paths(own))
 
     def _trace_of(self, process: Process) -> Any:
-        """What observes a launch that begins; the oldest ones that have ended are let go."""
+        """Return the observer of a new launch; the oldest traces of ended launches are dropped."""
         trace = view('launch_trace')(process)
         if self.steps_launches:
             trace.stepper.go('into')
@@ -138,13 +138,17 @@ class Session:
         interactive: bool = False,
         debug: bool = False,
     ) -> LaunchRun:
-        """Begin `ros2 launch`: a launch file by path, or by package and file name. It runs when the simulation does.
+        """Start `ros2 launch` with a launch file by path, or by package and file name. It runs when the simulation runs.
 
-        :param arguments: launch arguments by name; values are used as text.
-        :raises UnusableInput: when there is no such file or package; texts are those of `ros2 launch`.
+        :param path_or_package: path of a launch file, or name of a package.
+        :param file: name of a launch file in the package.
+        :param arguments: launch arguments by name; values are passed as strings.
+        :param interactive: whether a terminal sends Ctrl-C to the launched programs, too, so that launch does not repeat it.
+        :param debug: log at level DEBUG, as `ros2 launch --debug` does.
+        :raises UnusableInput: when there is no such file or package, with the messages of `ros2 launch`.
         """
         path = find_launch_file(self.index, path_or_package, file)
-        names = (path, self.index.source_path(path))  # a recording names the student's own file
+        names = (path, self.index.source_path(path))  # a recording has the path of the student's own file
         places = dict.fromkeys(map(os.path.dirname, names))
         self.recorder.roots += with_real_paths([(place, '@launch') for place in places])
         launch = LaunchRun(
@@ -156,18 +160,19 @@ class Session:
 
     @property
     def is_over(self) -> bool:
-        """Whether every launch has ended."""
+        """Return whether every launch has ended."""
         return all(launch.is_over for launch in self.launches)
 
     def run(self, duration_s: float | None = None, speed: float = 0.0) -> bool:
-        """Let simulated time pass: `duration_s` seconds more, or until every launch has ended.
+        """Let simulated time pass: `duration_s` more seconds, or until every launch has ended.
 
-        SIGINT (Ctrl-C, a notebook's interrupt button) ends it early, between two steps, and leaves a note in the recording;
-        a second one raises KeyboardInterrupt where it finds the program.
+        SIGINT (Ctrl-C, a notebook's interrupt button) ends it early, between two steps, and leaves a note in the recording.
+        A second one raises KeyboardInterrupt immediately.
 
+        :param duration_s: simulated seconds; None runs until every launch has ended.
         :param speed: simulated seconds per real second; 0 is as fast as possible.
         :returns: whether it was interrupted.
-        :raises UnusableInput: when `duration_s` is no number of seconds.
+        :raises UnusableInput: when `duration_s` is not a number of seconds.
         """
         until = None if duration_s is None else self.sim.now_ns + _nanoseconds(duration_s)
         with StillBusy() as still_busy, streams_of_programs(), Interruption(self.sim, still_busy.press) as interruption:
@@ -182,38 +187,39 @@ class Session:
         return interruption.came
 
     def note_end(self) -> None:
-        """Record that the run ended before its time."""
+        """Record that the run ended early."""
         self.recorder.note(None, 'interrupted', f'interrupted at {self.sim.elapsed_s:.2f} s of simulated time')
 
     def interrupt(self) -> None:
-        """Press Ctrl-C: every program of the terminal gets SIGINT, launch first."""
+        """Press Ctrl-C: every program of the terminal receives SIGINT, launch first."""
         for launch in self.launches:
             launch.interrupt()
 
     def describe(self) -> None:
-        """Tell the recorder what was launched until now, and which folders its digest leaves out."""
+        """Pass the launches until now to the recorder, and the folders that its digest leaves out."""
         for launch in self.launches:
             launch.describe(self.recorder)
         self.recorder.use_sources(self.index.source_path)
         self.recorder.roots += [root for root in self._installed_roots() if root not in self.recorder.roots]
 
     def recording(self) -> Recording:
-        """End the recording here and give it out."""
+        """End the recording here and return it."""
         self.describe()
         return self.recorder.recording()
 
     def glance(self) -> Recording:
-        """What happened until now, to be read before time goes on."""
+        """Return the recording until now, to be read before time passes."""
         found = self.recording()
         self.recorder.on = True
         return found
 
     def of_command(self, pid: int) -> Recording:
-        """What one command did from its start to its end (or until now), and what else ran meanwhile; to be read before time goes
-        on. `Recording.command` names its own programs.
+        """Return the records of one command from its start to its end or until now, and of programs that ran beside it.
+
+        Read the result before time passes. `Recording.command` names the command's own programs.
 
         :param pid: process id of the command.
-        :raises KeyError: when no such program was recorded.
+        :raises KeyError: for an unknown program.
         """
         self.describe()
         excerpt = Excerpt(self.recorder, pid)
@@ -223,7 +229,7 @@ class Session:
         return found
 
     def snapshot(self) -> Recording:
-        """What happened until now. Later events do not change it, and are kept for the next snapshot."""
+        """Return a copy of the recording until now. Later events do not change it, and appear in the next snapshot."""
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()
@@ -233,15 +239,16 @@ class Session:
         )
 
     def _installed_roots(self) -> list[list[str]]:
-        """Where packages and their modules lie: a workspace gives the same digest built and from source. And what else differs
-        from machine to machine.
+        """Return the folders of packages and modules, and other strings that differ between machines.
+
+        A workspace thus has the same digest built and from source.
         """
         prefixes = [path for path in self.index.search_paths() if path != underlay_prefix()]
         own = [*((path, '@prefix') for path in prefixes), *((path, '@python') for path in self.index.python_roots())]
         return [*with_real_paths(own), *machine_roots()]
 
     def close(self) -> None:
-        """End everything that still runs. Nothing of that is recorded."""
+        """End everything that still runs, without recording it."""
         self.recorder.stop()
         self.host.close()
 
@@ -258,19 +265,21 @@ def run(
 ) -> Recording:
     """Run a launch file in the simulation and return the recording of it.
 
-    Interrupted by Ctrl-C, a notebook's interrupt button, SIGTERM, SIGHUP or SIGQUIT, it returns what was recorded until then; a
-    warning says so.
+    If Ctrl-C, a notebook's interrupt button, SIGTERM, SIGHUP or SIGQUIT interrupts it, it prints a warning and returns the
+    recording so far.
 
-    :param path_or_package: path of a launch file; or a package, with `file` the name of a launch file in it.
+    :param path_or_package: path of a launch file; or a package, with `file` as the name of a launch file in it.
+    :param file: name of a launch file in the package.
     :param arguments: launch arguments by name, as on the command line.
-    :param duration_s: simulated seconds to run; what runs then is stopped without being recorded.
-    :param seed: equal launch file, arguments and seed give the same recording, byte for byte.
-    :param workspaces: folders with the student's packages; default: those that `edulaunch launch` finds from here, see
-        :func:`~edulaunch.engine.packages.discovery.find_workspaces`. An empty list is none.
-    :param console: called as console(stream, text) with everything that launch prints; without one, only what went wrong is told,
-        one line each on the error stream: programs that died and why, misspelt launch arguments, callbacks that wait for ever.
+    :param duration_s: simulated seconds to run; programs that still run are then stopped without being recorded.
+    :param seed: the same launch file, arguments and seed give the same recording, byte for byte.
+    :param workspaces: folders with the student's packages. The default is the same as in `edulaunch launch`, see
+        :func:`~edulaunch.engine.packages.discovery.find_workspaces`. An empty list uses no workspace.
+    :param console: called as console(stream, text) with everything that launch prints. Without it, problems are printed on the
+        error stream, one line each: programs that died and why, misspelt launch arguments, callbacks that wait forever.
+        :param session: further arguments of :class:`Session`, such as `env`, `stdin` and `start_ns`.
     :raises UnusableInput: when the file or package does not exist.
-    :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's own text, the
+    :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's message, the
         file and line, and what to try.
     """
     texts = {name: str(value) for name, value in (arguments or {}).items()}
@@ -292,13 +301,13 @@ def _nanoseconds(duration_s: float) -> int:
     except (OverflowError, TypeError, ValueError):
         found = -1
     if found < 0:
-        problem = f'duration_s is {duration_s!r}, and simulated seconds are expected'
-        raise UnusableInput(problem, help='write a number that is not below 0: duration_s=5')
+        problem = f'duration_s must be a number of simulated seconds, not {duration_s!r}'
+        raise UnusableInput(problem, help='write a number of at least 0, such as duration_s=5')
     return found
 
 
 def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
-    """An index of the workspaces over the packages of plug-ins, over the underlay.
+    """Return an index of the workspaces, the packages of plug-ins, and the packages of edulaunch, in this order.
 
     :param near: of two packages with one name, the one that is nearer to this folder counts. None means the current folder.
     """
@@ -308,9 +317,8 @@ def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
 
 
 def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:
-    """The environment of the simulated machine: ROS 2 Jazzy and the workspaces of an index are sourced in it, and there is a
-    user.
-    """
+    """Return the environment of the simulated machine: ROS 2 Jazzy and the workspaces of an index are sourced, and USER is
+    set."""
     found = dict(os.environ if env is None else env)
     found.setdefault('USER', 'student')
     found['PATH'] = os.pathsep.join(filter(None, [os.path.join(underlay_prefix(), 'bin'), found.get('PATH')]))

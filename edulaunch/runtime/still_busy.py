@@ -1,4 +1,4 @@
-"""Says, some time after Ctrl-C, which line of a program keeps a run from ending."""
+"""Print, some time after Ctrl-C, which line of a program prevents the end of a run."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from typing import Any
 from edulaunch.engine.processes.frame_owner import student_line
 
 PATIENCE_S = 0.7
-"""Real seconds between the press and the sentence."""
+"""Real seconds between the press and the message."""
 
 
 class StillBusy:
-    """With it: :meth:`press` starts the clock, and a run that ends in time stops it.
+    """A context in which :meth:`press` starts the timer, and the end of the run stops it.
 
-    A signal comes also inside a call of C code that looks for signals, such as a slow regular expression, where no thread runs.
-    It does nothing where there is no such signal. The sentence goes to what is the error stream at the beginning.
+    The signal also arrives inside a call of C code that checks signals, such as a slow regular expression, where no thread runs.
+    On systems without such a signal, nothing happens. The message goes to the error stream of the beginning.
     """
 
     def __init__(self) -> None:
@@ -33,7 +33,7 @@ class StillBusy:
         self.stop()
 
     def stop(self) -> None:
-        """The press has been heard: nothing has to be said."""
+        """The run has noticed the press, so no message is needed."""
         if self._is_armed:
             self._is_armed = False
             signal.setitimer(signal.ITIMER_REAL, 0)

@@ -101,10 +101,10 @@ def use_the_terminals(desk: Desk) -> None:
     """A command in the first, one that goes on in the second, where Tab works, too; Ctrl-C ends it."""
     page = desk.page
     desk.open('terminal')
-    page.get_by_label('a command for the machine', exact=True).fill('ros2 node list')
+    page.get_by_label('command for the machine', exact=True).fill('ros2 node list')
     page.keyboard.press('Enter')
     desk.until('.terminal', '/broadcaster2')
-    second = page.get_by_label('a command for the machine, terminal 2')
+    second = page.get_by_label('command for the machine, terminal 2')
     second.fill('ros2 topic echo /turtle1/po')
     second.press('Tab')
     desk.until_js("root.querySelectorAll('.term input')[1].value === 'ros2 topic echo /turtle1/pose '")
@@ -138,7 +138,7 @@ def test_the_page_beside_a_terminal(beside_terminal: Desk, shots: Path) -> None:
 def test_a_tab_that_is_closed_in_mid_run_loses_nothing(beside_terminal: Desk) -> None:
     old = beside_terminal
     old.open('terminal')
-    old.page.get_by_label('a command for the machine', exact=True).fill('ros2 topic echo /turtle1/pose')
+    old.page.get_by_label('command for the machine', exact=True).fill('ros2 topic echo /turtle1/pose')
     old.page.keyboard.press('Enter')
     old.until('.terminal', 'theta')
     context = old.page.context
@@ -149,7 +149,7 @@ def test_a_tab_that_is_closed_in_mid_run_loses_nothing(beside_terminal: Desk) ->
     new.seek_first('turtle1')
     assert new.pose('turtle1') == (5.54, 5.54) and 'turtle2' not in new.label()
     new.open('terminal')
-    new.page.get_by_label('a command for the machine', exact=True).fill('ros2 node list')
+    new.page.get_by_label('command for the machine', exact=True).fill('ros2 node list')
     new.page.keyboard.press('Enter')
     new.until('.terminal', '/listener')
     assert new.errors == []

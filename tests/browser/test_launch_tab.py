@@ -126,7 +126,7 @@ def test_a_launch_of_a_terminal_stops_where_the_page_wants_it(beside_terminal: D
     desk.until('.step', 'turtle_tf2_listener')
     desk.page.get_by_label('stop each new launch').check()
     desk.open('terminal')
-    desk.page.get_by_label('a command for the machine', exact=True).fill('ros2 launch turtlesim multisim.launch.py &')
+    desk.page.get_by_label('command for the machine', exact=True).fill('ros2 launch turtlesim multisim.launch.py &')
     desk.page.keyboard.press('Enter')
     desk.open('launch')
     desk.until('.where', 'Before: Node turtlesim_node')

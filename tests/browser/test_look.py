@@ -107,7 +107,7 @@ def test_a_widget_follows_the_theme_of_jupyterlab_until_somebody_chooses(live: D
     assert live.page.evaluate(theme) == 'dark', 'the system is light'
     live.page.evaluate("document.body.dataset.jpThemeLight = 'true'")
     live.page.wait_for_function(f"() => {theme} === 'light'")
-    live.press('dark or light')
+    live.press('switch between dark and light')
     live.page.evaluate("document.body.dataset.jpThemeLight = 'false'; document.body.dataset.jpThemeLight = 'true'")
     assert live.page.evaluate(theme) == 'dark'
 

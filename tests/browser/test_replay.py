@@ -112,7 +112,7 @@ def test_the_keyboard_plays_steps_and_jumps(desk: Desk) -> None:
 
 def test_one_message_back_and_on(desk: Desk) -> None:
     desk.seek(0.5)
-    desk.page.get_by_label('what one step is').select_option('message')
+    desk.page.get_by_label('size of a step').select_option('message')
     before = desk.time()
     desk.press('one step on')
     desk.frame()

@@ -73,7 +73,7 @@ def test_the_distance_is_a_line_in_seconds_and_metres(walk: Callable[..., Record
 
 def test_as_many_axes_as_windows(walk: Callable[..., Recording]) -> None:
     axes = Figure().subplots(1, 2)
-    with pytest.raises(ValueError, match='ax: 1 axes are needed, one for each window or tree, not 2'):
+    with pytest.raises(ValueError, match='ax must have 1 axes, one for each window or tree, not 2'):
         plot_turtles(walk(0.0, 1.0), ax=axes)
     assert plot_turtles(walk(0.0, 1.0), ax=axes[:1]) is not None
 

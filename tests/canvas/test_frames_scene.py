@@ -66,7 +66,7 @@ def test_from_a_side_the_height_of_a_lidar_is_seen(maker: Any) -> None:
         assert (laser.x, laser.y, laser.z) == place
         assert (laser.x_axis, laser.y_axis, laser.z_axis) == axes
     assert scene.caption() == 't=1.000 s: seen from the side, y and z: in base_link: laser at (0.200, 0.300)'
-    with pytest.raises(ValueError, match="there is no side 'xzy'") as caught:
+    with pytest.raises(ValueError, match="unknown side 'xzy'") as caught:
         frames_scene(recording, 1.0, 'xzy')
     assert "did you mean 'xz'" in caught.value.help  # type: ignore[attr-defined]
 

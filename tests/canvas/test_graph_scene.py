@@ -147,5 +147,5 @@ def test_a_loop_is_drawn_rather_than_followed(maker: Any) -> None:
 
 
 def test_no_frame_no_tree(maker: Any) -> None:
-    with pytest.raises(ValueError, match='nobody published to /tf or /tf_static'):
+    with pytest.raises(ValueError, match='no node published to /tf or /tf_static'):
         tree_scene(maker.done(1.0))

@@ -36,7 +36,7 @@ def test_a_plot_goes_on_axes_of_ones_own(walk: Walk) -> None:
     [
         ('/turtle1/poes', 'x', NotRecorded, '/turtle1/pose'),
         ('/turtle1/pose', 'thetta', NotRecorded, "did you mean 'theta'"),
-        ('/tf', 'transforms', NothingToDraw, 'no number'),
+        ('/tf', 'transforms', NothingToDraw, 'not a number'),
         ('/turtle1/pose', 'x..y', ValueError, 'no path of a field'),
         ('/turtle1/cmd_vel', 'linear.x', NothingToDraw, 'nothing was published'),
     ],
@@ -67,7 +67,7 @@ def test_a_log_table_is_filtered(demo: Recording) -> None:
     assert len(demo.log_table(word='spawning')) < len(every)
     assert {row[2] for row in demo.log_table(process='turtlesim_node-1').rows} == {'turtlesim_node-1'}
     assert len(demo.log_table(level='FATAL')) == 0
-    with pytest.raises(ValueError, match='no level'):
+    with pytest.raises(ValueError, match='unknown level'):
         demo.log_table(level='LOUD')
 
 
@@ -120,7 +120,7 @@ def test_things_that_never_met_have_no_distance(maker: Any) -> None:
     maker.node('/sim', publishes={'/turtle1/pose': POSE, '/turtle2/pose': POSE})
     maker.pose(0.0, 1.0, 1.0)
     maker.pose(5.0, 1.0, 1.0, turtle='/turtle2')
-    with pytest.raises(ValueError, match="'turtle1' and 'turtle2' were never there at the same time"):
+    with pytest.raises(ValueError, match="'turtle1' and 'turtle2' did not exist at the same time"):
         distance_scene(maker.done(6.0), 'turtle1', 'turtle2', 1.0)
 
 

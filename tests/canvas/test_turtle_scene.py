@@ -27,7 +27,7 @@ def test_a_walking_turtle_stands_at_the_end_of_its_trail(walk: Any) -> None:
 def test_the_caption_says_where_everybody_is(walk: Any) -> None:
     recording = walk(0.5, 2.0)
     assert scene_at(recording, 2.0).caption() == 't=2.000 s: turtle1 at (4.000, 3.000)'
-    assert scene_at(recording, 0.1).caption() == 't=0.100 s: nobody is there'
+    assert scene_at(recording, 0.1).caption() == 't=0.100 s: empty'
 
 
 def test_the_first_pose_counts_for_the_moment_before_it(walk: Any) -> None:

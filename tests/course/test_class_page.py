@@ -54,7 +54,7 @@ def test_the_command_writes_the_page_and_names_what_it_left_out(tmp_path: Path, 
     assert main(['course', 'class', str(tmp_path), '--out', str(out)]) == 1
     told = capsys.readouterr()
     assert told.out == f'{out}: 1 student. Open it in a browser\n'
-    assert told.err == 'mallory/my_progress.toml is left out: it is not TOML\n'
+    assert told.err == 'skipped mallory/my_progress.toml: it is not TOML\n'
     assert '<th scope="row">anna</th>' in out.read_text()
     (tmp_path / 'mallory' / 'my_progress.toml').unlink()
     assert main(['course', 'class', str(tmp_path), '--out', str(out)]) == 0

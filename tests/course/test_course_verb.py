@@ -87,11 +87,11 @@ def test_a_changed_file_is_never_overwritten(mine: Path, tmp_path: Path, capsys:
     capsys.readouterr()
     assert course('copy', copy, '--course', mine) == 2
     told = capsys.readouterr().err
-    assert 'you changed exercises/spin.launch.py: nothing was copied' in told and '--update' in told
+    assert 'nothing was copied, because you changed exercises/spin.launch.py' in told and '--update' in told
     assert {name: (copy / name).read_bytes() for name in files(copy)} == before
     for _ in range(2):  # a second time it is still the student's
         assert course('copy', copy, '--course', mine, '--update') == 0
-        assert 'left alone, for you changed it: exercises/spin.launch.py' in capsys.readouterr().out
+        assert 'kept, because you changed it: exercises/spin.launch.py' in capsys.readouterr().out
     assert (copy / 'exercises' / 'spin.launch.py').read_text() == '# my work\n'
     assert '3.0 m/s' in read_questions(str(copy / 'lessons' / '.questions')).questions['radius-of-circle'].text
     assert (copy / 'lessons' / '02_more.ipynb').is_file()

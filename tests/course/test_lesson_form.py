@@ -37,24 +37,24 @@ MISTAKES = {
         lambda all: all[1].update(outputs=[OUTPUT])
     ),
     'lessons/01_circle.ipynb: it does not begin with a heading': cells(lambda all: all.pop(0)),
-    'lessons/01_circle.ipynb: the cell id "title" is there 2 times': cells(lambda all: all.append(all[0])),
-    'lessons/01_circle.ipynb: the cell id "3f2A" is not made of words': cells(lambda all: all[0].update(id='3f2A')),
-    'lessons/01_circle.ipynb: nothing is kept of what the cell new gives': cells(lambda all: all.append({**all[1], 'id': 'new'})),
-    'lessons/01_circle.ipynb: outputs are kept of the cell set-up, which is gone': cells(lambda all: all.pop(1)),
+    'lessons/01_circle.ipynb: the cell id "title" appears 2 times': cells(lambda all: all.append(all[0])),
+    'lessons/01_circle.ipynb: the cell id "3f2A" must consist of words': cells(lambda all: all[0].update(id='3f2A')),
+    'lessons/01_circle.ipynb: the cell new has no stored outputs': cells(lambda all: all.append({**all[1], 'id': 'new'})),
+    'lessons/01_circle.ipynb: the outputs of a missing cell set-up are stored': cells(lambda all: all.pop(1)),
     'lessons/01_circle.ipynb is not a notebook: cell 2 has a "cell_type" that is not one of': cells(
         lambda all: all[1].pop('cell_type')
     ),
     'lessons/01_circle.ipynb is not a notebook: cell 2 has an "id" that is not a string': cells(lambda all: all[1].update(id=7)),
     'lessons/01_circle.ipynb is not a notebook: cell ': cells(lambda all: all.append(7)),
     'lessons/01_circle.ipynb is not a notebook: it is not JSON': lambda lessons: (lessons / '01_circle.ipynb').write_text('{'),
-    'lessons/01_circle.ipynb: the outputs of': lambda lessons: (lessons / '.outputs' / '01_circle.json').unlink(),
+    'lessons/01_circle.ipynb: cannot read the outputs of': lambda lessons: (lessons / '.outputs' / '01_circle.json').unlink(),
     'lessons/conftest.py is missing': lambda lessons: (lessons / 'conftest.py').unlink(),
-    'lessons/questions.toml has no question "radius-of-circle", which a lesson asks': questions('radius-of-circle', 'radius'),
+    'lessons/questions.toml has no question "radius-of-circle", which a lesson uses': questions('radius-of-circle', 'radius'),
     'lessons/questions.toml: the question "radius-of-circle" names the lesson 09_none': questions('01_circle', '09_none'),
-    'lessons/questions.toml has no explanation "why", which a lesson asks': cells(
+    'lessons/questions.toml has no explanation "why", which a lesson uses': cells(
         lambda all: all[1].update(source="explain('why', ...)")
     ),
-    'the questions in': questions("right = 'c'", 'right = '),
+    'cannot read the questions in': questions("right = 'c'", 'right = '),
 }
 
 

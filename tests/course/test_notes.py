@@ -31,7 +31,7 @@ def test_notes_are_listed_and_shown(mine: Path, capsys: pytest.CaptureFixture[st
         assert main(['course', 'notes', name, '--course', str(mine)]) == 0
         assert capsys.readouterr().out.strip() == NOTES.strip()
     assert main(['course', 'notes', '7', '--course', str(mine)]) == 2
-    assert 'There are: 01_circle' in capsys.readouterr().err
+    assert 'choose one of: 01_circle' in capsys.readouterr().err
     assert time_plan(NOTES) == [(5, '1.1 Drive'), (10, '1.2 The exercise')]
 
 

@@ -55,7 +55,7 @@ def test_they_are_found_in_the_folder_of_lessons_below(tmp_path: Path, monkeypat
         ("right = 'b'", "right = 'x'", 'has no right choice'),
         ("lesson = '01_first_launch'\ntext", 'text', "lacks 'lesson'"),
         ('choices', 'choice', "lacks 'choices'"),
-        ('[[question]]', '[[question', 'cannot be read'),
+        ('[[question]]', '[[question', 'cannot read the questions'),
         ('answer =', 'answers =', 'the explanation "why-a-warning" lacks \'answer\''),
     ],
 )

@@ -136,7 +136,7 @@ def test_without_a_browser_there_is_a_sentence_and_no_pdf(
 ) -> None:
     monkeypatch.setattr(pages, 'which', lambda name: None)
     assert main(['course', 'reader', str(mine.parent / 'out'), '--course', str(mine), '--kept', '--pdf']) == 1
-    assert 'no PDF: there is no Chromium here' in capsys.readouterr().out
+    assert 'no PDF, because no Chromium is installed' in capsys.readouterr().out
     assert 'course.pdf' not in (mine.parent / 'out' / 'index.html').read_text()
 
 

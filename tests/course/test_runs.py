@@ -59,7 +59,7 @@ def test_nothing_runs_again_until_something_changes(course: Path, ran: list[tupl
     both = ['01_one', '02_two']
     first, said = run_lessons(str(course), both, both), []
     assert run_lessons(str(course), both, both, said.append) == first and len(ran) == 2
-    assert said == ['2 of 2 lessons have not changed since they last ran']
+    assert said == ['2 of 2 lessons have not changed since their last run']
     notebook(course / 'lessons', '02_two', 'print(2)')
     run_lessons(str(course), both, both)
     assert [name for name, _ in ran[2:]] == ['02_two']

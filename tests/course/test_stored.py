@@ -39,7 +39,7 @@ def notebook(path: Path, *sources: str, tags: tuple[str, ...] = ()) -> Path:
 def test_a_clean_run_is_kept_without_paths_and_pictures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = notebook(tmp_path / 'one.ipynb', "print('seen')", 'x = 1', "import os; print(os.path.abspath('a.py'))", HTML)
     assert main(['course', 'store', str(path)]) == 0
-    assert 'its outputs are kept' in capsys.readouterr().out
+    assert 'stored the outputs' in capsys.readouterr().out
     kept = read_outputs(str(path))
     assert list(kept) == ['cell-0', 'cell-1', 'cell-2', 'cell-3']
     assert [output['text'] for output in kept['cell-0'] + kept['cell-2']] == ['seen\n', 'a.py\n'] and kept['cell-1'] == []
@@ -79,7 +79,7 @@ def test_a_cell_that_fails_is_named_without_frames_and_colours(tmp_path: Path, c
     assert main(['course', 'store', str(path)]) == 2
     assert capsys.readouterr().err == (
         f"error: {path}: the cell cell-1 failed: NameError: name 'missing' is not defined\n"
-        '  help: a cell that shall fail has the tag raises-exception\n'
+        '  help: if the cell should fail, give it the tag raises-exception\n'
     )
 
 

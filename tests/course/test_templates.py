@@ -120,7 +120,7 @@ def test_the_steps_of_the_workflow_do_what_they_say(course: Path, tmp_path: Path
 def test_what_is_there_already_stays(course: Path) -> None:
     assert write_template('docker', str(course)) == ['.dockerignore', 'Dockerfile']  # the same once more
     (course / 'Dockerfile').write_text('FROM scratch\n')
-    with pytest.raises(UnusableInput, match='says something else'):
+    with pytest.raises(UnusableInput, match='already exists with other content'):
         write_template('jupyterhub', str(course))
     assert (course / 'Dockerfile').read_text() == 'FROM scratch\n'
     with pytest.raises(UnusableInput, match='no template'):

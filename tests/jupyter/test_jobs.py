@@ -39,8 +39,8 @@ def test_a_launch_beside_a_job_says_so(desk: Any) -> None:
     desk.said.clear()
     desk.ros2('launch sim.launch.py --for 1')
     assert (
-        'note: [1] ros2 run demo_nodes_py talker still runs: this launch runs beside it, from t = 4.00 s of the same machine\n'
-        '  help: end it before you compare runs: %ros2 stop 1\n'
+        'note: [1] ros2 run demo_nodes_py talker still runs, so this launch starts beside it at t = 4.00 s on the same machine\n'
+        '  help: to compare runs, end it first: %ros2 stop 1\n'
     ) in ''.join(desk.said)
 
 

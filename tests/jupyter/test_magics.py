@@ -117,7 +117,7 @@ def test_the_tab_key_works_before_anything_runs_and_leaves_python_alone(shell: A
         ('plan sim.launch.py', 'turtlesim_node'),
         ('recording info nothing.rec', 'error: '),
         ('oops', "invalid choice: 'oops'"),
-        ('launch "sim', 'a quote is not closed'),
+        ('launch "sim', 'add the missing quotation mark'),
     ],
 )
 def test_the_other_command_works_in_a_cell_too(shell: Any, capsys: pytest.CaptureFixture[str], line: str, part: str) -> None:

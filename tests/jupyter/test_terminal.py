@@ -43,7 +43,7 @@ def test_ctrl_c_is_pressed_when_the_time_is_up(desk: Any) -> None:
 def test_without_a_time_the_terminal_says_that_it_pressed_ctrl_c(desk: Any) -> None:
     desk.ros2('launch sim.launch.py --for 1')
     desk.ros2('topic echo /turtle1/pose --field x')
-    assert desk.said[-1] == '^C (pressed for you at t = 2.00 s; say how long with --for SECONDS)\n'
+    assert desk.said[-1] == '^C (edulaunch pressed it at t = 2.00 s; set the time with --for SECONDS)\n'
 
 
 def test_tf_tools_run_in_the_same_machine(desk: Any) -> None:
@@ -109,7 +109,7 @@ def generate_launch_description():
 @pytest.mark.parametrize(
     ('line', 'message'),
     [
-        ('launch', 'launch what?'),
+        ('launch', 'no launch file is named'),
         ('topic echo "/x', 'cannot read this command: No closing quotation'),
         ('launch sim.launch.py --for soon', "--for needs a number from 0 to 1000000, not 'soon'"),
         ('launch sim.launch.py --for', "--for needs a number from 0 to 1000000, not 'nothing'"),
@@ -144,7 +144,7 @@ def test_the_interrupt_button_is_ctrl_c_for_the_command(desk: Any) -> None:
 
 def test_a_list_of_nothing_says_that_nothing_runs(desk: Any) -> None:
     desk.ros2('node list')
-    assert desk.output.startswith('note: nothing runs yet; start something: ')
+    assert desk.output.startswith('note: no program runs yet; start one with ')
     desk.ros2('launch sim.launch.py --for 1')
     desk.ros2('node list')
     assert desk.output == '/sim\n'

@@ -172,14 +172,14 @@ def table() -> list[list[list[str]]]:
 
 
 def page() -> str:
-    """The text of docs/features.md."""
+    """Return the content of docs/features.md."""
     rows = table()
     text = [HEAD, '| | feature | ' + ' | '.join(name[:2] for name in ORDER) + ' |', '|---|---|' + '---|' * len(ORDER)]
     for number, (feature, row) in enumerate(zip(FEATURES, rows, strict=True), 1):
         text.append(f'| {number} | {feature.name} | ' + ' | '.join(str(len(cells) or '-') for cells in row) + ' |')
     text += ['', '## The evidence', '', '| | first cell of each lesson | tests |', '|---|---|---|']
     for number, (feature, row) in enumerate(zip(FEATURES, rows, strict=True), 1):
-        first = ', '.join(f'{name[:2]}: `{cells[0]}`' for name, cells in zip(ORDER, row, strict=True) if cells)
+        first = ', '.join(f'`{name[:2]}: {cells[0]}`' for name, cells in zip(ORDER, row, strict=True) if cells)
         text.append(f'| {number} | {first} | {", ".join(f"`{test}`" for test in feature.tests)} |')
     return '\n'.join(text) + '\n'
 

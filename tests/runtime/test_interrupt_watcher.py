@@ -111,7 +111,7 @@ def test_a_run_that_does_not_end_on_sigterm_is_killed(folder: Path) -> None:
     with started(folder) as run:
         run.send_signal(signal.SIGTERM)
         place = f'a program at {folder}/run.py:18'
-        assert next(lines(run)) == f'error: {place} does not let the run end: the run was killed, and its recording is lost'
+        assert next(lines(run)) == f'error: {place} prevents the end of the run: the run was killed, and its recording is lost'
         assert run.wait() == -signal.SIGKILL
 
 

@@ -103,9 +103,13 @@ def test_what_is_spent_is_a_sentence_after_the_recording(
     assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 1
     assert len(steps(Recording.load(target))) == 4 and Recording.load(target).not_repeatable
     said = capsys.readouterr().err
-    assert 'error: the programs of the run took all ' in said and '  help: look for a ' in said and 'Traceback' not in said
+    assert (
+        'error: the run ended early, because its programs used all ' in said
+        and '  help: look for a ' in said
+        and 'Traceback' not in said
+    )
     assert len(steps(edulaunch.run(launch_file, duration_s=8.0))) == 4
-    assert 'error: the programs of the run took all ' in capsys.readouterr().err
+    assert 'error: the run ended early, because its programs used all ' in capsys.readouterr().err
 
 
 @pytest.mark.parametrize('presses', [1, 2])
@@ -130,7 +134,7 @@ def test_ctrl_c_while_the_recording_is_written(
         with pytest.raises(KeyboardInterrupt):
             main(words)
         assert not target.exists()
-    assert 'note: the recording is being written; press Ctrl-C again to end without it\n' in capsys.readouterr().err
+    assert 'note: still writing the recording; press Ctrl-C again to stop without it\n' in capsys.readouterr().err
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
@@ -151,7 +155,7 @@ def test_advice_that_breaks_costs_no_recording(
     strike_with(monkeypatch)
     monkeypatch.setattr('edulaunch.engine.recording.views._VIEWS', {**_VIEWS, 'judge': judge, 'closing_lines': judge})
     target = launch_file.parent / 'run.rec'
-    line = 'warning: edulaunch could not look for advice on this run (ValueError: a rule)\n'
+    line = 'warning: edulaunch could not check this run for mistakes (ValueError: a rule)\n'
     assert main(['launch', str(launch_file), '--fast', '--record', str(target)]) == 0
     assert capsys.readouterr().err.startswith(f'{line}recording: {target} (')
     assert len(steps(Recording.load(target))) == 10

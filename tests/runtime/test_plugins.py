@@ -69,7 +69,7 @@ def test_a_verb_stands_in_the_help_and_runs(installed: Installed, capsys: pytest
 
 
 def test_the_package_offers_a_function_of_a_plug_in(installed: Installed) -> None:
-    with pytest.raises(UnusableInput, match='no plug-in brings edulaunch.greet'):
+    with pytest.raises(UnusableInput, match='no plug-in provides edulaunch.greet'):
         plugins.offered('greet')
     installed('greeting', 'greeting_plugin:PLUGIN', GREETING)
     assert plugins.offered('greet')('you') == 'hello you'
@@ -80,7 +80,7 @@ def test_the_package_offers_a_function_of_a_plug_in(installed: Installed) -> Non
     [
         ('1 / 0', 'ZeroDivisionError: division by zero'),
         ('import no_such_module', "ModuleNotFoundError: No module named 'no_such_module'"),
-        ('PLUGIN = {}', 'odd_plugin:PLUGIN is no edulaunch.runtime.plugins.Plugin'),
+        ('PLUGIN = {}', 'odd_plugin:PLUGIN is not an edulaunch.runtime.plugins.Plugin'),
     ],
 )
 def test_a_broken_plug_in_is_named_and_the_others_are_there(
@@ -90,7 +90,7 @@ def test_a_broken_plug_in_is_named_and_the_others_are_there(
     installed('odd', 'odd_plugin:PLUGIN', text)
     assert 'greeting' in plugins.plugins() and 'odd' not in plugins.plugins()
     assert capsys.readouterr().err == (
-        f"warning: the plug-in 'odd' of odd cannot be used: {why}\n  help: repair odd_plugin, or remove it: pip uninstall odd\n"
+        f"warning: the plug-in 'odd' of odd cannot be used: {why}\n  help: fix odd_plugin, or remove it: pip uninstall odd\n"
     )
 
 

@@ -182,7 +182,10 @@ def explain(
 
     Each value has its origin and the values that it overrides.
 
-    :param path_or_package: as for :func:`edulaunch.run`.
+    The result is a tree of its includes, decisions and actions. Each value has its origin, and the values that it replaced.
+
+    :param path_or_package: path of a launch file, or name of a package.
+    :param file: name of a launch file in the package.
     :param arguments: launch arguments by name.
     :param workspaces: folders with packages; by default, the workspaces of the current folder.
     :param assume_packages: continue if packages are missing, with empty packages instead.

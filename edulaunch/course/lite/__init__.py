@@ -1,5 +1,5 @@
-"""The edition for a browser, which `edulaunch course lite` makes: the engine in Pyodide, a desk around it, exercises of a course.
+"""The browser edition, made by `edulaunch course lite`: the engine in Pyodide, a page for it, and the exercises of a course.
 
-`site.py` puts the files together, `in_browser.py` is what the page calls, `page/` is the page. `page/greenlet.py` stands for
-greenlet, which does not exist there: tasks are switched by suspending WebAssembly (JSPI). Figures: docs/in_the_browser.md.
+`site.py` collects the files, the page calls `in_browser.py`, and `page/` is the page. `page/greenlet.py` replaces
+greenlet, which does not exist there: tasks switch by suspending WebAssembly (JSPI). docs/in_the_browser.md has figures.
 """

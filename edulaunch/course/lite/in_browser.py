@@ -1,4 +1,4 @@
-"""What the page in the browser calls: the files to work on, a launch, and a check. Each answers with JSON."""
+"""The functions that the page in the browser calls: list files, launch, check. Each returns JSON."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ DEMOS = (
     ('turtle_tf2_py', 'turtle_tf2_fixed_frame_demo.launch.py', 'A carrot beside turtle1'),
     ('turtle_tf2_py', 'turtle_tf2_dynamic_frame_demo.launch.py', 'A carrot that moves'),
 )
-"""Launch files that come with edulaunch and start something to look at."""
+"""Launch files that come with edulaunch and start something visible."""
 
 
 def contents(course: str) -> str:
-    """The launch files to work on: those of the course that are one file, then some that come with edulaunch.
+    """Return the launch files to work on: exercises of the course that are one file, and some that come with edulaunch.
 
-    :param course: its folder, with course.toml or exercises/course.toml in it.
+    :param course: the folder of the course, with course.toml or exercises/course.toml in it.
     """
     from edugrade.course import read_course
 
@@ -48,22 +48,22 @@ def _file(path: str) -> dict[str, str]:
 
 
 def launch(path: str, text: str, words: str, seconds: float, say: Callable[[str], object]) -> str:
-    """Save and launch a file; gives the page that plays the run.
+    """Save and launch a file; return the page that replays the run.
 
     :param words: launch arguments, ``name:=value ...``.
-    :param seconds: simulated ones.
-    :param say: is called with what is printed.
+    :param seconds: simulated seconds.
+    :param say: called with printed lines.
     """
     return _answer(lambda: _launched(_saved(path, text), _arguments(words), seconds, say))
 
 
 def check(path: str, text: str) -> str:
-    """Save and grade a file; gives the report as a page."""
+    """Save and grade a file; return the report as a page."""
     return _answer(lambda: _checked(_saved(path, text)))
 
 
 def _answer(work: Callable[[], dict[str, str]]) -> str:
-    """What the page shows: `page`, an HTML page, or `error`, a text."""
+    """Return the result for the page: `page`, an HTML page, or `error`, a message."""
     try:
         return json.dumps(work())
     except EdulaunchError as error:
@@ -83,7 +83,7 @@ def _arguments(words: str) -> dict[str, str]:
     found = [word.partition(':=') for word in shlex.split(words)]
     for name, sign, _ in found:
         if not sign:
-            raise UnusableInput(f'{name} is no launch argument', help='write name:=value, with spaces between several')
+            raise UnusableInput(f'{name} is not a launch argument', help='write name:=value, with spaces between several')
     return {name: value for name, _, value in found}
 
 

@@ -1,4 +1,4 @@
-"""`edulaunch course lite`: the files of the edition for a browser, which any web server can give out."""
+"""`edulaunch course lite`: write the files of the browser edition, which any web server can serve."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'page')
 LEFT_OUT = ('__pycache__', 'ours')
 BINARY = ('.so', '.pyd', '.pyc')
 WANTED = 'numpy'
-"""Taken along where the runtime's folder has it: messages with arrays of numbers need it."""
+"""Included if the folder of the runtime has it, because messages with arrays of numbers need it."""
 
 
 def make_site(out: str, runtime: str, course: str) -> list[str]:
-    """Put the edition into a new folder.
+    """Write the edition to a new folder.
 
     :param runtime: the folder of Pyodide, such as ``node_modules/pyodide``.
     :param course: the folder of the course whose exercises it offers, with their rubrics.
-    :returns: sentences about what is not as it was tried.
-    :raises UnusableInput: when the folder is not empty, or is none of Pyodide.
+    :returns: warnings about differences to the tested set-up.
+    :raises UnusableInput: when the folder is not empty, or `runtime` is not a folder of Pyodide.
     """
     lock = _lock(runtime)
     if os.path.isdir(out) and os.listdir(out):
-        raise UnusableInput(f'{out} is not empty', help='give a folder that is not there yet')
+        raise UnusableInput(f'{out} is not empty', help='name a new folder')
     os.makedirs(os.path.join(out, 'pyodide'), exist_ok=True)
     for name in ('index.html', 'desk.mjs', 'worker.mjs', 'style.css'):
         shutil.copy(os.path.join(PAGE, name), out)
@@ -48,13 +48,13 @@ def make_site(out: str, runtime: str, course: str) -> list[str]:
 
 def _lock(runtime: str) -> dict[str, Any]:
     missing = [name for name in RUNTIME if not os.path.isfile(os.path.join(runtime, name))]
-    help = f'`npm install pyodide@{TRIED}` gives one in node_modules/pyodide'
+    help = f'get one in node_modules/pyodide with `npm install pyodide@{TRIED}`'
     if missing:
-        raise UnusableInput(f'{runtime} is no folder of Pyodide {TRIED}: it lacks {", ".join(missing)}', help=help)
+        raise UnusableInput(f'{runtime} is not a folder of Pyodide {TRIED}: it lacks {", ".join(missing)}', help=help)
     with open(os.path.join(runtime, 'pyodide-lock.json'), encoding='utf-8') as file:
         found: dict[str, Any] = json.load(file)
     if found['info']['abi_version'] != ABI:
-        raise UnusableInput(f'{runtime} is not of the series of Pyodide {TRIED}, and others crash when tasks switch', help=help)
+        raise UnusableInput(f'{runtime} is not of the Pyodide series {TRIED}; other series crash when tasks switch', help=help)
     return found
 
 
@@ -64,7 +64,8 @@ def _exercises(course: str) -> dict[str, bytes]:
 
 
 def _engine() -> dict[str, bytes]:
-    """What is imported there: edulaunch, edugrade with its rubrics, PyYAML without its C, and what stands for greenlet."""
+    """Return the Python packages for the browser: edulaunch, edugrade with rubrics, PyYAML without C, a replacement for
+    greenlet."""
     import edugrade
     import yaml
     from edugrade.files import files_below

@@ -1,6 +1,6 @@
-"""The command line: `edulaunch VERB ...`; `main` reads the verb and loads its file only.
+"""The command line: `main` reads the verb of `edulaunch VERB ...` and loads only the file of that verb.
 
-For each verb its file has `VERB_arguments(parser)` and `VERB_verb(arguments)`, which returns the exit code.
+The file of a verb has `VERB_arguments(parser)` and `VERB_verb(arguments)`, which returns the exit code.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ if TYPE_CHECKING:
 
 
 def arguments_of(parser: argparse.ArgumentParser) -> list[argparse.Action]:
-    """All that a parser takes, options and words, in order; argparse has no public name for it."""
+    """Return the options and positional arguments of a parser, in order; argparse has no public name for them."""
     return parser._actions
 
 
 def options_of(parser: argparse.ArgumentParser) -> dict[str, argparse.Action]:
-    """Each way to write an option, and the option."""
+    """Map each option string of a parser, such as '-h' or '--help', to its argparse action."""
     return {text: action for action in arguments_of(parser) for text in action.option_strings}

@@ -1,7 +1,7 @@
-"""What `source .venv/bin/activate` does for edulaunch: commands, completion, ROS's import packages, answers to set-up lines.
+"""`source .venv/bin/activate` sets edulaunch up: commands, completion, ROS's import packages, answers to set-up lines.
 
 `edulaunch env --install` writes the lines into the environment once, so that a new shell starts no Python. `bin/activate` reads
-the written file, and `deactivate` takes everything back.
+the written file, and `deactivate` undoes everything.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ HOOKS = {
         'if test -x "$VIRTUAL_ENV/bin/edulaunch"\n    builtin source "$VIRTUAL_ENV/bin/edulaunch.fish"\nend',
     ),
 }
-"""By the environment's own script: the file that it reads, and the lines that read it."""
+"""For each script of the environment: the file that it reads, and the lines that read it."""
 
 
 def install(prefix: Path) -> list[Path]:
-    """Let the `activate` scripts of a virtual environment set edulaunch up, too; doing it again changes nothing.
+    """Make the `activate` scripts of a virtual environment set up edulaunch, too; repeating it changes nothing.
 
     :param prefix: the folder of the virtual environment.
     :return: the scripts to source, for bash and zsh, and for fish.
@@ -62,7 +62,7 @@ def install(prefix: Path) -> list[Path]:
 
 
 def lines_for(name: str) -> str:
-    """The lines of `edulaunch.sh` or `edulaunch.fish`, with the values for this Python in place of their @NAMES@."""
+    """Return the lines of `edulaunch.sh` or `edulaunch.fish`, with the values for this Python in place of their @NAMES@."""
     names = f'colcon sudo apt source . {WINDOWS}'
     values = {
         'SHELL': quote(os.path.join(underlay_prefix(), 'shell')),
@@ -79,10 +79,10 @@ def lines_for(name: str) -> str:
 
 
 def functions() -> str:
-    """Functions of bash and zsh that answer the set-up lines of a tutorial."""
+    """Return functions for bash and zsh that answer the set-up lines of a tutorial."""
     return (SHELLS / 'answers.sh').read_text('utf-8').replace('@WINDOWS@', WINDOWS)
 
 
 def install_here() -> list[Path]:
-    """`install` for the environment of this Python."""
+    """Call `install` for the environment of this Python."""
     return install(Path(sys.prefix))

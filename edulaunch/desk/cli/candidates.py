@@ -1,4 +1,4 @@
-"""What could stand at the end of an unfinished `edulaunch`, `edugrade` or `ros2` command line."""
+"""Candidates for the end of an unfinished `edulaunch`, `edugrade` or `ros2` command line."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 LAUNCHING = ('launch', 'explain', 'plan')
 """Verbs that take a launch file."""
 LONGEST_S = 2.0
-"""Seconds after which a busy machine is not waited for any longer."""
+"""Completion waits this many seconds for a busy machine."""
 LISTED = {'topic_name': 'topic list', 'topics': 'topic list', 'service_name': 'service list', 'action_name': 'action list'}
 LISTED |= {'node_name': 'node list', 'container_node_name': 'component list --containers-only'}
-"""The commands that list what an argument can be, by the name of the argument."""
+"""The commands that list the values of an argument, by the name of the argument."""
 TYPES = {'topic_type': '-m', 'message_type': '-m', 'service_type': '-s', 'action_type': '-a', 'type': ''}
 """The option of `ros2 interface list` for arguments that are types."""
 Run = Callable[[str], Sequence[str]]
 
 
 def candidates(line: str, *, break_words: bool) -> list[str]:
-    """Words that could stand in place of the last one, in alphabetical order.
+    """Return the words that fit in place of the last one, in alphabetical order.
 
     :param line: the command line up to the cursor.
-    :param break_words: the shell sees words end behind `:` and `=`, as bash does; only what follows is given.
+    :param break_words: the shell splits words at `:` and `=`, as bash does; return only the part after the last split.
     """
     words = _split(line)
     typed = words.pop()
@@ -54,7 +54,7 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
 
 
 def _split(line: str) -> list[str]:
-    """The words of the line; the last one may be empty."""
+    """Return the words of the line; the last one may be empty."""
     try:
         words = shlex.split(line)
     except ValueError:
@@ -67,10 +67,10 @@ def _split(line: str) -> list[str]:
 def ros2_words(
     words: Sequence[str], typed: str, index: Callable[[], Index] | None = None, run: Callable[[str], Sequence[str]] | None = None
 ) -> Iterable[str]:
-    """Words that could come behind `ros2 WORDS...`: for `launch` as for `edulaunch launch`; else see `ros2_candidates`.
+    """Return the words that fit at the end of `ros2 WORDS...`; only `launch` is completed as in `edulaunch launch`.
 
-    :param index: gives the packages (default: those that are found from here).
-    :param run: gives the lines that a command prints (default: on the running machine).
+    :param index: finds packages (default: the packages of this terminal and folder).
+    :param run: returns the lines that a command prints (default: on the running machine).
     """
 
     if words[:1] == ['launch'] and not typed.startswith('-'):
@@ -107,7 +107,7 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
 
 
 def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
-    """Verbs, options and their values, and paths, behind `edugrade WORDS...`; nothing where the grader is not installed."""
+    """Return verbs, options, their values and paths for `edugrade WORDS...`; nothing if the grader is not installed."""
     from edulaunch.runtime import plugins
 
     verbs = plugins.grading_verbs()
@@ -126,7 +126,7 @@ def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
 
 
 def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:
-    """Those of plug-ins, too, where an option is typed or was given."""
+    """Add the options of plug-ins if the line has an option."""
     with suppress(UnusableInput):  # of a plug-in that is not installed
         add_plugin_options(command, parser, [*words, *(HELP[:1] if typed.startswith('-') else ())])
 
@@ -138,12 +138,12 @@ def _option_values(option: Any, typed: str) -> Iterable[str]:
 
 
 def _choices(parser: argparse.ArgumentParser) -> list[str]:
-    """The words that a positional argument is limited to."""
+    """Return the words that a positional argument allows."""
     return [str(word) for action in arguments_of(parser) if not action.option_strings for word in action.choices or ()]
 
 
 def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, found: Callable[[], Index] | None) -> Iterable[str]:
-    """Packages and launch files; then launch files of the package; then launch arguments."""
+    """Return packages and launch files; after a package, return its launch files, and after those the launch arguments."""
     positional, workspaces = [], []
     rest = iter(words[1:])
     for word in rest:
@@ -169,7 +169,7 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, fou
 
 
 def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[str]:
-    """`name:=` of each launch argument; behind that its choices."""
+    """Return `name:=` for each launch argument; after `name:=`, return the choices of that argument."""
     from edulaunch.ros.sourcing import source
 
     source()
@@ -191,7 +191,7 @@ def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[s
 
 
 def _paths(typed: str, suffixes: tuple[str, ...] = ()) -> list[str]:
-    """Folders (with a slash behind) and files, as far as they are typed."""
+    """Return the folders (ending in a slash) and files whose paths begin with the typed word."""
     folder, start = os.path.split(typed)
     try:
         entries = sorted(os.scandir(folder or '.'), key=lambda entry: entry.name)
@@ -209,10 +209,10 @@ def _paths(typed: str, suffixes: tuple[str, ...] = ()) -> list[str]:
 
 
 def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index], run: Run | None = None) -> Iterable[str]:
-    """Words that could come behind `ros2 WORDS...`.
+    """Return the words that fit at the end of `ros2 WORDS...`.
 
-    :param index: gives the packages that are found from here.
-    :param run: gives the lines that a `ros2` command prints (default: on the running machine, if there is one).
+    :param index: finds the packages of this terminal and folder.
+    :param run: returns the lines that a `ros2` command prints (default: on the running machine, if one runs).
     """
     from edulaunch.desk.cli.ros2.commands import COMMANDS
 
@@ -243,7 +243,7 @@ def _ros2_parser(command: str, verb: str) -> argparse.ArgumentParser:
 
 
 def _place(parser: argparse.ArgumentParser, words: Sequence[str]) -> argparse.Action | None:
-    """The argument that comes next: that of the last option, or the next one without an option."""
+    """Return the argument that comes next: the value of the last option, or the next positional argument."""
     places = [action for action in arguments_of(parser) if not action.option_strings]
     options, position, wanted = options_of(parser), 0, None
     for word in words:
@@ -281,7 +281,7 @@ def _files() -> list[str]:
 
 
 def on_machine(line: str) -> list[str]:
-    """The lines that a command prints on the running machine; none when there is no machine, or it is too busy."""
+    """Return the lines that a command prints on the running machine; none if no machine runs or it is too busy."""
     import subprocess
 
     words = [

@@ -1,4 +1,4 @@
-"""`edulaunch completion SHELL`: the script that lets a shell complete `edulaunch`, `edugrade` and `ros2` with the Tab key."""
+"""`edulaunch completion SHELL`: print the script that makes a shell complete `edulaunch`, `edugrade` and `ros2` with Tab."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ SCRIPTS = {shell: (SHELLS / f'completion.{shell}').read_text('utf-8') for shell 
 
 
 def completion_arguments(parser: argparse.ArgumentParser) -> None:
-    """The shell; and what the script asks for."""
+    """Add the shell, and the option that the script uses."""
     parser.add_argument('shell', choices=sorted(SCRIPTS), help='print the script for this shell')
-    parser.add_argument('--line', metavar='TEXT', help='print what could stand at the end of this line (the script asks so)')
+    parser.add_argument('--line', metavar='TEXT', help='print the candidates for the end of this line (for the script)')
 
 
 def completion_verb(arguments: argparse.Namespace) -> int:
-    """Print the script, or the candidates, one on a line."""
+    """Print the script, or one candidate per line."""
     if arguments.line is None:
         print(SCRIPTS[arguments.shell], end='')
         return 0

@@ -1,4 +1,4 @@
-"""`edulaunch doctor`: what is wrong with a launch file, a package or workspace, or a run, and what to do about it."""
+"""`edulaunch doctor`: find mistakes in a launch file, a package, a workspace or a run, and suggest fixes."""
 
 from __future__ import annotations
 
@@ -30,23 +30,23 @@ if TYPE_CHECKING:
 SECONDS = 20.0
 _ABSENT = re.compile(r"package '([\w-]+)' not found")
 NOT_PYTHON = 'packages.not-python'
-"""Says less than what a dry run finds at the same place."""
+"""A rule that is less specific than the findings of a dry run at the same place."""
 OF_FOLDER_S = 8.0
-"""Simulated seconds of each launch file of a folder."""
+"""Simulated seconds for each launch file of a folder."""
 MOST_LAUNCHED = 12
-"""Launch files of a folder that are run; a workspace of a company has hundreds."""
+"""The doctor runs at most this many launch files of a folder; the workspace of a company has hundreds."""
 PATIENCE_S = 30.0
-"""Real seconds after which no further launch file of a folder is run."""
+"""After this many real seconds, the doctor runs no further launch file of a folder."""
 PASSED_OVER = frozenset(('build', 'install', 'log', 'node_modules', '__pycache__', 'test', 'tests'))
 ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.py', '_launch.xml', '_launch.yaml', '_launch.yml')
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to look at, and how to report it."""
+    """Add what to examine, and how to report it."""
     parser.add_argument(
         'target',
         metavar='FILE | FOLDER | RECORDING | PACKAGE',
-        help='a launch file, a package or workspace, a recording; or a package, and the name of a launch file in it',
+        help='a launch file, package, workspace or recording; or a package, followed by the name of one of its launch files',
     )
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
     parser.add_argument(
@@ -54,23 +54,23 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
         nargs='?',
         const='facts',
         choices=('facts', 'lsp', 'sarif'),
-        help='as JSON with the facts behind each sentence (facts), or with the edits: as diagnostics of the Language Server '
-        'Protocol (lsp), or as SARIF 2.1.0 (sarif)',
+        help='print JSON: the facts of each finding (facts), diagnostics and edits of the Language Server '
+        'Protocol (lsp), or SARIF 2.1.0 (sarif)',
     )
     parser.add_argument(
         '--for',
         dest='seconds',
         type=float,
         metavar='SECONDS',
-        help=f'simulated seconds (default: {SECONDS:g}; {OF_FOLDER_S:g} for each launch file of a folder)',
+        help=f'simulated seconds (default: {SECONDS:g}, and {OF_FOLDER_S:g} for each launch file of a folder)',
     )
-    parser.add_argument('--fix', action='store_true', help='show the edits that are certain, and make them when you agree')
-    parser.add_argument('--yes', action='store_true', help='make the edits of --fix without a question')
+    parser.add_argument('--fix', action='store_true', help='show the edits that are certain, and make them if you agree')
+    parser.add_argument('--yes', action='store_true', help='make the edits of --fix without asking')
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Report what is wrong. 0 when nothing is, 1 when something is, 2 when there is nothing that can be looked at."""
+    """Report mistakes. Return 0 without mistakes, 1 with mistakes, 2 if there is nothing to examine."""
     notes: list[str] = []
     findings, reader = _findings(arguments, notes), reader_here()
     if arguments.fix:
@@ -99,15 +99,15 @@ def _findings(arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
 
 
 def _named(arguments: argparse.Namespace) -> str:
-    """The file or folder that the command names: only there `--fix` changes something.
+    """Return the file or folder that the command names; `--fix` changes nothing outside it.
 
-    :raises UnusableInput: for a recording, and for a package or file that is not the user's own.
+    :raises UnusableInput: for a recording, and for a package or file that does not belong to the user.
     """
     first, file, _ = split_words(arguments.target, arguments.rest)
     if os.path.isdir(first) or (os.path.isfile(first) and not _is_recording(first)):
         return first
     if os.path.isfile(first):
-        raise UnusableInput('a recording cannot be changed', help='give the launch file or the folder of the package to --fix')
+        raise UnusableInput('a recording cannot be changed', help='name the launch file or the folder of the package')
     with Session(workspaces=workspaces_of_command(arguments.workspace, first), near=folder_of(first)) as session:
         if file is None:
             return _folder_of(first, session.index.share(first))
@@ -125,7 +125,7 @@ def _is_recording(path: str) -> bool:
 
 
 def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
-    """By its dry run and, when that comes to its end, by a run."""
+    """Examine the launch file in a dry run and, if that reaches the end, in a run."""
     first, file, given = split_words(target, arguments.rest)
     workspaces = workspaces_of_command(arguments.workspace, first)
     with Session(workspaces=workspaces, near=folder_of(first)) as session:
@@ -153,9 +153,9 @@ def _rehearsed(session: Session, path: str, given: dict[str, str]) -> Rehearsal:
 
 
 def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
-    """By its sources, and by a short run of each launch file that runs as it is.
+    """Examine the sources of the package, and run each launch file that needs no arguments for a short time.
 
-    :param notes: gets one line for the launch files that ran, and one for each that did not, with the reason.
+    :param notes: receives one line for all launch files that ran, and one line with the reason for each other file.
     """
     findings, ran = judge_sources(folder), []
     files = _launch_files(folder)
@@ -163,23 +163,25 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
     for number, path in enumerate(files):
         name = os.path.relpath(path, folder)
         if number >= MOST_LAUNCHED or time.monotonic() - began_s > PATIENCE_S:
-            notes.append(f'{len(files) - number} more launch files were not run: edulaunch doctor {os.path.relpath(path)}')
+            notes.append(
+                f'{len(files) - number} more launch files did not run; to run them: edulaunch doctor {os.path.relpath(path)}'
+            )
             break
         found, reason = _of_one(folder, path, arguments)
         findings += found
         if reason is None:
             ran.append(name)
         else:
-            notes.append(f'{name} was not run: {reason}')
+            notes.append(f'{name} did not run: {reason}')
     if ran:
         seconds = OF_FOLDER_S if arguments.seconds is None else arguments.seconds
-        notes.insert(0, f'launch files that were run, {seconds:g} simulated seconds each: {", ".join(ran)}')
+        notes.insert(0, f'launch files that ran for {seconds:g} simulated seconds each: {", ".join(ran)}')
     read = {(one.file, one.line) for one in findings if one.rule != NOT_PYTHON}
     return in_order([one for one in findings if one.rule != NOT_PYTHON or (one.file, one.line) not in read])
 
 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
-    """The findings of one launch file of a folder, and why it was not run; None when it was."""
+    """Return the findings of one launch file of a folder, and why it did not run (None if it ran)."""
     workspaces = arguments.workspace or workspaces_of_command([folder], path)
     with Session(workspaces=workspaces, near=folder_of(path)) as session:
         rehearsal = _rehearsed(session, path, {})
@@ -189,16 +191,16 @@ def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list
         found = judge_plan(rehearsal)
         absent = _ABSENT.search((rehearsal.plan['error'] or {}).get('text', ''))
         if absent is not None and nearest(absent[1], session.index.packages()) is None:
-            return [], f'it needs the package {absent[1]}, which is not here'
+            return [], f'package {absent[1]} is not installed'
         if rehearsal.plan['error'] is not None:
-            return found, 'it cannot be launched'
+            return found, 'launch cannot load it'
         session.launch(path)
         session.run(OF_FOLDER_S if arguments.seconds is None else arguments.seconds)
         return [*found, *judge(session.recording())], None
 
 
 def _launch_files(folder: str) -> list[str]:
-    """The launch files below a folder, by their names; neither built copies nor tests."""
+    """Return the launch files below a folder by name, without built copies and tests."""
     found: list[str] = []
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in PASSED_OVER and not name.startswith('.'))
@@ -207,12 +209,12 @@ def _launch_files(folder: str) -> list[str]:
 
 
 def _folder_of(package: str, share: str | None) -> str:
-    """The folder with the sources of a package.
+    """Return the folder with the sources of a package.
 
-    :raises UnusableInput: when only what was built of it is here.
+    :raises UnusableInput: when only the built package is here.
     """
     manifest = os.path.join(share or '', 'package.xml')
     folder = os.path.dirname(os.path.realpath(manifest))
     if not os.path.islink(manifest):
-        raise UnusableInput(f'the sources of {package} are not here', help='give the folder of the package, or a launch file')
+        raise UnusableInput(f'the sources of {package} are not here', help='name the folder of the package, or a launch file')
     return folder

@@ -1,6 +1,6 @@
-"""`edulaunch env`: where ROS's import packages are; `--install` and `--shell` make them importable in shells.
+"""`edulaunch env` prints the folder of ROS's import packages; `--install` and `--shell` make shells find them.
 
-`edulaunch python node.py`: Python with them, and with the packages of the workspaces here.
+`edulaunch python node.py` runs Python with these packages and the packages of the workspaces here.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from edulaunch.engine.underlay_place import underlay_prefix, underlay_python
 
 
 def env_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to print."""
+    """Add the options that choose what to print."""
     parser.add_argument(
         '--install',
         action='store_true',
-        help='let `source .venv/bin/activate` also set up completion, ROS imports and answers to set-up lines (bash, zsh, fish)',
+        help='make `source .venv/bin/activate` set up completion, ROS imports and answers to set-up lines, too (bash, zsh, fish)',
     )
     parser.add_argument(
         '--shell',
@@ -27,12 +27,12 @@ def env_arguments(parser: argparse.ArgumentParser) -> None:
         help='print lines for a shell outside of a virtual environment: eval "$(edulaunch env --shell)"',
     )
     parser.add_argument(
-        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help="say whether a tutorial's set-up line is needed here"
+        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help="explain whether a tutorial's set-up line is needed here"
     )
 
 
 def env_verb(arguments: argparse.Namespace) -> int:
-    """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers; or lines for a shell."""
+    """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers, or print lines for a shell."""
     if arguments.answer is not None:
         return _answer(arguments.answer)
     if arguments.install:
@@ -60,7 +60,7 @@ def _install() -> int:
 
 
 def _answer(words: list[str]) -> int:
-    """Say what a line that sets a computer up means here, or open what stands for a window; 1 when it is none of those."""
+    """Explain a line that sets up a computer for ROS 2, or show where a window's picture is; return 1 for any other line."""
     from edulaunch.advice.workspace.not_needed import WINDOWS, answer
 
     printed = answer(words)
@@ -74,7 +74,7 @@ def _answer(words: list[str]) -> int:
 
 
 def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
-    """The variables that a shell, or a program, needs so that Python finds `rclpy` and the packages of the workspaces here."""
+    """Return the variables with which Python finds `rclpy` and the packages of the workspaces here."""
     workspaces = find_workspaces(os.getcwd(), env)
     first = {
         'PATH': [os.path.dirname(sys.executable)],
@@ -92,16 +92,16 @@ def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
 
 
 def python_arguments(parser: argparse.ArgumentParser) -> None:
-    """Whatever Python takes."""
-    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell python3')
+    """Accept all arguments of Python."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='the arguments of python3')
 
 
 def python_verb(arguments: argparse.Namespace) -> int:
-    """Run it; its exit code is the command's."""
+    """Run Python and return its exit code."""
     env = {**os.environ, **sourced_environment(os.environ)}
     words = [sys.executable, *arguments.rest]
     if os.name != 'nt':
         os.execve(sys.executable, words, env)
-    import subprocess  # on Windows a program that is replaced seems to have ended to the shell
+    import subprocess  # on Windows, a shell takes a replaced program for one that has ended
 
     return subprocess.run(words, env=env, check=False).returncode

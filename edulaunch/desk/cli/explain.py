@@ -1,6 +1,6 @@
-"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything; or a rule.
+"""`edulaunch explain`: show what a launch file would start and where each value comes from, or explain a rule of advice.
 
-`edulaunch plan --json`: the plan of a launch file, for programs.
+It starts nothing. `edulaunch plan --json` prints the plan of a launch file for other programs.
 """
 
 from __future__ import annotations
@@ -27,42 +27,40 @@ if TYPE_CHECKING:
 EXAMPLES = """examples:
   edulaunch explain turtlesim multisim.launch.py
   edulaunch explain my.launch.py background_r:=200             with an argument, as for `ros2 launch`
-  edulaunch explain my.launch.py /sim background_g             why has this parameter this value
-  edulaunch explain my.launch.py background_r                  why has this launch argument this value
-  edulaunch explain tf.unknown-frame                           a rule of advice: cause, example and cure
+  edulaunch explain my.launch.py /sim background_g             why this parameter has this value
+  edulaunch explain my.launch.py background_r                  why this launch argument has this value
+  edulaunch explain tf.unknown-frame                           a rule of advice: cause, example and fix
   edulaunch explain my.launch.py --graph plan.png              a picture of the planned nodes, topics and frames
   edulaunch explain --diff my.launch.py other.launch.py        what differs between two launch files
   edulaunch explain --diff my.launch.py gui:=true gui:=false   ... between two sets of arguments ("a:=1 b:=2" for several)"""
 
 
 def explain_arguments(parser: argparse.ArgumentParser) -> None:
-    """The launch file as for `edulaunch launch`, and what to show of it."""
+    """Add the launch file, as for `edulaunch launch`, and the part of it to show."""
     parser.epilog = EXAMPLES
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH | RULE', help='package of the launch file, or its path')
     parser.add_argument(
         'rest',
         nargs='*',
         metavar='FILE | name:=value | NODE PARAMETER | ARGUMENT',
-        help='launch file name, launch arguments; what is to be explained, if not all',
+        help='launch file name, launch arguments, and the node, parameter or argument to explain (default: everything)',
     )
-    parser.add_argument('--diff', action='store_true', help='what differs: two launch files, or two sets of arguments of one')
+    parser.add_argument('--diff', action='store_true', help='compare two launch files, or two sets of arguments of one file')
     parser.add_argument(
         '--graph', metavar='OUT', help='write the planned nodes, topics and frames as a picture (.png) or page (.html)'
     )
-    parser.add_argument('--run', metavar='RECORDING', help='an earlier run: --graph takes the endpoints of its nodes')
-    parser.add_argument('--services', action='store_true', help='--graph shows services that a node calls, too')
-    parser.add_argument('--json', action='store_true', help='as plain data')
-    parser.add_argument(
-        '--assume-packages', action='store_true', help='go on when packages are missing, with empty ones instead, and say which'
-    )
+    parser.add_argument('--run', metavar='RECORDING', help='an earlier run, from which --graph takes the endpoints of nodes')
+    parser.add_argument('--services', action='store_true', help='show services with clients in --graph, too')
+    parser.add_argument('--json', action='store_true', help='print JSON')
+    parser.add_argument('--assume-packages', action='store_true', help='replace missing packages by empty ones, and list them')
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
 def explain_verb(arguments: argparse.Namespace) -> int:
-    """Print it. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
+    """Print it. Return 0 if the launch file can be visited, 1 if it fails, 2 for invalid input."""
     if is_rule(arguments.package_or_path):
         return explain_rule(arguments.package_or_path)
-    gc.disable()  # this program ends soon; to look for what could be forgotten takes longer than to draw the tree
+    gc.disable()  # this program ends soon, and collecting garbage takes longer than drawing the tree
     if arguments.diff:
         return _compare(arguments)
     explanation, subject = explained(arguments)
@@ -88,7 +86,7 @@ def _earlier(arguments: argparse.Namespace) -> Recording | None:
 
 
 def write_graph(systems: list[System], path: str, services: bool = False) -> None:
-    """Write one system, or two with what differs, as a picture or page. Print the system or the differences, and the path.
+    """Write one system, or the differences of two, as a picture or page. Print the system or the differences, and the path.
 
     :raises UnusableInput: for another kind of file, and when it cannot be written.
     """
@@ -113,12 +111,12 @@ def write_graph(systems: list[System], path: str, services: bool = False) -> Non
             with open(path, 'w', encoding='utf-8') as file:
                 file.write(planned_page(systems[0]))
     except OSError as error:
-        raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None
+        raise UnusableInput(f'cannot write {path}: {error.strerror}') from None
     print(path)
 
 
 def explained(arguments: argparse.Namespace) -> tuple[Explanation, list[str]]:
-    """The explanation, and what is asked for: nothing, a launch argument, or a node and perhaps its parameter."""
+    """Return the explanation of the launch file, of a launch argument, or of a node or its parameter."""
     first, file, words, subject = _words(arguments.package_or_path, arguments.rest)
     return _explained(first, file, words, arguments), subject
 
@@ -131,12 +129,12 @@ def _explained(first: str, file: str | None, given: dict[str, str], arguments: a
 
 
 def _words(first: str, rest: Sequence[str]) -> tuple[str, str | None, dict[str, str], list[str]]:
-    """Package or path, file, launch arguments, and the node, parameter or argument to be explained."""
+    """Split the words into package or path, file, launch arguments, and the node, parameter or argument to explain."""
     words = [word for word in rest if ':=' in word]
     names = [word for word in rest if ':=' not in word]
     file = names.pop(0) if names and not os.path.isfile(first) and not _is_path(first) else None
     if len(names) > 2 or any('=' in name for name in names):
-        split_words(first, list(rest))  # says what is wrong with a word
+        split_words(first, list(rest))  # raises an error that names the wrong word
         raise UnusableInput(f'too many words: {" ".join(names)}.', help='name a node and a parameter, or a launch argument')
     return first, file, split_words(first, words)[2], names
 
@@ -188,14 +186,14 @@ def _print(tree: Tree, arguments: argparse.Namespace) -> None:
 
 
 def report(explanation: Explanation) -> int:
-    """What was missing, and the error, on standard error; returns the exit code."""
+    """Print the missing packages and the error on standard error; return the exit code."""
     packages, others = explanation.missing
     if packages:
-        print(f'missing packages, with placeholders instead: {", ".join(packages)}', file=sys.stderr)
+        print(f'missing packages, replaced by empty ones: {", ".join(packages)}', file=sys.stderr)
     for other in others:
         print(f'missing: {other}', file=sys.stderr)
     for undone in explanation.plan.get('not_done', ()):
-        print(f'not done in the dry run: {undone}', file=sys.stderr)
+        print(f'the dry run skipped: {undone}', file=sys.stderr)
     error = explanation.plan['error']
     if error is None:
         return 0
@@ -206,14 +204,14 @@ def report(explanation: Explanation) -> int:
 
 
 def plan_arguments(parser: argparse.ArgumentParser) -> None:
-    """Those of `edulaunch explain`."""
+    """Add the arguments of `edulaunch explain`."""
     explain_arguments(parser)
 
 
 def plan_verb(arguments: argparse.Namespace) -> int:
-    """With --json the plan, in the plan format 1; else what `edulaunch explain` says."""
+    """With --json, print the plan in plan format 1; otherwise, do the same as `edulaunch explain`."""
     if not arguments.json or arguments.diff:
-        print('plan is called explain now: edulaunch explain (plan --json stays)', file=sys.stderr)
+        print('`edulaunch plan` is now `edulaunch explain`; only `plan --json` keeps its name', file=sys.stderr)
         return explain_verb(arguments)
     explanation, _ = explained(arguments)
     print(json.dumps(explanation.plan, indent=1, sort_keys=True))

@@ -1,4 +1,4 @@
-"""`edulaunch explain RULE`: the cause, an example and the cure of a rule of advice."""
+"""`edulaunch explain RULE`: show the cause, an example and the fix of a rule of advice."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from edulaunch.errors import UnusableInput
 _RULE = re.compile(rf'({"|".join(GROUPS)})\.[a-z][a-z0-9-]*')
 _FACT = re.compile(r'\{(\w+)\}')
 EXAMPLES = os.path.join(os.path.dirname(rule_module.__file__), 'examples.json')
-"""Of each rule what `tests/advice/examples` has: the mistake as the difference to the healthy file, and what is reported."""
+"""For each rule, the example of `tests/advice/examples`: the difference to the healthy file, and the report."""
 
 
 def is_rule(word: str) -> bool:
-    """Whether a word has the form of a rule's name, and is no file."""
+    """Return whether a word has the form of a rule's name and is not a file."""
     return _RULE.fullmatch(word) is not None and not os.path.exists(word)
 
 
 def explain_rule(name: str) -> int:
-    """Print what a rule reports, why that matters, what to do, and an example with its cure.
+    """Print what a rule reports, why that matters, what to do, and an example with its fix.
 
-    :raises UnusableInput: when there is no such rule; the message names the nearest one.
+    :raises UnusableInput: for an unknown rule; the message names the nearest one.
     """
     rules = all_rules()
     if name not in rules:
@@ -52,13 +52,13 @@ def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
     example = _example(rule.name)
     if example is not None:
         yield ''
-        yield 'an example; lines with - are the mistake, lines with + the cure:'
+        yield 'Example (lines with - are the mistake, lines with + are the fix):'
         yield ''
         yield from (f'  {line}' for line in example.splitlines())
 
 
 def _shown(template: str) -> str:
-    """A template for people: a fact is written as <fact>."""
+    """Return a template in readable form: each fact is written as <fact>."""
     return _FACT.sub(r'<\1>', template).replace('{{', '{').replace('}}', '}')
 
 

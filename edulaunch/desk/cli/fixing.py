@@ -1,6 +1,6 @@
-"""`edulaunch doctor --fix`: the edits of the findings as a difference, which are made when the user agrees.
+"""`edulaunch doctor --fix`: show the edits of the findings as a diff, and make them if the user agrees.
 
-Only files that the command names are changed, each whole or not at all.
+It changes only files that the command names. It writes each file completely or not at all.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from edulaunch.engine.packages.discovery import package_around
 from edulaunch.engine.recording.safe_file import write_safely
 
 PASSES = 10
-"""A cured mistake may have hidden another one; after this many rounds the rest is left."""
+"""A fixed mistake may have hidden another one; after this many rounds, the doctor stops."""
 PASSED_OVER = frozenset(('build', 'install', 'log', 'node_modules', '__pycache__'))
 
 
 class Change(NamedTuple):
-    """A file, what it contains, and what it should contain."""
+    """A file with its current and its new content."""
 
     path: str
     before: bytes
     after: bytes
 
     def difference(self) -> Iterator[str]:
-        """The lines of a unified difference."""
+        """Return the lines of a unified diff."""
         name = os.path.relpath(self.path)
         old, new = (content.decode().splitlines(keepends=True) for content in (self.before, self.after))
         for line in difflib.unified_diff(old, new, name, name):
@@ -39,9 +39,9 @@ class Change(NamedTuple):
 
 
 def changes_for(target: str, findings: Sequence[Finding]) -> list[Change]:
-    """The changes that cure what is found in a file or below a folder, in the order of their paths.
+    """Return the changes that fix the findings in a file or below a folder, in the order of their paths.
 
-    :param findings: what the doctor found; the files are also checked as an editor does.
+    :param findings: the findings of the doctor; the files are also checked in the way an editor checks them.
     """
     changes = []
     for path in named_files(target):
@@ -58,7 +58,7 @@ def changes_for(target: str, findings: Sequence[Finding]) -> list[Change]:
 
 
 def named_files(target: str) -> list[str]:
-    """The file, or the files below the folder that the doctor can change. A link that leads out of the folder is left out."""
+    """Return the file, or the files below the folder that the doctor can change; skip links that lead out of the folder."""
     root = os.path.realpath(target)
     if os.path.isfile(root):
         return [root]
@@ -70,7 +70,7 @@ def named_files(target: str) -> list[str]:
 
 
 def cured(path: str, text: str, findings: Sequence[Finding]) -> str:
-    """The content of a file after all edits that are certain."""
+    """Return the content of a file after all edits that are certain."""
     for finding in findings:
         form = written(finding) if finding.rule else None
         if form is not None and _file_of(finding, form[2]) == path:
@@ -88,7 +88,7 @@ def cured(path: str, text: str, findings: Sequence[Finding]) -> str:
 
 
 def _file_of(finding: Finding, place: str) -> str | None:
-    """The file in which the edit of a finding is made."""
+    """Return the file that the edit of a finding changes."""
     if finding.file is None:
         return None
     path = os.path.realpath(finding.file)
@@ -99,14 +99,14 @@ def _file_of(finding: Finding, place: str) -> str | None:
 
 
 def fix(changes: Sequence[Change], agreed: bool) -> int:
-    """Show the changes and make them. Returns the exit code: 0 when they were made, 1 when they were not.
+    """Show the changes and make them. Return the exit code: 0 if they were made, 1 if not.
 
     :param agreed: the user has agreed with --yes.
     """
     for change in changes:
         print('\n'.join(change.difference()))
     if not changes:
-        print('no finding has a certain edit: nothing was changed')
+        print('no finding has a certain edit, so nothing was changed')
         return 1
     if not agreed and not _asked(len(changes)):
         print('nothing was changed')
@@ -115,8 +115,8 @@ def fix(changes: Sequence[Change], agreed: bool) -> int:
         problem = _made(change)
         if problem:
             rest = len(changes) - number - 1
-            print(f'error: {os.path.relpath(change.path)} was not changed: {problem}', file=sys.stderr)
-            print(f'  help: {number} files were changed before it, {rest} were not; repeat the command', file=sys.stderr)
+            print(f'error: {os.path.relpath(change.path)} could not be changed: {problem}', file=sys.stderr)
+            print(f'  help: {number} files are changed, {rest} are not; repeat the command', file=sys.stderr)
             return 1
         print(f'changed {os.path.relpath(change.path)}')
     return 0
@@ -131,11 +131,11 @@ def _asked(count: int) -> bool:
 
 
 def _made(change: Change) -> str:
-    """Write one file; returns why that failed, or an empty string."""
+    """Write one file; return why that failed, or an empty string."""
     try:
         with open(change.path, 'rb') as file:
             if file.read() != change.before:
-                return 'another program has changed it meanwhile'
+                return 'another program has changed it in the meantime'
         mode = stat.S_IMODE(os.stat(change.path).st_mode)
         write_safely(change.path, [change.after])
         os.chmod(change.path, mode)

@@ -1,4 +1,4 @@
-"""`edulaunch launch`: a launch file in the simulation, with the console of `ros2 launch`."""
+"""`edulaunch launch`: run a launch file in the simulation, with the console of `ros2 launch`."""
 
 from __future__ import annotations
 
@@ -33,32 +33,34 @@ from edulaunch.runtime.still_busy import StillBusy
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
+    """Add the options of `ros2 launch`, and options for duration, speed, seed and recording."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
     add_launch_arguments(parser)
-    parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
+    parser.add_argument(
+        '--for', dest='seconds', type=_seconds, metavar='SECONDS', help='press Ctrl-C after this many simulated seconds'
+    )
     parser.add_argument(
         '--stdin',
         action='append',
         default=[],
         type=_stdin,
         metavar='NAME=FILE',
-        help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
+        help='read the keyboard input of the program NAME from a file, or from this terminal (-); may be repeated',
     )
-    parser.add_argument('--step', action='store_true', help='stop before each action of the launch file, and ask what to do')
-    parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
-    parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
+    parser.add_argument('--step', action='store_true', help='stop before each action of the launch file, and show a prompt')
+    parser.add_argument('--fast', action='store_true', help='run as fast as possible instead of in real time')
+    parser.add_argument('--seed', type=int, default=0, help='seed of all random numbers (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
     parser.add_argument(
-        '--view', metavar='FILE', nargs='?', const='', help='write a page that plays the run, and name it (default: NAME.html)'
+        '--view', metavar='FILE', nargs='?', const='', help='write an HTML page that replays the run (default name: NAME.html)'
     )
     parser.add_argument(
         '--workspace',
         action='append',
         default=[],
         metavar='DIR',
-        help='folder with packages; may be repeated (default: what is found from here, as if it was sourced)',
+        help='folder with packages, may be repeated (default: the workspace of this folder, as if it was sourced)',
     )
 
 
@@ -73,7 +75,7 @@ def _seconds(text: str) -> float:
 
 
 def launch_verb(arguments: argparse.Namespace) -> int:
-    """Run it. 0 when launch ended well (also when a node died, as in ROS 2), 1 when it did not, 2 for unusable input."""
+    """Run it. Return 0 if launch ended well (even if a node died, as in ROS 2), 1 if not, 2 for invalid input."""
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
@@ -98,7 +100,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
             remove_drafts(arguments.record)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
         terminal = Terminal(session, arguments.seconds, ending, _clock(arguments, session))
-        with first_interrupt_waits('the recording is being written; press Ctrl-C again to end without it'):
+        with first_interrupt_waits('still writing the recording; press Ctrl-C again to stop without it'):
             error = _run(terminal, session, ending, arguments)
             recording = session.recording()
             if arguments.record:
@@ -118,7 +120,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], float]:
-    """Return the real clock. With --step it does not count the time at the prompt."""
+    """Return the real clock. With --step, it does not count the time at the prompt."""
     if not arguments.step:
         return time.monotonic
     steps = TerminalSteps(session)
@@ -127,11 +129,11 @@ def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], floa
 
 
 def _run(terminal: Terminal, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
-    """Run to the end. Returns what broke the run off."""
+    """Run to the end. Return the exception that ended the run early, if any."""
     reserve, error = Reserve(), None
     try:
         terminal.run(0.0 if arguments.fast else 1.0)
-    except BaseException as caught:  # whatever it is: what was recorded is kept first
+    except BaseException as caught:  # keep the recording first, whatever the exception is
         error = caught
     ending.is_saving = True
     reserve.release()
@@ -141,18 +143,18 @@ def _run(terminal: Terminal, session: Session, ending: Ending, arguments: argpar
 
 
 def _advice(recording: Recording, session: Session, launch: LaunchRun) -> list[str]:
-    """The advice on a run."""
+    """Return the advice on a run."""
     helped = session.host.hints.helped(launch.process.pid)
     shown_by = shlex.join(['edulaunch', 'doctor', launch.path])
     return advice_or_why_not(lambda: end_of_run_lines(recording, helped=helped, shown_by=shown_by))
 
 
 def _print_end(arguments: argparse.Namespace, session: Session, recording: Recording, path: str) -> None:
-    """What was odd about the command, and what it has written."""
+    """Print warnings about the command, and the files that it has written."""
     for warning in session.index.warnings:
         print(f'warning: {warning}', file=sys.stderr)
     for name in session.host.unread_stdin:
-        print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
+        print(f'warning: --stdin {name}: the launch file started no program of this name', file=sys.stderr)
     if arguments.record:
         summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
         print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
@@ -164,7 +166,7 @@ def _print_end(arguments: argparse.Namespace, session: Session, recording: Recor
 
 
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
-    """In the simulation, unless the options of a plug-in ask for something else.
+    """Run in the simulation, unless the options of a plug-in choose another place.
 
     :raises UnusableInput: when that is not possible.
     """
@@ -182,7 +184,7 @@ def _stdin(word: str) -> tuple[str, str | TextIO]:
         with open(file, encoding='utf-8') as keys:
             return name, keys.read()
     except (OSError, UnicodeDecodeError) as error:
-        raise argparse.ArgumentTypeError(f'{file} cannot be read: {error}') from None
+        raise argparse.ArgumentTypeError(f'{file} cannot be read ({error})') from None
 
 
 def _look(session: Session, path: str, show_args: bool) -> int:
@@ -204,9 +206,9 @@ def _look(session: Session, path: str, show_args: bool) -> int:
 
 
 def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str, str]]:
-    """What `ros2 launch` makes of its words: a file by path takes only arguments, a package takes a file name first.
+    """Split the words as `ros2 launch` does: a path takes only arguments, a package first takes a file name.
 
-    :raises UnusableInput: for an argument that is not `name:=value`, with ROS 2's text.
+    :raises UnusableInput: for an argument that is not `name:=value`, with the message of ROS 2.
     """
     file = None
     words = list(rest)
@@ -221,10 +223,10 @@ def _print(stream: str, text: str) -> None:
 
 
 class Terminal:
-    """Ctrl-C for a running session: the first press shuts the system down as ROS 2 does; further ones insist.
+    """Handles Ctrl-C for a running session. The first press shuts the system down as ROS 2 does, and later presses force it.
 
-    A press only sets a mark, which is looked at between two steps of the simulation. When the mark of the press before is
-    still there, some program keeps its turn: the interrupt is then raised right where it is.
+    A press only sets a flag, which the session reads between two steps of the simulation. If the flag of the previous press
+    is still set, some program does not end its turn. Then the interrupt is raised immediately.
     """
 
     def __init__(
@@ -239,7 +241,7 @@ class Terminal:
         self._watched = WatchedSignals()
 
     def run(self, speed: float) -> None:
-        """Run until launch has ended; after `seconds`, press Ctrl-C."""
+        """Run until launch has ended; press Ctrl-C after `seconds`."""
         sim = self._session.sim
         before = signal.signal(signal.SIGINT, self._press)
         try:

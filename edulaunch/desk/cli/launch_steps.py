@@ -1,4 +1,5 @@
-"""`edulaunch launch --step`: step through a launch in a terminal. Launch stops before an action or event, and a prompt asks."""
+"""`edulaunch launch --step`: step through a launch in a terminal. Launch stops before each action or event, and shows a
+prompt."""
 
 from __future__ import annotations
 
@@ -19,33 +20,33 @@ HELP = """\
   n          go to the next action after this include or group
   e          go to the next event that launch processes
   l FILE:N   go to the next action that line N of FILE makes
-  b, f       look at the action before, or forward again; nothing is undone
-  c          show the launch configurations, namespace, remaps and environment here
-  w          show where each action of the launch is
-  g          go on without stopping
+  b, f       look at the previous action, or forward again; this undoes nothing
+  c          show the launch configurations, namespace, remappings and environment here
+  w          show the state of each action of the launch
+  g          continue without stopping
   q          shut the launch down, as Ctrl-C does
 """
 PROMPT = '(launch) '
 
 
 class TerminalSteps:
-    """Asks at each stop what to do.
+    """Shows a prompt at each stop.
 
-    :ivar waited_s: the real seconds in which the prompt waited: simulated time does not pass meanwhile.
+    :ivar waited_s: real seconds that the prompt has waited; simulated time does not pass while it waits.
     """
 
     def __init__(self, session: Session) -> None:
         self._session = session
         self._trace: Any = None
         self.waited_s = 0.0
-        self._in, self._out = sys.stdin, sys.stdout  # at a prompt, launch's process runs, which has streams of its own
+        self._in, self._out = sys.stdin, sys.stdout  # at a prompt, launch's process has its own streams
 
     def clock(self) -> float:
-        """Real time without the time at the prompt."""
+        """Return the real time without the time at the prompt."""
         return time.monotonic() - self.waited_s
 
     def begin(self) -> None:
-        """Stop each launch that begins before its first action."""
+        """Stop each new launch before its first action."""
         make = self._session.host.make_launch_observer
         assert make is not None
 
@@ -58,9 +59,9 @@ class TerminalSteps:
         self._session.host.make_launch_observer = stepped
 
     def _stop(self, step: Any) -> None:
-        """Ask the student until an answer continues the launch.
+        """Show prompts until an answer continues the launch.
 
-        It is called in the middle of launch's turn, so the machine stands still.
+        The call happens during launch's turn, so simulated time does not advance.
         """
         began = time.monotonic()
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -86,7 +87,7 @@ class TerminalSteps:
                 shown = self._beside(shown, here, -1 if word == 'b' else 1)
                 self._show(shown, here)
             elif word == 'l':
-                self._say('write the file and the line: l demo.launch.py:12')
+                self._say('give a file and a line, such as: l demo.launch.py:12')
             else:
                 _LOOKS.get(word, TerminalSteps._help)(self, shown)
 
@@ -109,7 +110,7 @@ class TerminalSteps:
         self._out.flush()
 
     def _stops(self) -> list[Any]:
-        """What launch came to until now, in order: actions that a file makes, and events."""
+        """Return the actions and events that launch has reached, in order."""
         steps = [step for step in self._trace.steps if step.order and (step.origin is not None or step.is_event)]
         return sorted(steps, key=lambda step: step.order)
 
@@ -118,7 +119,7 @@ class TerminalSteps:
         number = stops.index(shown) + way
         if 0 <= number < len(stops):
             return stops[number]
-        self._say('this is the first action' if way < 0 else 'launch is here; press Enter to go on')
+        self._say('this is the first action' if way < 0 else 'launch is here; press Enter to continue')
         return shown
 
     def _show(self, step: Any, here: Any) -> None:
@@ -128,7 +129,7 @@ class TerminalSteps:
         self._say(f'{sign} {seconds:.3f} s  {_where(row)}{row["text"]}' + ('' if step is here else f'  [{row["state"]}]'))
 
     def _context(self, step: Any) -> None:
-        """The launch configurations and the environment before a step."""
+        """Show the launch configurations and the environment before a step."""
         configurations, environment = self._trace.context_before(step)
         for name, value in configurations.items():
             self._say(f'  {_NAMES.get(name, name)}: {_shown(value)}')
@@ -138,7 +139,7 @@ class TerminalSteps:
             self._say('  no launch configuration is set')
 
     def _list(self, step: Any) -> None:
-        """All actions that are known, with what became of each."""
+        """Show all known actions with their state."""
         for child in self._trace.outline.children:
             self._tell(child, step, 0)
 

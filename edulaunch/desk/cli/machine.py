@@ -1,5 +1,6 @@
-"""What is said to the machine that the terminals of this user and domain share: `edulaunch machine`;
-`edulaunch view` is its live page in a browser, in place of turtlesim's window, rviz2 and the rqt tools.
+"""`edulaunch machine` controls the machine that the terminals of this user and domain share; `edulaunch view` shows it.
+
+The live view in a browser replaces turtlesim's window, rviz2 and the rqt tools.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def machine_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the machine shall do."""
+    """Add what the machine should do."""
     parser.add_argument('word', choices=('status', 'pause', 'resume', 'speed', 'stop'), nargs='?', default='status')
     parser.add_argument('value', nargs='?', help='for speed: simulated seconds per second')
 
 
 def machine_verb(arguments: argparse.Namespace) -> int:
-    """Tell it; 1 when no machine is running."""
+    """Send the command to the machine; return 1 if no machine runs."""
     from edulaunch.desk.machine.client import run
 
     words = ['machine', arguments.word] + ([arguments.value] if arguments.value else [])
@@ -29,19 +30,19 @@ def machine_verb(arguments: argparse.Namespace) -> int:
 
 
 def view_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the verb."""
+    """Add the arguments of the verb."""
     from edulaunch.desk.view import TABS
 
-    parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side at first')
-    parser.add_argument('--port', type=int, default=0, help='port on this computer (default: any that is free)')
-    parser.add_argument('--no-browser', action='store_true', help='only say where the page is')
+    parser.add_argument('--tab', choices=TABS, default='graph', help='the first tab on the right side')
+    parser.add_argument('--port', type=int, default=0, help='port on this computer (default: any free port)')
+    parser.add_argument('--no-browser', action='store_true', help='only print the address of the page')
     parser.add_argument('--until-eof', action='store_true', help=argparse.SUPPRESS)
 
 
 def view_verb(arguments: argparse.Namespace) -> int:
-    """Serve the page until Ctrl-C. Returns the exit code.
+    """Serve the page until Ctrl-C. Return the exit code.
 
-    :raises UnusableInput: when the port is taken, or no machine can be started.
+    :raises UnusableInput: when the port is in use, or no machine can start.
     """
     import asyncio
 
@@ -55,7 +56,7 @@ def view_verb(arguments: argparse.Namespace) -> int:
         raise UnusableInput(str(error)) from None
 
     def opened(address: str) -> None:
-        tell(address, '' if arguments.until_eof else '  Ctrl-C ends it; the machine goes on\n')
+        tell(address, '' if arguments.until_eof else '  Press Ctrl-C to close the live view; the machine continues\n')
         if not arguments.no_browser:
             show(address)
 
@@ -64,7 +65,7 @@ def view_verb(arguments: argparse.Namespace) -> int:
 
     async def page() -> None:
         serving = asyncio.ensure_future(served or serve(connected, port=arguments.port, tab=arguments.tab, opened=opened))
-        if arguments.until_eof:  # whoever started us ends, or is killed
+        if arguments.until_eof:  # the parent process ends, or is killed
             asyncio.get_running_loop().add_reader(0, serving.cancel)
         with suppress(asyncio.CancelledError):
             await serving
@@ -74,14 +75,14 @@ def view_verb(arguments: argparse.Namespace) -> int:
     except KeyboardInterrupt:
         return 0
     except (OSError, OverflowError) as error:
-        raise UnusableInput(f'cannot serve the page: {error}', help='choose another --port, or none') from None
+        raise UnusableInput(f'cannot serve the page: {error}', help='choose another --port, or leave it out') from None
     return 0
 
 
 def connected(*words: str) -> tuple[socket.socket, bytes]:
-    """A new connection to the machine, which starts if it has to, and the first frame to say on it.
+    """Return a new connection to the machine, which starts if necessary, and the first frame to send on it.
 
-    :param words: what it is for: 'view', or 'serve' and the name of a plug-in's service.
+    :param words: the purpose: 'view', or 'serve' and the name of a plug-in's service.
     """
     from edulaunch.desk.machine.client import hello
     from edulaunch.desk.machine.place import domain

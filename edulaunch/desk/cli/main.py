@@ -1,4 +1,4 @@
-"""`edulaunch`: reads the verb, loads that verb's file only, and turns errors into one message and an exit code."""
+"""`edulaunch`: read the verb, load only the file of that verb, and turn errors into a message and an exit code."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ VERBS = {
     'rosdep': 'list dependencies that neither edulaunch nor your workspace provides',
     'view': 'open the live view of the shared machine in a browser',
 }
-"""The built-in verbs; plug-ins bring more."""
+"""The built-in verbs; plug-ins add more."""
 HOMES = {'colcon': 'rosdep', 'plan': 'explain', 'python': 'env', 'view': 'machine'}
-"""Verbs that stand in the file of another one."""
+"""Verbs that are in the file of another verb."""
 VERBATIM = ('colcon', 'python')
-"""Verbs that hand on all their words, options and all."""
+"""Verbs that pass on all their words, including options."""
 EXAMPLES = """examples:
   edulaunch launch turtlesim multisim.launch.py --for 5
   edulaunch launch solutions/circle.launch.py circle_radius:=0.8 --fast --for 60 --record circle.rec
@@ -48,16 +48,16 @@ exit status: 0 success, 1 the launch failed, 2 invalid input, 130 interrupted"""
 NEXT_STEPS = """What would you like to do next?
   ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py    start two turtles; then type `edulaunch view` in a second terminal
   edulaunch course copy my_course                        copy the lessons; then type `edulaunch course open my_course`
-  edulaunch explain FILE.launch.py                       show what a launch file of yours would start
+  edulaunch explain FILE.launch.py                       show what your launch file would start
 `edulaunch --help` lists all commands."""
-"""What `edulaunch` prints without words."""
+"""The output of `edulaunch` without a verb."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """The entry point of the command. Returns the exit code."""
+    """Run the command. Return the exit code."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, 'reconfigure'):
-            stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
+            stream.reconfigure(errors='backslashreplace')  # the output of programs may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
     if words[:1] == ['ros2']:
         from edulaunch.desk.machine.command import run
@@ -75,7 +75,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     if others and wrong and not hasattr(arguments, 'takes_anything'):
         parser.error(_unrecognized(others, arguments.verb))
     if others:
-        arguments.rest += others  # launch arguments may stand behind options too
+        arguments.rest += others  # launch arguments may follow options
     if arguments.verb is None:
         print(NEXT_STEPS)
         return 0
@@ -94,8 +94,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             raise
-        print(f'error: {error.strerror}: what the command says or keeps cannot be written', file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # else Python tries once more at its end
+        print(f'error: {error.strerror}: cannot write the output of the command', file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again at its end
         return 1
 
 
@@ -105,16 +105,16 @@ def _unusable(error: UnusableInput) -> int:
 
 
 def all_verbs() -> dict[str, str]:
-    """The verbs, built in and of plug-ins, in alphabetical order, each with its line in the help."""
+    """Return all verbs, built-in and of plug-ins, in alphabetical order, each with its line in the help."""
     from edulaunch.runtime import plugins
 
     return dict(sorted({**{word: verb.about for word, verb in plugins.verbs().items()}, **VERBS}.items()))
 
 
 def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
-    """The functions `VERB_arguments` and `VERB_verb` of the verb's file.
+    """Return the functions `VERB_arguments` and `VERB_verb` of the verb's file.
 
-    :raises KeyError: when there is no such verb.
+    :raises KeyError: for an unknown verb.
     """
     if verb in VERBS:
         module = f'edulaunch.desk.cli.{HOMES.get(verb, verb)}'
@@ -127,17 +127,17 @@ def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable
 
 
 class _Parser(argparse.ArgumentParser):
-    """With the nearest of the words that can stand where an unknown one does."""
+    """A parser that names the nearest valid word for an unknown one."""
 
     def error(self, message: str) -> NoReturn:
-        """Usage and message on standard error; exit code 2."""
+        """Print usage and message on standard error, and exit with code 2."""
         match = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
         near = did_you_mean(match[1], re.findall(r'[\w-]+', match[2])) if match else None
         super().error(f'{message}\n  help: {near}' if near else message)
 
 
 def _unrecognized(words: Sequence[str], verb: str) -> str:
-    """What argparse says of words that are no option, with the option that was meant."""
+    """Return argparse's message for unknown options, with the nearest known option."""
     sub = argparse.ArgumentParser(prog=verb)
     load(verb)[0](sub)
     wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
@@ -146,9 +146,9 @@ def _unrecognized(words: Sequence[str], verb: str) -> str:
 
 
 def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
-    """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded.
+    """Return the parser. Only the chosen verb has its arguments, so that the files of the other verbs are not loaded.
 
-    :raises UnusableInput: for a verb of one of our own plug-ins that is not installed.
+    :raises UnusableInput: for a verb of a plug-in of edulaunch that is not installed.
     """
     wanted = words[0] if words else None
     known = VERBS if wanted in VERBS else all_verbs()

@@ -1,4 +1,4 @@
-"""`edulaunch pkg create` makes a package as `ros2 pkg create` does; `edulaunch pkg check` looks for common mistakes."""
+"""`edulaunch pkg create` creates a package as `ros2 pkg create` does; `edulaunch pkg check` finds common mistakes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def pkg_arguments(parser: argparse.ArgumentParser) -> None:
-    """The sub-verbs."""
+    """Add the sub-verbs."""
     verbs = parser.add_subparsers(dest='what', metavar='create | check', required=True)
     add_create_arguments(verbs.add_parser('create', help='create a new ROS 2 package'))
     check = verbs.add_parser('check', help='look for common mistakes in packages')
@@ -22,7 +22,7 @@ def pkg_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def add_create_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of `ros2 pkg create`."""
+    """Add the options of `ros2 pkg create`."""
     from edulaunch.advice.workspace.new_package import BUILD_TYPES, NewPackage
 
     parser.add_argument('package_name', help='the package name')
@@ -34,17 +34,17 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--dependencies', nargs='+', action='extend', default=[], help='packages that it depends on')
     parser.add_argument('--maintainer-email', help='email address of the maintainer')
     parser.add_argument('--maintainer-name', help='name of the maintainer')
-    parser.add_argument('--node-name', help='name of an empty node that is created too')
-    parser.add_argument('--library-name', help='name of an empty library that is created too')
+    parser.add_argument('--node-name', help='create an empty node with this name, too')
+    parser.add_argument('--library-name', help='create an empty library with this name, too')
 
 
 def pkg_verb(arguments: argparse.Namespace) -> int:
-    """Make a package, or check packages: 0 when all is well, 1 when there are findings or it could not be made."""
+    """Create or check packages. Return 0, or 1 if there are findings or the package could not be created."""
     return create(arguments) if arguments.what == 'create' else check(arguments.path)
 
 
 def create(arguments: argparse.Namespace) -> int:
-    """Make a package, and say what is made."""
+    """Create a package, and print what is created."""
     from edulaunch.advice.workspace.new_package import create_package
 
     try:
@@ -54,12 +54,12 @@ def create(arguments: argparse.Namespace) -> int:
         return 1
     if arguments.build_type is None and is_in_course(arguments.destination_directory):
         words = f'ros2 pkg create {arguments.package_name} --build-type ament_python'
-        print(f'\nThis is a package for C++ and CMake. For one in Python, delete it and type: {words}', file=sys.stderr)
+        print(f'\nThis package is for C++ and CMake. For a Python package, delete it and type: {words}', file=sys.stderr)
     return 0
 
 
 def is_in_course(folder: str) -> bool:
-    """Whether a folder lies in a course, whose packages are in Python."""
+    """Return whether a folder is in a course, whose packages are in Python."""
     here = os.path.abspath(folder)
     while True:
         if any(os.path.isfile(os.path.join(here, *place)) for place in (('course.toml',), ('exercises', 'course.toml'))):
@@ -70,7 +70,7 @@ def is_in_course(folder: str) -> bool:
 
 
 def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
-    """What the options describe; `name` and `email` are those of the maintainer when no option says so."""
+    """Return the package that the options describe; `name` and `email` are the default maintainer."""
     from edulaunch.advice.workspace.new_package import NewPackage
 
     return NewPackage(
@@ -88,7 +88,7 @@ def described_package(arguments: argparse.Namespace, name: str, email: str) -> N
 
 
 def maintainer() -> tuple[str, str]:
-    """Name and address of whoever works here: the user's, and what git knows, as `ros2 pkg create` takes them."""
+    """Return the name and address of the user from the system and git, as `ros2 pkg create` does."""
     import getpass
     import subprocess
 
@@ -105,7 +105,7 @@ def maintainer() -> tuple[str, str]:
 
 
 def check(path: str) -> int:
-    """Print what is wrong in the packages below `path`."""
+    """Print the mistakes in the packages below `path`."""
     from edulaunch.advice.judging import judge_workspace
     from edulaunch.advice.reader import reader_here
     from edulaunch.advice.source_package import workspace_at

@@ -1,4 +1,4 @@
-"""`edulaunch recording info|show|export|diff`: what a recording holds, as text, page, pictures or tables; and what differs."""
+"""`edulaunch recording info|show|export|diff`: summarise, replay, draw, export or compare recordings."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'paramet
 
 def _file_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('file', metavar='FILE', help='a recording')
-    parser.add_argument('--trusted', action='store_true', help='read the recording however large it is')
+    parser.add_argument('--trusted', action='store_true', help='read the recording without limits on its size')
 
 
 def export_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which form, and where."""
+    """Add the form and the place of the output."""
     _file_arguments(parser)
     form = parser.add_mutually_exclusive_group(required=True)
-    form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='as a bag for `ros2 bag` (default: FILE_bag)')
-    form.add_argument('--mcap', metavar='OUT', nargs='?', const='', help='as one MCAP file (default: FILE.mcap)')
-    form.add_argument('--csv', metavar='FOLDER', nargs='?', const='', help='one table for each topic (default: FILE_csv)')
-    parser.add_argument('--topics', nargs='+', metavar='TOPIC', help='only these topics')
-    parser.add_argument('--storage', choices=('mcap', 'sqlite3'), default='mcap', help='of the bag (default: mcap)')
+    form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='write a bag for `ros2 bag` (default: FILE_bag)')
+    form.add_argument('--mcap', metavar='OUT', nargs='?', const='', help='write one MCAP file (default: FILE.mcap)')
+    form.add_argument('--csv', metavar='FOLDER', nargs='?', const='', help='write one table for each topic (default: FILE_csv)')
+    parser.add_argument('--topics', nargs='+', metavar='TOPIC', help='export only these topics')
+    parser.add_argument('--storage', choices=('mcap', 'sqlite3'), default='mcap', help='storage format of the bag')
 
 
 def export(arguments: argparse.Namespace) -> int:
-    """Write it, and print where it is; 0 when that went well.
+    """Write the bag or the tables, and print their paths; return 0 if that succeeded.
 
-    :raises UnusableInput: when the folder or file is there already, or cannot be made.
+    :raises UnusableInput: when the folder or file exists, or cannot be created.
     :raises MissingExtra: for a bag without rosbags.
     """
     source()
@@ -46,7 +46,7 @@ def export(arguments: argparse.Namespace) -> int:
     given = {'_bag': arguments.bag, '.mcap': arguments.mcap, '_csv': arguments.csv}
     folder = next(out or f'{stem}{ending}' for ending, out in given.items() if out is not None)
     if os.path.exists(folder):
-        raise UnusableInput(f'{folder} is there already', help='name a new folder, or remove it')
+        raise UnusableInput(f'{folder} already exists', help='name a new folder, or remove this one')
     names = [name for name, topic in recording.topics.items() if topic.count]
     for name in arguments.topics or ():
         if name not in names:
@@ -60,13 +60,13 @@ def export(arguments: argparse.Namespace) -> int:
         else:
             _write_tables(recording, folder, chosen)
     except OSError as error:
-        raise UnusableInput(f'{folder} cannot be written: {error.strerror}') from None
+        raise UnusableInput(f'cannot write {folder}: {error.strerror}') from None
     print(folder)
     return 0
 
 
 def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]) -> None:
-    """The messages at the times when they were published; of a topic with several types those of the first."""
+    """Write the messages at the times when they were published; if a topic has several types, only those of the first type."""
     from edulaunch.desk.cli.ros2.bag import require_rosbags
 
     require_rosbags()
@@ -94,7 +94,7 @@ def _write_mcap(recording: Recording, path: str, names: list[str]) -> None:
 
 
 def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
-    """A file `turtle1.pose.csv` for the topic /turtle1/pose: seconds, and a column for each number or text of the message."""
+    """Write `turtle1.pose.csv` for the topic /turtle1/pose: seconds, and a column for each number or string of the message."""
     import csv
 
     os.makedirs(folder)
@@ -108,7 +108,7 @@ def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
 
 
 def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
-    """Path and value of each number or text in a message, such as ('linear.x', 2.0)."""
+    """Yield path and value of each number or string in a message, such as ('linear.x', 2.0)."""
     fields = getattr(value, 'get_fields_and_field_types', None)
     if fields is not None:
         for name in fields():
@@ -121,22 +121,24 @@ def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
-    """Page or pictures, and what of the run."""
+    """Add the choice of page or picture, and its content."""
     _file_arguments(parser)
-    parser.add_argument('--html', metavar='OUT', nargs='?', const='', help='write a page that plays it (default: FILE.html)')
+    parser.add_argument(
+        '--html', metavar='OUT', nargs='?', const='', help='write an HTML page that replays the run (default: FILE.html)'
+    )
     parser.add_argument('--png', metavar='OUT', nargs='?', const='', help='write a picture (default: FILE.png)')
-    parser.add_argument('--what', choices=PICTURES, help='what the picture shows (default: turtles, or else nodes and topics)')
-    parser.add_argument('--at', type=float, metavar='SECONDS', help='when (default: the end of the run)')
-    parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side of the page')
+    parser.add_argument('--what', choices=PICTURES, help='content of the picture (default: turtles, otherwise nodes and topics)')
+    parser.add_argument('--at', type=float, metavar='SECONDS', help='time of the picture (default: the end of the run)')
+    parser.add_argument('--tab', choices=TABS, default='graph', help='the first tab on the right side of the page')
     parser.add_argument('--with', dest='other', metavar='OTHER', help='a recording that the page plots over this one')
-    parser.add_argument('--open', action='store_true', help='show it in a browser')
+    parser.add_argument('--open', action='store_true', help='open the result in a browser')
 
 
 def show(arguments: argparse.Namespace) -> int:
-    """Write what is asked for, and print where it is; 0 when that went well.
+    """Write the page or picture, and print its path; return 0 if that succeeded.
 
     :raises UnusableInput: when it cannot be written.
-    :raises NothingToDraw: when the run has nothing of the kind.
+    :raises NothingToDraw: when the run has no such content.
     """
     recording = Recording.load(arguments.file, trusted=arguments.trusted)
     stem = os.path.splitext(arguments.file)[0]
@@ -148,7 +150,7 @@ def show(arguments: argparse.Namespace) -> int:
         if arguments.png is not None:
             written.append(write_picture(recording, arguments.png or f'{stem}.png', arguments.what, arguments.at))
     except OSError as error:
-        raise UnusableInput(f'{error.filename} cannot be written: {error.strerror}') from None
+        raise UnusableInput(f'cannot write {error.filename}: {error.strerror}') from None
     for path in written:
         print(path)
     if arguments.open:
@@ -157,7 +159,7 @@ def show(arguments: argparse.Namespace) -> int:
 
 
 def write_page(recording: Recording, path: str, tab: str = 'graph', other: Recording | None = None) -> str:
-    """Write the page that plays a recording in any browser, without a network; returns the path."""
+    """Write the page that replays a recording in any browser, without a network; return the path."""
     from edulaunch.desk.view.page import recorded_page
     from edulaunch.desk.view.replay import timeline_of
 
@@ -168,7 +170,7 @@ def write_page(recording: Recording, path: str, tab: str = 'graph', other: Recor
 
 
 def write_picture(recording: Recording, path: str, what: str | None = None, time_s: float | None = None) -> str:
-    """Write a picture as PNG; returns the path. Raises NothingToDraw when the run has nothing of the kind."""
+    """Write a picture as PNG; return the path. Raise NothingToDraw if the run has no such content."""
     from edulaunch.engine.recording.absent import NothingToDraw
 
     if what is None:
@@ -185,14 +187,14 @@ def write_picture(recording: Recording, path: str, what: str | None = None, time
 
 
 def diff_arguments(parser: argparse.ArgumentParser) -> None:
-    """The two recordings, and where the picture goes."""
+    """Add the two recordings, and the picture."""
     _file_arguments(parser)
     parser.add_argument('other', metavar='OTHER', help='the recording to compare with')
-    parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs, with what differs')
+    parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs with their differences')
 
 
 def diff(arguments: argparse.Namespace) -> int:
-    """Print what differs between two runs. 0 when nothing does, 1 when something does.
+    """Print the differences between two runs. Return 0 if there are no differences, otherwise 1.
 
     :raises UnusableInput: when the picture cannot be written.
     """
@@ -207,24 +209,24 @@ def diff(arguments: argparse.Namespace) -> int:
         try:
             pictured(before, after).save(arguments.png)
         except OSError as error:
-            raise UnusableInput(f'{arguments.png} cannot be written: {error.strerror}') from None
+            raise UnusableInput(f'cannot write {arguments.png}: {error.strerror}') from None
         print(arguments.png)
     return 1 if found else 0
 
 
 def recording_arguments(parser: argparse.ArgumentParser) -> None:
-    """The sub-verbs."""
+    """Add the sub-verbs."""
     verbs = parser.add_subparsers(dest='what_to_do', metavar='diff | export | info | show', required=True)
-    info = verbs.add_parser('info', help='say what a recording holds')
+    info = verbs.add_parser('info', help='print a summary of a recording')
     _file_arguments(info)
     info.add_argument('--json', action='store_true', help='as JSON')
-    show_arguments(verbs.add_parser('show', help='write a page that plays a recording, or a picture'))
-    diff_arguments(verbs.add_parser('diff', help='say what differs between two recordings'))
-    export_arguments(verbs.add_parser('export', help='write the messages as a bag, or as tables'))
+    show_arguments(verbs.add_parser('show', help='write a page that replays a recording, or a picture'))
+    diff_arguments(verbs.add_parser('diff', help='list the differences between two recordings'))
+    export_arguments(verbs.add_parser('export', help='write the messages to a bag, or to tables'))
 
 
 def recording_verb(arguments: argparse.Namespace) -> int:
-    """Print the summary, or write a page, a picture, a bag or tables; returns the exit code."""
+    """Print the summary, or write a page, a picture, a bag or tables; return the exit code."""
     if arguments.what_to_do != 'info':
         return {'show': show, 'export': export, 'diff': diff}[arguments.what_to_do](arguments)
     summary = summarise(Recording.load(arguments.file, trusted=arguments.trusted))
@@ -233,12 +235,14 @@ def recording_verb(arguments: argparse.Namespace) -> int:
 
         print(json.dumps(summary, indent=2))
     else:
-        print('\n'.join(lines(summary)).encode(errors='backslashreplace').decode())  # a program may have written half a letter
+        print(
+            '\n'.join(lines(summary)).encode(errors='backslashreplace').decode()
+        )  # a program may have written part of a character
     return 0
 
 
 def summarise(recording: Recording) -> dict[str, Any]:
-    """The summary as plain data."""
+    """Return the summary as plain data."""
     return {
         'launch_file': recording.launch.file,
         'arguments': recording.launch.arguments,
@@ -264,7 +268,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
 
 
 def lines(summary: dict[str, Any]) -> list[str]:
-    """The summary for people."""
+    """Yield the lines of the summary for people."""
     arguments = ' '.join(f'{name}:={value}' for name, value in summary['arguments'].items())
     text = [
         f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),

@@ -1,5 +1,5 @@
-"""What sets a computer up for ROS 2: `edulaunch rosdep check` names dependencies that are not here, `edulaunch colcon build` says
-that nothing has to be built, and what is done instead.
+"""Steps that set up a computer for ROS 2: `edulaunch rosdep check` lists missing dependencies, and `edulaunch colcon build`
+explains that nothing has to be built.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ from edulaunch.errors import UnusableInput
 
 
 def rosdep_arguments(parser: argparse.ArgumentParser) -> None:
-    """The sub-verbs."""
+    """Add the sub-verbs."""
     verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
-    check = verbs.add_parser('check', help='name each dependency that neither the underlay nor the workspace has')
+    check = verbs.add_parser('check', help='list dependencies that neither edulaunch nor the workspace provides')
     check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
     for verb in ('init', 'install', 'update'):
-        other = verbs.add_parser(verb, help='says that this is not needed')
-        other.add_argument('rest', nargs='*', metavar='WORD', help='what you would tell rosdep')
+        other = verbs.add_parser(verb, help='explain why this is not needed')
+        other.add_argument('rest', nargs='*', metavar='WORD', help='the arguments of rosdep')
         other.set_defaults(takes_anything=True)
 
 
 def rosdep_verb(arguments: argparse.Namespace) -> int:
-    """Print what is missing. 0 when nothing is, else 1."""
+    """Print the missing dependencies. Return 1 if one is missing, otherwise 0."""
     if arguments.what != 'check':
         from edulaunch.advice.workspace.not_needed import answer
 
@@ -37,12 +37,12 @@ def rosdep_verb(arguments: argparse.Namespace) -> int:
     for package, (name, tag, line), near in missing:
         place = f'{os.path.relpath(package.manifest_file)}:{line}' if line else os.path.relpath(package.manifest_file)
         print(
-            f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
+            f'{place}: {package.name} needs {name} (<{tag}>), which is not installed'
             + (f'; the nearest name is {near}' if near else '')
         )
     if missing:
         names = ', '.join(dict.fromkeys(package.name for package, *_ in missing))
-        print(f'\nnodes of these packages that use what is missing cannot run: {names}')
+        print(f'\nnodes that use a missing dependency cannot run: {names}')
     elif packages:
         print('All dependencies have been satisfied')
     else:
@@ -51,7 +51,7 @@ def rosdep_verb(arguments: argparse.Namespace) -> int:
 
 
 def command() -> int:
-    """The command `rosdep`: the real one where there is one, else `edulaunch rosdep`. Returns the exit code."""
+    """Run `rosdep`: the real one if it is installed, otherwise `edulaunch rosdep`. Return the exit code."""
     from edulaunch.desk.cli.main import main as edulaunch
     from edulaunch.desk.machine.command import step_aside
 
@@ -61,12 +61,12 @@ def command() -> int:
 
 
 def colcon_arguments(parser: argparse.ArgumentParser) -> None:
-    """Whatever colcon takes."""
-    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell colcon')
+    """Accept all arguments of colcon."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='the arguments of colcon')
 
 
 def colcon_verb(arguments: argparse.Namespace) -> int:
-    """Print one sentence. Always 0: the tutorial goes on with its next command."""
+    """Print one sentence. Always return 0, so that the user can continue with the next command of a tutorial."""
     from edulaunch.advice.workspace.not_needed import answer
 
     print(answer(['colcon', *(arguments.rest or ['build'])]))

@@ -1,4 +1,4 @@
-"""Findings for other programs: as SARIF 2.1.0, and as diagnostics of the Language Server Protocol."""
+"""Findings in the formats of other programs: SARIF 2.1.0, and diagnostics of the Language Server Protocol."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ LEVELS = {'error': 'error', 'warning': 'warning', 'info': 'note'}
 
 
 def sarif(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """The log of one run of the doctor, as plain data.
+    """Return the log of one run of the doctor as plain data.
 
-    :param reader: in whose language the messages are; places are absolute.
+    :param reader: has the language of the messages; paths are absolute.
     """
     names = list(dict.fromkeys(finding.rule for finding in findings))
     driver = {'name': 'edulaunch doctor', 'version': __version__, 'rules': [_rule(name) for name in names]}
@@ -61,7 +61,7 @@ def _result(finding: Finding, number: int, reader: Reader) -> dict[str, Any]:
 
 
 def _text_of(path: str) -> Text | None:
-    """The content of a file, when it can be read."""
+    """Return the content of a file, if it can be read."""
     try:
         with open(path, encoding='utf-8', newline='') as file:
             return Text(file.read(), path)
@@ -81,7 +81,7 @@ def _fix(text: Text, mark: Marked) -> dict[str, Any]:
 
 
 def lsp(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """Diagnostics of the Language Server Protocol, by the address of the file; each with its edits."""
+    """Return diagnostics of the Language Server Protocol by the address of the file; each has its edits."""
     found: dict[str, list[Any]] = {}
     for finding in findings:
         text = None if finding.file is None else _text_of(finding.file)

@@ -1,6 +1,6 @@
-"""The shared machine: one simulated computer per user and `ROS_DOMAIN_ID`, with as many terminals as one likes.
+"""The shared machine: one simulated machine per user and `ROS_DOMAIN_ID`, with any number of terminals.
 
-A *machine* is a process that hosts one Session in real time. A *terminal* is a thin client: it hands words, folder, environment
-and keyboard over, and the command runs inside the machine's simulation. The client side (`command`, `client`, `place`, `wire`)
-uses the standard library only and imports nothing of the engine: it starts like a shell command.
+A *machine* is a process that hosts one Session in real time. A *terminal* is a thin client: it passes on words, folder,
+environment and keyboard, and the command runs inside the machine's simulation. The client side (`command`, `client`, `place`,
+`wire`) imports only the standard library, so that it starts as fast as a shell command.
 """

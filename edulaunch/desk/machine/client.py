@@ -1,4 +1,4 @@
-"""A terminal's side: hands the command to the machine and shows what comes back, on a keyboard or to a program that asks.
+"""The terminal's side: pass the command to the machine and show its output, for a keyboard or for a calling program.
 
 Standard library only.
 """
@@ -18,29 +18,29 @@ from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, l
 from edulaunch.desk.machine.starting import CannotConnect, connect, open_connection, state
 
 ANSWER_S = 3.0
-"""Seconds that a machine has to answer `edulaunch machine ...`; then the guardian answers."""
+"""A machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
 STOP_S = 5.0
-"""Seconds that a guardian has to end its machine."""
+"""A guardian has this many seconds to end its machine."""
 END_S = 15.0
-"""Seconds that a command has to end after Ctrl-C."""
+"""A command has this many seconds to end after Ctrl-C."""
 LOG_S = 1.0
-"""Seconds that it has to write why the machine ended."""
+"""The guardian has this many seconds to write why the machine ended."""
 
 
 def run(words: Sequence[str], *, start: bool = True) -> int:
-    """Run a command on the machine of this domain, in this terminal; returns its exit code.
+    """Run a command on the machine of this domain, in this terminal; return its exit code.
 
-    :param start: whether to start a machine when there is none; else a sentence says that there is none.
+    :param start: whether to start a machine if none runs; without it, print an error in that case.
     """
     _open_the_closed()
-    for _ in range(3):  # a machine may end just when we come
+    for _ in range(3):  # a machine may end during the connection
         try:
             found = connect(domain(), start=start)
         except (UnsafePlace, OSError) as error:
             stuck = read_address(folder(), domain()) if words[:2] == ['machine', 'stop'] else None
             return _failed(str(error)) if stuck is None else _stop_by_force(stuck)
         if found is None:
-            return _failed(f'no machine is running in ROS_DOMAIN_ID {domain()}: any `ros2` command starts one')
+            return _failed(f'no machine is running in ROS_DOMAIN_ID {domain()}: start one with any `ros2` command')
         code = _follow(*found, words)
         if code is not None:
             return code
@@ -48,7 +48,7 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
 
 
 def _follow(connection: socket.socket, address: Address, words: Sequence[str]) -> int | None:
-    """Follow a command to its end; returns its exit code, None when the machine ended before it took the command."""
+    """Follow a command to its end; return its exit code, or None if the machine ended before it took the command."""
     asks_machine = words[:1] == ['machine']
     follower = Follower(connection, lambda: state(address), ANSWER_S if asks_machine else GIVE_UP_S)
     with connection:
@@ -66,7 +66,7 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str]) -
 
 
 def _reason() -> str:
-    """Why the machine ended, as the rest of a sentence: what its guardian wrote, or which file has more; empty for neither."""
+    """Return why the machine ended, as the rest of a sentence: the guardian's reason or the log file, or an empty string."""
     path, deadline = log_file(folder(), domain()), time.monotonic() + LOG_S
     text = ''
     while not text and time.monotonic() < deadline:
@@ -81,9 +81,9 @@ def _reason() -> str:
 
 
 def _stop_by_force(address: Address) -> int:
-    """End a machine that does not answer: its guardian does it, or this process where the guardian is gone as well."""
+    """End a machine that does not answer: the guardian does it, or this process if the guardian has ended as well."""
     if address.host == 'notebook':
-        return _failed('the machine belongs to a notebook, and only its kernel ends it')
+        return _failed('the machine belongs to a notebook: restart its kernel to end it')
     steps = [(address.guardian, signal.SIGTERM), (address.pid, signal.SIGKILL)]
     for pid, signum in steps if address.guardian else steps[1:]:
         try:
@@ -95,14 +95,14 @@ def _stop_by_force(address: Address) -> int:
             if not _is_there(address):
                 with locked(folder(), domain()):
                     remove_address(folder(), domain(), address)
-                print('the machine did not answer, and has been ended')
+                print('the machine did not answer, so it was killed')
                 return 0
             time.sleep(0.05)
     return _failed(f'process {address.pid} does not end')
 
 
 def _is_there(address: Address) -> bool:
-    """Whether somebody still listens at that address."""
+    """Return whether a process still listens at that address."""
     try:
         found = open_connection(address)
     except CannotConnect:
@@ -113,7 +113,7 @@ def _is_there(address: Address) -> bool:
 
 
 def _open_the_closed() -> None:
-    """Let 0, 1 and 2 be files: what is opened later must not take the place of a closed one."""
+    """Make 0, 1 and 2 open files, so that a file opened later does not get the number of a closed one."""
     for number in range(3):
         try:
             os.fstat(number)
@@ -129,7 +129,7 @@ def _failed(why: str) -> int:
 def hello(
     token: str, words: Sequence[str], cwd: str | None = None, env: Mapping[str, str] | None = None, keyboard: bool = True
 ) -> bytes:
-    """The first frame: who we are, where we are, and what to run."""
+    """Return the first frame: identity, folder, and command."""
     columns, lines = window_size()
     terminals = ''.join('1' if keyboard and os.isatty(number) else '0' for number in range(3))
     variables = [f'{name}={value}' for name, value in (os.environ if env is None else env).items()]
@@ -138,7 +138,7 @@ def hello(
 
 
 def has_terminals_machine() -> bool:
-    """Whether terminals have started a machine in this domain that is running."""
+    """Return whether terminals have started a machine in this domain that is running."""
     try:
         address = read_address(folder(), domain())
         found = connect(domain(), start=False) if address is not None and address.host == 'terminals' else None
@@ -150,7 +150,7 @@ def has_terminals_machine() -> bool:
 
 
 def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: float | None = None) -> int | None:
-    """Run a command on the machine that is running; returns its exit code, None when there is no machine.
+    """Run a command on the running machine; return its exit code, or None without a machine.
 
     :param write: called as write('stdout' | 'stderr', text).
     :param seconds: real time after which Ctrl-C is pressed.

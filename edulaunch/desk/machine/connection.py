@@ -1,4 +1,4 @@
-"""The machine's end of one connection: bytes in and out, who may speak, and the keyboard that is there."""
+"""The machine's end of one connection: bytes in and out, the check of the token, and the keyboard of the other end."""
 
 from __future__ import annotations
 
@@ -19,25 +19,25 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 MOST_UNREAD = 32 << 20
-"""Bytes that wait for a terminal that does not read; with more it is taken for dead."""
+"""If more bytes wait for a terminal that does not read, the terminal is considered dead."""
 CHUNK = 1 << 16
 SOON_S = 0.02
 
 
 class Peer(Protocol):
-    """What a connection becomes once the other side has said who it is: a terminal, or a live page."""
+    """What a connection becomes after its first frame: a terminal, or a live view."""
 
     def take(self, kind: bytes, payload: bytes) -> None:
-        """The other side has sent a frame."""
+        """Handle a frame of the other side."""
 
     def hang_up(self) -> None:
-        """The other side is gone."""
+        """The other side has closed the connection."""
 
 
 class Connection:
-    """One accepted connection. It says nothing, and nothing is done for it, before it has said the token.
+    """One accepted connection. It sends and does nothing before the other side has sent the token.
 
-    :param open_peer: makes the terminal or live page that the first frame asks for.
+    :param open_peer: creates the terminal or live view that the first frame requests.
     :param forget: called once, when it is closed.
     :ivar terminal: what it became, if it is one.
     """
@@ -67,18 +67,18 @@ class Connection:
         selector.register(client, self._events, self._attend)
 
     def send(self, kind: bytes, payload: bytes = b'') -> None:
-        """Say something; it leaves with the next :meth:`flush`, or now when that is long ago: some turns last."""
+        """Queue a frame. It leaves with the next :meth:`flush`, or immediately after a long turn."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
             self._unsent += wire.frame(kind, payload[begin : begin + wire.LONGEST])
         if time.monotonic() - self._flushed_s > SOON_S:
             self._push()
 
     def end(self) -> None:
-        """Close as soon as everything is said."""
+        """Close when everything is sent."""
         self._is_last = True
 
     def flush(self) -> None:
-        """Send what waits, as far as the other side takes it."""
+        """Send the waiting bytes, as far as the other side accepts them."""
         if not self.is_open:
             return
         is_there = self._push()
@@ -91,7 +91,7 @@ class Connection:
             self._selector.modify(self._socket, events, self._attend)
 
     def _push(self) -> bool:
-        """Send as much as goes; False when the other side is gone."""
+        """Send as much as possible; return False if the other side has closed."""
         self._flushed_s = time.monotonic()
         try:
             while self._unsent and self.is_open:
@@ -103,7 +103,7 @@ class Connection:
         return True
 
     def close(self) -> None:
-        """The other side is gone, or has to go: its programs end as those of a closed terminal."""
+        """The other side has closed, or must: its programs end as those of a closed terminal."""
         if self.is_open:
             self.is_open = False
             self._selector.unregister(self._socket)
@@ -120,7 +120,7 @@ class Connection:
                 self.close()
 
     def _read(self) -> bool:
-        """Hear what has come; False when nothing good will come any more."""
+        """Read what has arrived; return False if the connection is no longer useful."""
         try:
             data = self._socket.recv(CHUNK)
             self._received += self._frames.feed(data)
@@ -131,20 +131,20 @@ class Connection:
         return bool(data)
 
     def take_received(self) -> None:
-        """Do what was said. What makes no sense closes the connection."""
+        """Handle a frame. An invalid frame closes the connection."""
         try:
             while self._received and self.is_open:
                 self._take(*self._received.popleft())
         except (wire.BadFrame, ValueError, IndexError):
             self.close()
-        except Exception:  # a mistake of ours: the machine and its other terminals go on
+        except Exception:  # a bug in edulaunch: the machine and its other terminals continue
             traceback.print_exc(file=sys.__stderr__)
             self.close()
 
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
-        """While a program of the terminal keeps its turn: let Ctrl-C, and the end of the terminal, reach it.
+        """While a program of the terminal keeps its turn, pass Ctrl-C and the end of the terminal on to it.
 
-        :raises BaseException: what the signal raises in the program, here in the midst of its code.
+        :raises BaseException: what the signal raises in the program, here in the middle of its code.
         """
         if not self._read():
             self.close()
@@ -154,7 +154,7 @@ class Connection:
             deliver(int(message[1]))
 
     def _answer(self) -> None:
-        """Let the other end know at once that its signal is here: a program may keep its turn for long after it."""
+        """Confirm a signal to the other end immediately, because a program may keep its turn for a long time."""
         self.send(wire.ANSWER)
         self._push()
 
@@ -166,15 +166,15 @@ class Connection:
             return
         fields = wire.unpack(payload) if kind == wire.HELLO else ['']
         if not hmac.compare_digest(fields[0].encode('utf-8', 'replace'), self._token.encode()):
-            raise wire.BadFrame('not the token')
+            raise wire.BadFrame('wrong token')
         self.send(wire.WELCOME)
         self.terminal = self._open_peer(self, fields[1:])
 
 
 class RemoteInput(PipedInput):
-    """What somebody types elsewhere. The other end reads its keyboard only once a program here does.
+    """The keyboard of the other end, which reads it only after a program here does.
 
-    :param send: tells the other end something.
+    :param send: sends a frame to the other end.
     :param is_terminal: whether there is a keyboard, or a pipe or a file.
     :ivar size: columns and lines of the terminal.
     """
@@ -190,21 +190,21 @@ class RemoteInput(PipedInput):
         self._is_wanted = False
 
     def isatty(self) -> bool:
-        """Whether somebody sits there."""
+        """Return whether the other end is a terminal with a person."""
         return self._is_terminal
 
     def terminal_size(self) -> tuple[int, int]:
-        """Of the window at the other end."""
+        """Return the size of the window at the other end."""
         return self.size if self._is_terminal else super().terminal_size()
 
     def take_due(self) -> None:
-        """A program reads, or looks whether there is something to read."""
+        """A program reads, or checks whether there is input."""
         if not self._is_wanted:
             self._is_wanted = True
             self._send(wire.READ)
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Let the other end's terminal give keys or lines, as the program asks for."""
+        """Make the other end's terminal send keys or lines, as the program requests."""
         import termios
 
         super().change_mode(process, flags)

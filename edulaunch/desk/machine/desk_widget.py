@@ -1,7 +1,7 @@
-"""The live desk in a notebook: a widget whose page is the same as everywhere, with the kernel as its machine.
+"""The live view in a notebook: a widget with the same page as everywhere, and with the kernel as its machine.
 
-It asks for nothing of JupyterLab's own: whatever shows ipywidgets shows it (Notebook, VS Code, Colab). Loaded late: it needs
-anywidget.
+It needs nothing of JupyterLab itself: any front end for ipywidgets shows it (Notebook, VS Code, Colab). It is loaded late,
+because it needs anywidget.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]
-    """One widget; each place that shows it is a page of its own."""
+    """One widget; each place that shows it has a page of its own."""
 
     _esm = module()
     tab = traitlets.Unicode('graph').tag(sync=True)
@@ -37,7 +37,8 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
         self.on_msg(self._hear)
 
     def _hear(self, widget: object, request: Any, buffers: object) -> None:
-        """A message may come on a thread of its own (a subshell of the kernel): it is taken where the machine runs."""
+        """Take a message of the page. It may arrive on another thread (a subshell of the kernel), and is handled on the
+        machine's."""
         self._machine.soon(lambda: self._take(request))
 
     def _take(self, request: Any) -> None:
@@ -58,7 +59,8 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
             self._machine.do_for(self._pages[name].viewer, request)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The widget; where there is no front end (nbconvert, nbval, GitHub), a picture of this instant and its text."""
+        """Return the widget, or a picture and a description of this instant for places without a front end (nbconvert,
+        GitHub)."""
         bundle = super()._repr_mimebundle_(**options)
         data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
         data.update(_still(self._machine.recording()))
@@ -66,7 +68,7 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
 
 
 def _still(recording: Recording) -> dict[str, str]:
-    """What is to be seen at the end of a recording: turtles and robots as a picture, and in words who is there."""
+    """Return the state at the end of a recording: a picture of turtles and robots, and a description."""
     try:
         picture, caption = still(read_worlds(recording), recording.duration_s)
     except NothingToDraw:
@@ -77,7 +79,7 @@ def _still(recording: Recording) -> dict[str, str]:
 
 
 def who_is_there(recording: Recording) -> str:
-    """The nodes and frames at the end of a recording, in words."""
+    """Describe the nodes and frames at the end of a recording."""
     nodes = [node.name for node in recording.nodes if node.ended_s is None and not node.name.rpartition('/')[2].startswith('_')]
     frames = list(recording.frames_at(recording.duration_s))
     return f'nodes: {", ".join(nodes) or "none"}' + (f'; frames: {", ".join(frames)}' if frames else '')

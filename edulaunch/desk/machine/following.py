@@ -1,4 +1,4 @@
-"""A terminal that follows its command on the machine: shows the output, passes keys and signals on, and never waits for ever.
+"""A terminal that follows its command on the machine: it shows the output, passes keys and signals on, and always ends.
 
 Standard library only.
 """
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
 MOST_PRESSES = 3
-"""How many signals without any answer make a terminal leave the machine."""
+"""After this many unanswered signals, a terminal leaves the machine."""
 LOOK_S = 1.0
 ANSWER_S = 1.5
-"""Seconds that a machine has to answer a signal; then the terminal says where the machine is, and after SIGTERM leaves it."""
+"""A machine has this many seconds to answer a signal; then the terminal explains the state, and leaves after SIGTERM."""
 EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
-"""Seconds without a first answer after which a terminal says what the guardian knows, says that nobody knows, and gives up."""
+"""After this many seconds without a first answer, a terminal prints what the guardian knows, and gives up."""
 BROKEN_PIPE = 141
 CHUNK = 1 << 16
 
@@ -44,17 +44,17 @@ class GaveUp(Exception):
 
 
 class _CannotWrite(Exception):
-    """The output has no place: a full disk."""
+    """The output cannot be written, for example on a full disk."""
 
 
 class _NobodyReads(Exception):
-    """The pipe that we write into is closed at its other end."""
+    """The pipe for our output is closed at its other end."""
 
 
 class Follower:
-    """One command in this terminal. Ctrl-C is passed on: what it does is the program's choice.
+    """One command in this terminal. Ctrl-C is passed on, and the program decides what it does.
 
-    :param state: says what is known of a machine that does not answer, as the rest of a sentence.
+    :param state: describes a machine that does not answer, as the rest of a sentence.
     :param give_up_s: seconds without a first answer after which the terminal ends.
     """
 
@@ -74,7 +74,7 @@ class Follower:
         self._began_s = time.monotonic()
 
     def run(self, first: bytes) -> int | None:
-        """Follow the command to its end; returns its exit code, None when the machine has gone.
+        """Follow the command to its end; return its exit code, or None if the machine has ended.
 
         :raises GaveUp: when the machine does not answer.
         """
@@ -88,7 +88,7 @@ class Follower:
         except _NobodyReads:
             return BROKEN_PIPE
         except _CannotWrite as error:
-            sys.stderr.write(f'error: the output of the command cannot be written: {error}\n')
+            sys.stderr.write(f'error: cannot write the output of the command: {error}\n')
             return 1
         except (ConnectionError, wire.BadFrame):
             return None
@@ -133,7 +133,7 @@ class Follower:
             _write(1 if kind == wire.OUTPUT else 2, payload)
 
     def _send(self, frame: bytes) -> None:
-        """Send as much as the machine takes; the rest follows when it takes more. Signals may come in the midst of it."""
+        """Send as much as the machine accepts; the rest follows later. Signals may arrive in the middle."""
         self._unsent += frame
         if self._is_sending:
             return
@@ -149,7 +149,7 @@ class Follower:
         self._watch_keys()
 
     def _watch_keys(self) -> None:
-        """Read the keyboard once a program does, and while the machine takes what is typed."""
+        """Read the keyboard while a program reads it, and while the machine accepts input."""
         wanted = self._reads and not self._unsent
         if wanted != self._has_keys:
             self._has_keys = wanted
@@ -161,7 +161,7 @@ class Follower:
     def _pass_keys(self) -> None:
         try:
             keys = os.read(0, 1 << 12)
-        except OSError:  # closed, or not ours to read
+        except OSError:  # closed, or not readable by this process
             keys = b''
         self._reads = bool(keys)
         self._send(wire.frame(wire.INPUT, keys))
@@ -180,10 +180,10 @@ class Follower:
         try:
             self._send(wire.frame(kind, text.encode()))
         except (OSError, KeyError):
-            return  # reading from it shows that the machine has gone
+            return  # reading from it shows that the machine has ended
 
     def _look(self, signum: int, frame: FrameType | None) -> None:
-        """Called while the machine owes an answer: say where it is, or give up."""
+        """Called while an answer of the machine is due: explain its state, or give up."""
         if self.is_welcome and not self._unanswered:
             return
         waited_s = time.monotonic() - self._began_s
@@ -208,7 +208,7 @@ class Follower:
 
 
 def window_size() -> tuple[int, int]:
-    """Columns and lines of this terminal."""
+    """Return columns and lines of this terminal."""
     for number in (1, 0, 2):
         try:
             columns, lines = os.get_terminal_size(number)

@@ -1,10 +1,10 @@
-"""The process beside a machine that can always act: it watches the machine, says where it is stuck, and ends it in the end.
+"""The process beside a machine that can always act: it watches the machine, reports where it is stuck, and can kill it.
 
 A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine. The
-guardian is the machine's parent process. It hears a heartbeat, and while that is missing it writes what it knows into a file that
-the terminals read. Standard library only: it takes a few megabytes and starts beside the machine.
+guardian is the machine's parent process. It receives a heartbeat. When that stops, it writes its knowledge to a file that the
+terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
 
-`python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`; the end of the heartbeat's pipe is number 3.
+`python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`; file descriptor 3 is the end of the heartbeat's pipe.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ from edulaunch.runtime.interrupt_watcher import innermost_own, library_folders
 
 LOOK_S = 0.25
 SLOW_S = 1.0
-"""Seconds without a turn's end after which terminals are told where the machine is."""
+"""After this many seconds without the end of a turn, the guardian reports the state to the terminals."""
 TURN_LIMIT_S = 2.0
 INTERRUPT, END = 5, 8
-"""How many turn limits Python may be silent before its program is interrupted, and before the machine is ended."""
+"""Python may be silent for this many turn limits before its program is interrupted, and before the machine is killed."""
 BUSY_INTERRUPT, BUSY_END = 12, 30
-"""As above while Python still runs: the watchdog inside the machine acts first."""
+"""The same while Python still runs: the watchdog inside the machine acts first."""
 STOP_S = 1.0
-"""Seconds that a machine has to end by itself when somebody stops it."""
+"""A machine has this many seconds to end by itself when a user stops it."""
 ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
 LIBRARIES = (ENGINE, *library_folders())
 HEADER = '(most recent call first):'
@@ -67,13 +67,13 @@ class Guardian:
         self.is_ready = False
 
     def stop(self, signum: int = 0, frame: FrameType | None = None) -> None:
-        """Somebody asks for the end: the machine gets a moment to end by itself."""
+        """A user stops the machine: it gets a moment to end by itself."""
         if self._stop_at_s is None:
             self._stop_at_s = time.monotonic() + STOP_S
             self._signal(signal.SIGTERM)
 
     def run(self) -> int:
-        """Watch to the end of the machine; returns its exit code, negative for a signal."""
+        """Watch to the end of the machine; return its exit code, negative for a signal."""
         while True:
             if self._pipe >= 0 and select.select([self._pipe], [], [], LOOK_S)[0]:
                 self._hear()
@@ -100,7 +100,7 @@ class Guardian:
             self._pipe = -1
         text = data.decode('utf-8', 'replace')
         now_s = time.monotonic()
-        self._traceback = ''.join((self._traceback + text).rpartition(HEADER)[1:])  # it comes in pieces
+        self._traceback = ''.join((self._traceback + text).rpartition(HEADER)[1:])  # it arrives in pieces
         if self._traceback.startswith(HEADER):
             self._where = innermost_own(self._traceback, LIBRARIES) or self._where
         if BUSY_SIGN in text or IDLE_SIGN in text:
@@ -113,26 +113,26 @@ class Guardian:
                 _remove(busy_file(self._place, self._number))
 
     def _judge(self) -> None:
-        """Say where the machine is, interrupt it, and end it, each at its time."""
+        """Report where the machine is, interrupt it, and kill it, each at its time."""
         now_s = time.monotonic()
         passed_s, self._looked_s = now_s - self._looked_s, now_s
         processor_s = _processor_s(self._pid)
         used_s, self._processor_s = processor_s - self._processor_s, processor_s
         if self._stop_at_s is not None and now_s > self._stop_at_s:
-            self._end('The machine did not answer when somebody stopped it, and was ended.')
+            self._end('The machine did not answer `edulaunch machine stop`, so it was killed.')
             return
         if not self.is_ready:
             return
         if self._is_stopped:
             self._tell(now_s, _stopped(self._pid))
             return
-        if now_s - self._beat_s > 2 * LOOK_S:  # a computer that is busy or asleep stops nobody
+        if now_s - self._beat_s > 2 * LOOK_S:  # a busy or sleeping computer is not a reason to kill a machine
             self._silent_s += used_s if processor_s else passed_s
         busy_s = now_s - self._turn_s
         if busy_s < SLOW_S:
             return
         if now_s - self._told_s >= SLOW_S:
-            self._signal(signal.SIGUSR1)  # answers with the line, also from within C code
+            self._signal(signal.SIGUSR1)  # the answer is the line, also from within C code
         self._tell(now_s, self._busy(busy_s))
         silent, busy = self._silent_s / self._limit_s, busy_s / self._limit_s
         if not self._interrupted and (silent > INTERRUPT or busy > BUSY_INTERRUPT):
@@ -171,14 +171,14 @@ class Guardian:
             return
 
     def clean_up(self, code: int) -> None:
-        """The machine is gone: nobody may find it any longer, and its log says why it ended if nothing else does."""
+        """The machine has ended: remove its file for terminals, and write the reason to its log if nothing else does."""
         with locked(self._place, self._number):
             address = read_address(self._place, self._number)
             if address is None or address.pid != self._pid:
                 return
             if code < 0 and not self._why and self._stop_at_s is None:
                 what = signal.Signals(-code).name if -code in set(signal.Signals) else f'signal {-code}'
-                why = f'The process of the machine ({self._pid}) was ended by {what} from outside.'
+                why = f'The process of the machine ({self._pid}) was killed from outside ({what}).'
                 _complain(self._place, self._number, why)
             _remove(busy_file(self._place, self._number))
             remove_address(self._place, self._number, address)
@@ -202,7 +202,7 @@ def _remove(path: str) -> None:
 
 
 def _processor_s(pid: int) -> float:
-    """The processor's time that a process has used; 0 where the system does not tell it."""
+    """Return the processor time that a process has used; 0 if the system does not report it."""
     try:
         with open(f'/proc/{pid}/stat', encoding='ascii', errors='replace') as file:
             fields = file.read().rpartition(')')[2].split()
@@ -212,7 +212,7 @@ def _processor_s(pid: int) -> float:
 
 
 def main() -> None:
-    """The program of a guardian."""
+    """Run a guardian."""
     place, number, pid = sys.argv[1], sys.argv[2], int(sys.argv[3])
     _remove(busy_file(place, number))
     guardian = Guardian(place, number, pid, BEATS, seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))

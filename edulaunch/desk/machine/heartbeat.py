@@ -1,4 +1,4 @@
-"""The machine's end of the guardian: a sign of life twice a second, and the line that runs when the guardian asks for it."""
+"""The machine's end of the guardian: a sign of life twice a second, and the current line when the guardian asks for it."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ BEAT_S = 0.4
 
 
 class Heartbeat:
-    """Says whether a machine waits for terminals, or some program has kept its turn since the last beat.
+    """Reports whether a machine waits for terminals, or some program has kept its turn since the last beat.
 
-    :param pipe: where it is written; nobody may read it.
+    :param pipe: where the beats are written; it may have no reader.
     """
 
     def __init__(self, server: Server, pipe: int = HEARTBEAT) -> None:
@@ -30,7 +30,7 @@ class Heartbeat:
         self._rounds = -1
 
     def begin(self) -> None:
-        """From now on beat, and answer the guardian's signals."""
+        """Start to beat, and to answer the guardian's signals."""
         try:
             os.set_blocking(self._pipe, False)
             os.set_inheritable(self._pipe, False)
@@ -44,7 +44,7 @@ class Heartbeat:
         threading.Thread(target=self._beat, name='edulaunch heartbeat', daemon=True).start()
 
     def _beat(self) -> None:
-        if hasattr(signal, 'pthread_sigmask'):  # the line that runs is the main thread's
+        if hasattr(signal, 'pthread_sigmask'):  # the line of interest is in the main thread
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR1, signal.SIGUSR2})
         while True:
             rounds = self._server.rounds
@@ -54,11 +54,11 @@ class Heartbeat:
                 os.write(self._pipe, (IDLE_SIGN if is_idle else BUSY_SIGN).encode())
             except BlockingIOError:
                 pass
-            except OSError:  # the guardian is gone
+            except OSError:  # the guardian has ended
                 return
             time.sleep(BEAT_S)
 
     def _interrupt(self, signum: int, frame: FrameType | None) -> None:
-        """End the program that has its turn, also inside C code that looks for signals, and in a call that waits."""
+        """End the program that has its turn, also inside C code that checks for signals, and in a call that waits."""
         if self._server.machine.session.host.program_here() is not None:
             raise RunawayProgram

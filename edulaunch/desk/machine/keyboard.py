@@ -1,4 +1,4 @@
-"""The real terminal of a client: its mode follows the program that reads, and comes back whatever becomes of the client."""
+"""The real terminal of a client: its mode follows the program that reads, and is restored even if the client is killed."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from edulaunch.desk.machine.wire import CANONICAL, ECHO, PLAIN_MODE, SIGNALS
 
 
 class Keyboard:
-    """Standard input, when it is a terminal.
+    """Standard input, if it is a terminal.
 
-    :ivar is_terminal: whether it is one; else changing the mode does nothing.
+    :ivar is_terminal: whether standard input is a terminal; if not, changing the mode does nothing.
     """
 
     def __init__(self) -> None:
@@ -20,7 +20,7 @@ class Keyboard:
         self._lifeline = -1
 
     def set_mode(self, mode: int) -> None:
-        """Read as the program wants: lines or keys, with or without echo, with or without Ctrl-C as a signal."""
+        """Read as the program requests: lines or keys, with or without echo, with or without Ctrl-C as a signal."""
         if not self.is_terminal or (mode == PLAIN_MODE and self._before is None):
             return
         import termios
@@ -36,7 +36,7 @@ class Keyboard:
         termios.tcsetattr(0, termios.TCSADRAIN, now)  # type: ignore[arg-type]
 
     def restore(self) -> None:
-        """Give the terminal back as it was found."""
+        """Restore the mode of the terminal."""
         if self._before is not None:
             import termios
 
@@ -47,9 +47,9 @@ class Keyboard:
 
 
 def _restore_when_we_die(before: list[object]) -> int:
-    """Leave somebody behind who puts the terminal right when this process ends without a word, as SIGKILL makes it.
+    """Start a process that restores the terminal if this one ends without cleaning up, as after SIGKILL.
 
-    A session of its own lets it live on when the terminal's programs are killed together. It goes when it reads a byte.
+    Its own session keeps it alive when the terminal's programs are killed together. It ends when it reads a byte.
     """
     import termios
 
@@ -71,6 +71,6 @@ def _restore_when_we_die(before: list[object]) -> int:
             os._exit(0)
     for number in (reader, is_ready):
         os.close(number)
-    os.read(ready, 1)  # a signal that comes before would end the one left behind, too
+    os.read(ready, 1)  # an earlier signal would end the restoring process, too
     os.close(ready)
     return writer

@@ -1,4 +1,4 @@
-"""The live machine: one simulation in real time, and what looks at it.
+"""The live machine: one simulation in real time, and its pages.
 
 A notebook's cells, a machine that `edulaunch.start` made, and the process that terminals share all run this machine. They differ
 in the loop that gives it its turns: `jupyter/hosting.py`, `started.py` and `serving.py`.
@@ -27,31 +27,31 @@ from edulaunch.runtime.session import Session
 
 SHOWN_EVERY_S = 1 / 30
 SHOWN_FOR_S = 1.5
-"""How long a page is kept up to date after it asked for it."""
+"""A page receives updates for this long after it asked for them."""
 FORGET_EVERY_S = 10.0
 MESSAGES_KEPT = 200
-"""A machine drops old messages every so many simulated seconds, and keeps so many of each topic."""
+"""A machine drops old messages after each period of this many simulated seconds, and keeps some of each topic."""
 PATIENCE_S = 15.0
-"""Simulated seconds that a program has to end after Ctrl-C."""
+"""A program has this many simulated seconds to end after Ctrl-C."""
 
 
 class Page:
-    """One page that shows the machine: kept up to date for a while after it asked."""
+    """One page that shows the machine; it receives updates for a while after each request."""
 
     def __init__(self, viewer: Viewer) -> None:
         self.viewer = viewer
         self._until_s = self._next_s = 0.0
 
     def ask(self) -> None:
-        """The page asks what is new."""
+        """The page asks for news."""
         self._until_s = time.monotonic() + SHOWN_FOR_S
 
     def is_shown(self) -> bool:
-        """Whether a user looks at it."""
+        """Return whether a user looks at it."""
         return time.monotonic() < self._until_s
 
     def show(self) -> None:
-        """Send what is new, if it is time to."""
+        """Send the news, if it is time to."""
         now_s = time.monotonic()
         if self._next_s <= now_s < self._until_s:
             self._next_s = now_s + SHOWN_EVERY_S
@@ -62,10 +62,10 @@ class LiveMachine(ViewedMachine):
     """Runs a session in real time, shows it on pages, and joins it to a real ROS 2 network.
 
     :param keep_s: simulated seconds after which messages are dropped, or None to keep all of them.
-    :param selector: what the owner's loop waits for; the machine makes one when it first needs it.
-    :ivar pages: the pages in a notebook that show it.
-    :ivar network: what joins a real network. None until a page or a command asks for it.
-    :ivar listeners: called with what its users have to know.
+    :param selector: the owner's loop waits on it; the machine creates one when it first needs it.
+    :ivar pages: the pages in a notebook that show the machine.
+    :ivar network: the connection to a real network. None until a page or a command asks for it.
+    :ivar listeners: called with messages for the users.
     """
 
     def __init__(self, keep_s: float | None = None, selector: selectors.BaseSelector | None = None) -> None:
@@ -77,7 +77,7 @@ class LiveMachine(ViewedMachine):
         self._forgot_s = 0.0
 
     def use(self, session: Session, speed: float = 1.0) -> None:
-        """Run this session from now on. The session before is its owner's to close."""
+        """Run this session from now on. The owner closes the previous session."""
         self.leave_network()
         self.network = None
         self.listeners = []
@@ -87,7 +87,7 @@ class LiveMachine(ViewedMachine):
         self._forgot_s = session.sim.elapsed_s
 
     def run_due(self) -> float | None:
-        """Run what is due. Returns the seconds until the next item is due, or None without one."""
+        """Run the due items. Return the seconds until the next item is due, or None without one."""
         wait_s = self.time.advance()
         if self.network is not None:
             self.network.after_turn()
@@ -95,7 +95,7 @@ class LiveMachine(ViewedMachine):
         return wait_s
 
     def forget(self) -> None:
-        """Drop old messages now and then, so that a machine that runs for hours stays small."""
+        """Drop old messages from time to time, so that a machine that runs for hours stays small."""
         sim = self.session.sim
         if self.keep_s is not None and sim.elapsed_s - self._forgot_s >= FORGET_EVERY_S:
             self._forgot_s = sim.elapsed_s
@@ -103,38 +103,38 @@ class LiveMachine(ViewedMachine):
             self.session.recorder.forget_before(sim.now_ns - round(self.keep_s * 1e9), MESSAGES_KEPT)
 
     def show_pages(self) -> None:
-        """Send each page what is new."""
+        """Send the news to each page."""
         for page in list(self.pages):
             page.show()
 
     # -- what its pages ask for
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Do something where the machine runs; from any thread."""
+        """Run a function on the machine's thread; callable from any thread."""
         raise NotImplementedError
 
     def do_for(self, viewer: Viewer, request: dict[str, Any]) -> None:
-        """What the page of a viewer asks for."""
+        """Handle a request from the page of a viewer."""
         with in_its_turn():
             viewer.take(request)
 
     # -- the real network
 
     def tell(self, text: str) -> None:
-        """What its users have to know, also for the record."""
+        """Show a message to the users, and record it."""
         self.session.recorder.note(None, 'network', text)
         for listener in self.listeners:
             listener(text)
 
     def switch(self) -> Network:
-        """What joins this machine to a real network; loaded when first asked for.
+        """Return the connection to a real network, which is loaded at the first request.
 
-        :raises UnusableInput: when no plug-in brings it.
+        :raises UnusableInput: when no plug-in provides it.
         """
         if self.network is None:
             service = network_service()
             if service is None:
-                raise plugins.absent('edulaunch network') or UnusableInput('no plug-in brings a network')
+                raise plugins.absent('edulaunch network') or UnusableInput('no plug-in provides a network')
             self.selector = self.selector or selectors.DefaultSelector()
             network: Network = service.make(self.session, self.time, self.selector)
             self.network = network
@@ -142,16 +142,16 @@ class LiveMachine(ViewedMachine):
 
     @property
     def has_joined(self) -> bool:
-        """Whether it is on a real network now."""
+        """Return whether it is on a real network now."""
         return self.network is not None and self.network.is_on
 
     @property
     def is_on_network(self) -> bool | None:
-        """Whether it has joined a real network; None where Cyclone DDS is not installed."""
+        """Return whether it has joined a real network; None if Cyclone DDS is not installed."""
         return self.has_joined if self.network is not None or can_join_network() else None
 
     def join_network(self, joins: bool) -> str:
-        """What the button of a page does, in the environment in which the machine was started."""
+        """Handle the button of a page, with the environment in which the machine was started."""
         printed: list[str] = []
         self.switch().run(['on' if joins else 'off'], os.environ, printed.append, self.tell)
         return ''.join(printed).strip()
@@ -164,7 +164,7 @@ class LiveMachine(ViewedMachine):
 
 @contextmanager
 def in_its_turn() -> Iterator[None]:
-    """Use it around each turn of a machine that lives in the asyncio loop of a notebook."""
+    """Enter it around each turn of a machine in the asyncio loop of a notebook."""
     with outer_loop_set_aside(), streams_of_programs():
         yield
 
@@ -172,11 +172,11 @@ def in_its_turn() -> Iterator[None]:
 def finish(
     session: Session, process: Process, seconds: float, on_late: Callable[[bool], object] = lambda interrupted: None
 ) -> None:
-    """Run until a command has ended. After `seconds` press Ctrl-C, and kill it when it does not end by that.
+    """Run until a command has ended. After `seconds`, press Ctrl-C, and kill the command if that does not end it.
 
-    The command's `on_exit` has to stop the simulation.
+    The command's `on_exit` must stop the simulation.
 
-    :param on_late: called before Ctrl-C is pressed; True when the user has interrupted the run.
+    :param on_late: called before Ctrl-C is pressed; returns True if the user has interrupted the run.
     """
     interrupted = session.run(seconds)
     if process.returncode is None:

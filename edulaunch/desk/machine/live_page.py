@@ -1,4 +1,4 @@
-"""The machine's end of a live page: changes on request, and what the page asks for. One line of JSON each way."""
+"""The machine's end of a live view: it sends changes on request, and handles requests. Each message is one line of JSON."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ LONGEST_LINE = 1 << 16
 
 
 class LivePage:
-    """Takes the place of a terminal, and is fed the same frames.
+    """Takes the place of a terminal, and receives the same frames.
 
-    :param machine: what it shows.
+    :param machine: the machine that the page shows.
     :param send: sends a frame to the page: its kind and payload.
     :param forget: called once with this page when it is closed.
     """
@@ -33,15 +33,15 @@ class LivePage:
         self._send(wire.OUTPUT, json.dumps(message, separators=(',', ':')).encode() + b'\n')
 
     def take(self, kind: bytes, payload: bytes) -> None:
-        """What the page says.
+        """Handle a line of the page.
 
-        :raises ValueError: for what is no JSON, or endless.
+        :raises ValueError: for invalid JSON, or a line that is too long.
         """
         if kind != wire.INPUT:
             return
         *lines, self._line = (self._line + payload).split(b'\n')
         if len(self._line) > LONGEST_LINE:
-            raise ValueError('an endless line')
+            raise ValueError('the line is too long')
         for line in lines:
             try:
                 request = json.loads(line)
@@ -53,6 +53,6 @@ class LivePage:
                 self._viewer.take(request)
 
     def hang_up(self) -> None:
-        """The page is gone."""
+        """The page has closed."""
         self._forget(self)
         self._viewer.close()

@@ -1,4 +1,4 @@
-"""What a live machine asks of a real ROS 2 network. A plug-in brings the network as a service."""
+"""The interface of a live machine to a real ROS 2 network. A plug-in provides the network as a service."""
 
 from __future__ import annotations
 
@@ -10,56 +10,56 @@ from typing import Any, Protocol
 from edulaunch.runtime import plugins
 
 FARTHEST_NS = 24 * 3600 * 10**9
-"""A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
+"""If the clock differs more from real time, the machine cannot join: the recording would have a gap of that length."""
 
 
 def is_walls_time(now_ns: int) -> bool:
-    """Whether a machine's time is about that of the clock on the wall."""
+    """Return whether a machine's time is close to real time."""
     return -(10**9) < wall.time_ns() - now_ns < FARTHEST_NS
 
 
 class Network(Protocol):
-    """The service of the name 'network'. Its module has `is_available()` and `make(session, time, selector)` returns this."""
+    """The service named 'network'. Its module has `is_available()`, and `make(session, time, selector)`, which returns this."""
 
     @property
     def is_on(self) -> bool:
-        """Whether it has joined."""
+        """Return whether the machine has joined."""
 
     def run(
         self, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
     ) -> int:
-        """`edulaunch network WORDS...`; returns the exit code.
+        """Run `edulaunch network WORDS...`; return the exit code.
 
-        :param say: writes to who has asked.
-        :param tell: writes to everybody.
+        :param say: writes to the terminal of the command.
+        :param tell: writes to all terminals.
         """
 
     def join(
         self, env: Mapping[str, str], words: Sequence[str], tell: Callable[[str], object], say: Callable[[str], object]
     ) -> Callable[[], object]:
-        """Join for as long as a program runs; returns what to call at its end."""
+        """Join while a program runs; return a function to call at its end."""
 
     def where(self) -> str:
-        """Which network it is on, and by what."""
+        """Describe the network and the library that connects to it."""
 
     def listen(self, seconds: float) -> None:
-        """Take what has come, and wait for it at most so long."""
+        """Handle what has arrived, and wait for it at most this long."""
 
     def after_turn(self) -> None:
         """Called after each turn of the machine."""
 
     def off(self) -> bool:
-        """Leave; whether it was on."""
+        """Leave the network; return whether the machine was on it."""
 
 
 @cache
 def network_service() -> Any | None:
-    """The module of the service; None when no plug-in brings it."""
+    """Return the module of the service; None if no plug-in provides it."""
     return plugins.service('network')
 
 
 @cache
 def can_join_network() -> bool:
-    """Whether the service is there, with the library that it needs."""
+    """Return whether the service and the library that it needs are installed."""
     service = network_service()
     return service is not None and service.is_available()

@@ -1,4 +1,4 @@
-"""What a terminal says at once of programs that behave differently on a real computer: a window, a keyboard."""
+"""Notes of a terminal about programs that behave differently on a real computer: a window, a keyboard."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 VIEWS = {'turtlesim_node': 'graph', 'rviz2': 'frames', 'waffle_simulator': 'graph', 'joint_state_publisher_gui': 'frames'}
-"""Programs with a window on a real computer, and the tab of the live page that shows what they show."""
+"""Programs with a window on a real computer, and the tab of the live view with the same content."""
 READ_KEYS = {
     'turtle_teleop_key': 'turtlesim',
     'teleop_twist_keyboard': 'teleop_twist_keyboard',
     'teleop_keyboard': 'turtlebot3_teleop',
 }
-"""Programs that are driven by keys, and their packages."""
+"""Programs that read keys, and their packages."""
 
 
 class Notes:
-    """The notes that a machine's terminals have got: each comes once.
+    """The notes that a machine's terminals have printed; each note is printed once.
 
-    :ivar knows_view: whether somebody has a live page, or was told how to get one.
+    :ivar knows_view: whether the user has a live view, or has read how to open one.
     """
 
     def __init__(self) -> None:
@@ -31,10 +31,10 @@ class Notes:
         self._noted_packages: set[tuple[int, str]] = set()
 
     def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
-        """What is to be said now in a terminal.
+        """Yield the notes to print in a terminal now.
 
-        :param words: its command.
-        :param programs: what runs there, the command first.
+        :param words: the command of the terminal.
+        :param programs: the programs that run there, the command first.
         """
         if not programs:
             return
@@ -49,8 +49,8 @@ class Notes:
             for name in filter(READ_KEYS.__contains__, names):
                 self._noted_pids.add(programs[0].pid)
                 yield (
-                    f'note: {name} gets no keys from a launch file; '
-                    f'type `ros2 run {READ_KEYS[name]} {name}` in a terminal of its own\n'
+                    f'note: {name} cannot read keys when a launch file starts it; '
+                    f'type `ros2 run {READ_KEYS[name]} {name}` in another terminal\n'
                 )
                 break
 

@@ -1,6 +1,6 @@
-"""Where a machine is found, and how one is started.
+"""How a machine is found, and how one is started.
 
-A folder that only its user may enter has one small file per ROS_DOMAIN_ID.
+A folder that only its user may enter has one small file for each ROS_DOMAIN_ID.
 """
 
 from __future__ import annotations
@@ -10,62 +10,62 @@ import socket
 import stat
 
 LISTENER = 3
-"""The number under which a new machine finds the socket that listens already."""
+"""The file descriptor of the socket that already listens for a new machine."""
 HEARTBEAT = 4
-"""The number under which it finds the pipe to its guardian."""
+"""The file descriptor of a new machine's pipe to its guardian."""
 BEATS = 3
-"""The number under which a guardian finds its end of that pipe."""
+"""The file descriptor of the guardian's end of that pipe."""
 IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
-"""What goes through the pipe: no program has its turn for long, or one has had it since the last sign."""
+"""The bytes in the pipe: no long turn, or a program has kept its turn since the last byte."""
 LONGEST_SOCKET_PATH = 100
-"""The operating systems allow little more."""
+"""Operating systems allow only slightly longer socket paths."""
 BACKLOG = 256
 
 
 class UnsafePlace(Exception):
-    """The folder of the machines belongs to somebody else, or others may write in it."""
+    """The folder of the machines belongs to another user, or others may write in it."""
 
 
 class NoTerminals(UnsafePlace):
-    """This system lacks what a machine is made of that terminals share (a fork, a lock on a file, a poll)."""
+    """This system lacks a function that the shared machine needs (a fork, a lock on a file, a poll)."""
 
     def __init__(self) -> None:
         super().__init__(
-            'terminals share a machine on Linux and macOS only, and this is neither\n'
-            '  help: WSL and GitHub Codespaces are a Linux in which all of it works; here you have `edulaunch launch`, '
+            'the shared machine needs Linux or macOS\n'
+            '  help: use WSL or GitHub Codespaces, where everything works; on this system you can use `edulaunch launch`, '
             '`edulaunch explain`,\n        edulaunch.run() in Python, the lessons in JupyterLab, and `edugrade`'
         )
 
 
 class Address:
-    """How a machine is reached. (A plain class: `typing` takes longer to load than everything else that a terminal needs.)
+    """The address of a machine. (A plain class: loading `typing` takes longer than everything else that a terminal needs.)
 
     :ivar kind: 'unix' or 'tcp'.
-    :ivar place: path of the socket, or number of a port on 127.0.0.1.
-    :ivar token: what a terminal has to know.
-    :ivar pid: of the process that hosts the machine.
+    :ivar place: path of the socket, or port number on 127.0.0.1.
+    :ivar token: the secret that a terminal must send.
+    :ivar pid: the process that hosts the machine.
     :ivar host: 'terminals', or 'notebook' for a kernel.
-    :ivar guardian: pid of the process that watches it; 0 for a notebook.
+    :ivar guardian: pid of the process that watches the machine; 0 for a notebook.
     """
 
     def __init__(self, kind: str, place: str, token: str, pid: int, host: str, guardian: int = 0) -> None:
         self.kind, self.place, self.token, self.pid, self.host, self.guardian = kind, place, token, pid, host, guardian
 
     def lines(self) -> list[str]:
-        """As the file says it."""
+        """Return the content of the file for it."""
         return [self.kind, self.place, self.token, str(self.pid), self.host, str(self.guardian)]
 
 
 def domain() -> str:
-    """The ROS_DOMAIN_ID of this terminal: 0 if none, or a strange one, is set."""
+    """Return the ROS_DOMAIN_ID of this terminal; 0 if it is not set or invalid."""
     given = os.environ.get('ROS_DOMAIN_ID', '').strip()
     return given if given.isdigit() else '0'
 
 
 def folder() -> str:
-    """The folder, made if there is none.
+    """Return the folder of the machines, and create it if necessary.
 
-    :raises UnsafePlace: when it is not this user's alone; NoTerminals where there is no such machine.
+    :raises UnsafePlace: when others can write in it; NoTerminals where the shared machine is not available.
     """
     if not hasattr(os, 'fork'):
         raise NoTerminals
@@ -80,8 +80,8 @@ def folder() -> str:
     found = os.lstat(path)
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != user or stat.S_IMODE(found.st_mode) & 0o077:
         raise UnsafePlace(
-            f'{path} must be a folder that only you may enter, and is not\n'
-            '  help: remove it, or let XDG_RUNTIME_DIR name a folder of your own'
+            f'other users can enter {path}, or it is not a folder\n'
+            '  help: remove it, or set XDG_RUNTIME_DIR to a folder that only you can enter'
         )
     return path
 
@@ -89,17 +89,17 @@ def folder() -> str:
 def _make(path: str) -> None:
     try:
         os.mkdir(path, 0o700)
-    except FileExistsError:  # another terminal came first
+    except FileExistsError:  # another terminal was faster
         return
 
 
 def address_file(place: str, number: str) -> str:
-    """Path of the file that says where the machine of a domain is."""
+    """Return the path of the file with the address of a domain's machine."""
     return os.path.join(place, f'domain-{number}')
 
 
 def read_address(place: str, number: str) -> Address | None:
-    """Where the machine of a domain is said to be; it may be gone."""
+    """Return the recorded address of a domain's machine, which may have ended."""
     try:
         with open(address_file(place, number), encoding='utf-8') as file:
             kind, where, token, pid, host, guardian = (file.read(4096).split('\n') + [''])[:6]
@@ -109,7 +109,7 @@ def read_address(place: str, number: str) -> Address | None:
 
 
 def write_address(place: str, number: str, address: Address) -> None:
-    """Let terminals find a machine from now on; whoever reads sees the old file or the new one."""
+    """Let terminals find a machine from now on. Readers see the old file or the new one, never a part of it."""
     path = address_file(place, number)
     new = f'{path}.{os.getpid()}'
     with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), 'w', encoding='utf-8') as file:
@@ -118,7 +118,7 @@ def write_address(place: str, number: str, address: Address) -> None:
 
 
 def remove_address(place: str, number: str, address: Address) -> None:
-    """Let nobody find that machine any longer; another one stays."""
+    """Remove the address of that machine; the address of another machine stays."""
     found = read_address(place, number)
     paths = [address_file(place, number)] if found is not None and found.token == address.token else []
     for path in [*paths, *([address.place] if address.kind == 'unix' else [])]:
@@ -127,7 +127,7 @@ def remove_address(place: str, number: str, address: Address) -> None:
 
 
 def remove_stale_sockets(place: str) -> None:
-    """Remove the sockets of machines that were killed: nobody listens on them."""
+    """Remove the sockets of machines that were killed: they have no listener."""
     for entry in os.scandir(place):
         if not stat.S_ISSOCK(entry.stat(follow_symlinks=False).st_mode):
             continue
@@ -137,12 +137,12 @@ def remove_stale_sockets(place: str) -> None:
                 asked.connect(entry.path)
             except ConnectionRefusedError:
                 os.unlink(entry.path)
-            except OSError:  # its queue is full: somebody listens
+            except OSError:  # its queue is full, so a machine listens
                 continue
 
 
 class locked:
-    """With it: alone among all who start or end a machine of this domain. Whoever dies lets go."""
+    """Lock out all other processes that start or end a machine of this domain. The lock ends with its process."""
 
     def __init__(self, place: str, number: str) -> None:
         self._path = os.path.join(place, f'lock-{number}')
@@ -159,7 +159,7 @@ class locked:
 
 
 def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
-    """A socket for terminals that only this user can reach: a Unix socket, or a port of the loopback that asks for the token."""
+    """Return a socket that only this user can reach: a Unix socket, or a port of the loopback that requires the token."""
     token = os.urandom(16).hex()
     path = os.path.join(place, f'{number}-{token[:8]}')
     if hasattr(socket, 'AF_UNIX') and len(os.fsencode(path)) <= LONGEST_SOCKET_PATH:
@@ -179,12 +179,12 @@ def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
 
 
 def busy_file(place: str, number: str) -> str:
-    """The guardian writes here where a machine is that does not answer; there is no such file while it does."""
+    """Return the file in which the guardian describes a machine that does not answer; otherwise, the file does not exist."""
     return os.path.join(place, f'domain-{number}.busy')
 
 
 def seconds_from(name: str, usual: float) -> float:
-    """A number of seconds from the environment."""
+    """Return a number of seconds from the environment."""
     try:
         return float(os.environ.get(name, usual))
     except ValueError:
@@ -192,5 +192,5 @@ def seconds_from(name: str, usual: float) -> float:
 
 
 def log_file(place: str, number: str) -> str:
-    """What a machine complains of is written here."""
+    """Return the log file of a machine."""
     return os.path.join(place, f'domain-{number}.log')

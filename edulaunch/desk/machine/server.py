@@ -1,4 +1,4 @@
-"""Serves terminals: one Session in real time, and everybody who is connected to it."""
+"""Serves terminals: one Session in real time, and all connections to it."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ LOOK_EVERY_S = 5.0
 class Server:
     """Serves terminals on a listening socket, with one live machine behind them.
 
-    Everything happens in :meth:`run_due` and :meth:`listen`, by turns: in a loop of its own (`serving`), or in somebody
-    else's, such as a notebook's, which waits for the `selector` itself.
+    Everything happens in :meth:`run_due` and :meth:`listen`, in turns. The loop is `serving`, or another loop that waits on
+    `selector` itself, such as the loop of a notebook.
 
-    :param machine: runs a session already.
-    :param token: what a terminal has to say first.
+    :param machine: a machine that already runs a session.
+    :param token: the secret that a terminal must send first.
     :ivar is_listening: whether it waits, and no program has its turn.
     :ivar rounds: how many times it has waited.
     """
@@ -52,15 +52,15 @@ class Server:
         self.selector.register(listener, selectors.EVENT_READ, self._accept)
 
     def run_due(self) -> float | None:
-        """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
+        """Run the due items and send the output; return the seconds until the next item is due, or None without one."""
         wait_s = self.machine.run_due()
         self.flush()
         return wait_s
 
     def run_due_safely(self) -> float | None:
-        """As :meth:`run_due`; a mistake of the engine in one program's turn is noted, and the other programs go on.
+        """Do the same as :meth:`run_due`, but log an error of the engine in one program's turn, and continue with the others.
 
-        :raises Exception: when nothing goes on any more.
+        :raises Exception: when the whole machine is stuck.
         """
         try:
             due_s = self.run_due()
@@ -74,12 +74,12 @@ class Server:
         return due_s
 
     def flush(self) -> None:
-        """Hand on what was said."""
+        """Send the output."""
         for connection in list(self._connections):
             connection.flush()
 
     def listen(self, seconds: float | None) -> None:
-        """Take what terminals say, and wait for it at most so long."""
+        """Read from terminals; wait for input at most this long."""
         if self.is_behind:
             self.is_behind = False
             for connection in list(self._connections):
@@ -89,13 +89,13 @@ class Server:
         ready = self.selector.select(seconds)
         self.is_listening = False
         if ready:
-            self.machine.time.advance()  # what was typed is typed now, not when something was due last
+            self.machine.time.advance()  # input has the current time, not the time of the last due item
         for key, events in ready:
             take: Callable[[int], object] = key.data
             take(events)
 
     def look_for_signals(self) -> None:
-        """Called in the midst of a program's turn: hear whether its terminal wants it to end."""
+        """Called during a program's turn: check whether its terminal wants it to end."""
         program = self.machine.session.host.program_here()
         for connection in list(self._connections):
             terminal = connection.terminal
@@ -104,16 +104,16 @@ class Server:
                 connection.look_for_signals(partial(terminal.signal, running=program))
 
     def move_to(self, session: Session) -> None:
-        """Let whoever comes from now on find another session."""
+        """Serve another session to all later connections."""
         self.machine.use(session)
         self.terminals = Terminals(self.machine)
 
     def has_connections(self) -> bool:
-        """Whether anybody is connected, known or not; a real network counts."""
+        """Return whether any connection is open, with or without a token; a real network counts."""
         return bool(self._connections) or self.machine.has_joined
 
     def has_terminals(self) -> bool:
-        """Whether anybody is connected who may be."""
+        """Return whether any connection with a valid token is open."""
         return any(connection.terminal is not None for connection in self._connections)
 
     def _accept(self, events: int) -> None:
@@ -128,7 +128,7 @@ class Server:
         self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
 
     def _open_peer(self, connection: Connection, fields: list[str]) -> Peer:
-        """For whoever comes now: another session may have been there when the connection was accepted."""
+        """Handle a new connection with the session of now, which may have changed since the connection was accepted."""
         return self.terminals.open(connection, fields)
 
     def _forget(self, connection: Connection) -> None:
@@ -136,14 +136,14 @@ class Server:
         self.last_seen_s = time.monotonic()
 
     def drop_the_silent(self) -> None:
-        """Close connections that did not say who they are in time."""
+        """Close connections that did not send the token in time."""
         late = time.monotonic() - HELLO_WITHIN_S
         for connection in list(self._connections):
             if connection.terminal is None and connection.since_s < late:
                 connection.close()
 
     def close(self) -> None:
-        """Let every terminal go."""
+        """Close all connections."""
         self.machine.leave_network()
         for connection in list(self._connections):
             connection.close()
@@ -152,7 +152,7 @@ class Server:
 
 
 def _is_ours(client: socket.socket) -> bool:
-    """Whether the other end is a program of this user, as far as the system can tell."""
+    """Return whether the other end is a program of this user, as far as the system can report it."""
     if client.family == getattr(socket, 'AF_UNIX', None) and hasattr(socket, 'SO_PEERCRED'):
         credentials = client.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12)
         return int.from_bytes(credentials[4:8], sys.byteorder) == os.geteuid()

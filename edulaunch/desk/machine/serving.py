@@ -1,6 +1,6 @@
 """The process that hosts a machine, from its start to its end.
 
-Ctrl-C reaches a program that keeps its turn, too: nobody listens to terminals then, so the system has to say that one has spoken.
+Ctrl-C also reaches a program that keeps its turn. The machine does not read from terminals then, so the system signals input.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.runtime.session import Session
 
 PATIENCE_S = 0.3
-"""Real seconds after which a turn is too long for somebody who has pressed a key."""
+"""After this many real seconds, a turn is too long for a user who has pressed a key."""
 GRACE_S = 10.0
-"""Seconds that a machine waits for another terminal after the last one has gone."""
+"""A machine waits this many seconds for another terminal after the last one has closed."""
 QUIET_S = 0.04
 KEPT_S = 120.0
-"""A machine that runs for hours keeps messages for so many simulated seconds."""
+"""A machine that runs for hours keeps messages for this many simulated seconds."""
 TURN_LIMIT_S = 2.0
-"""As in a Session, but others wait here."""
+"""The same limit as in a Session, but here other terminals wait."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
-"""What most commands need; loaded while nothing else is to be done."""
+"""Modules that most commands need; they are loaded while the machine is idle."""
 
 
 def wake_by_signal(connection: socket.socket) -> None:
-    """Let SIGIO come whenever something comes over a connection."""
+    """Raise SIGIO whenever input arrives over a connection."""
     if hasattr(signal, 'SIGIO'):
         import fcntl
 
@@ -45,14 +45,14 @@ def wake_by_signal(connection: socket.socket) -> None:
 
 
 class Impatience:
-    """Looks for Ctrl-C in the midst of a turn that is too long. Only in a process of its own: it takes SIGIO and SIGALRM."""
+    """Checks for Ctrl-C during a long turn. Only in a separate process, because it uses SIGIO and SIGALRM."""
 
     def __init__(self, server: Server) -> None:
         self._server = server
         self._round = -1
 
     def begin(self) -> None:
-        """From now on look."""
+        """Start checking."""
         if hasattr(signal, 'SIGIO'):
             signal.signal(signal.SIGIO, self._somebody_spoke)
             signal.signal(signal.SIGALRM, self._too_long)
@@ -68,7 +68,7 @@ class Impatience:
 
 
 def serve(server: Server, place: str, number: str, address: Address) -> None:
-    """Serve until the last terminal has been gone for a while, or somebody says so."""
+    """Serve until the last terminal has been closed for a while, or a user stops the machine."""
     early, grace_s = list(EARLY), seconds_from('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
         due_s = server.run_due_safely()
@@ -93,10 +93,10 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
 
 
 def main() -> None:
-    """The program of a machine: `python -m edulaunch.desk.machine.serving FOLDER DOMAIN`, the listening socket is number 3."""
+    """Run a machine: `python -m edulaunch.desk.machine.serving FOLDER DOMAIN`, with the listening socket as file descriptor 3."""
     place, number = sys.argv[1:3]
     listener = socket.socket(fileno=LISTENER)
-    with locked(place, number):  # whoever started us has written the address by then
+    with locked(place, number):  # the parent process has written the address by then
         address = read_address(place, number)
     if address is None or address.pid != os.getpid():
         return

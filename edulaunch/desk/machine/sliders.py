@@ -1,4 +1,4 @@
-"""A slider of a lesson's own for a parameter of a living machine. Loaded late: it needs ipywidgets."""
+"""A slider in a lesson for a parameter of a live machine. It is loaded late, because it needs ipywidgets."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from edulaunch.desk.machine.live import LiveMachine
 
 WITHOUT_STEP = 100
-"""Steps over a range of floats that names none."""
+"""The number of steps in a range of floats without a step."""
 
 
 def slider(
@@ -20,14 +20,14 @@ def slider(
 ) -> Any:
     """See `Machine.slider`.
 
-    :param take: does what a live page would ask for.
+    :param take: handles the requests of a live view.
     """
     ipywidgets = widgets()
     recorder = machine.session.recorder
     known = {row[2]: row[3] for row in recorder.parameters if row[1] == node}
     if not known:
         nodes = {row[1] for row in recorder.parameters}
-        raise UnusableInput(f'there is no node {node!r} with parameters', help=did_you_mean(node, nodes) or _names(nodes))
+        raise UnusableInput(f'no node with parameters is named {node!r}', help=did_you_mean(node, nodes) or _names(nodes))
     if known.get(name) is None:
         raise UnusableInput(f'{node} has no parameter {name!r}', help=did_you_mean(name, known) or _names(known))
     value = known[name]
@@ -40,7 +40,7 @@ def slider(
     elif isinstance(value, (int, float)):
         made = _number(ipywidgets, value, descriptor[5], limits, about)
     else:
-        raise UnusableInput(f'{node} {name} is no number: {value!r}', help='machine.view("parameters") changes it')
+        raise UnusableInput(f'{node} {name} is not a number: {value!r}', help='change it in machine.view("parameters")')
 
     def set_parameter(change: Any) -> None:
         text = str(change.new).lower() if isinstance(value, bool) else str(change.new)
@@ -51,13 +51,13 @@ def slider(
 
 
 def _number(ipywidgets: Any, value: float, declared: Any, limits: tuple[float, float] | None, about: dict[str, Any]) -> Any:
-    """A slider over the declared range, or over `limits`.
+    """Return a slider over the declared range, or over `limits`.
 
-    :raises UnusableInput: when there is neither.
+    :raises UnusableInput: when both are missing.
     """
     if limits is None and declared is None:
         raise UnusableInput(
-            f'{about["description"]} declares no range', help='say one: machine.slider(node, name, limits=(0, 10))'
+            f'{about["description"]} declares no range', help='give a range: machine.slider(node, name, limits=(0, 10))'
         )
     low, high, step = declared if limits is None else (*limits, 0)
     kind, usual = (ipywidgets.IntSlider, 1) if isinstance(value, int) else (ipywidgets.FloatSlider, (high - low) / WITHOUT_STEP)
@@ -65,7 +65,7 @@ def _number(ipywidgets: Any, value: float, declared: Any, limits: tuple[float, f
 
 
 def widgets() -> Any:
-    """The module ipywidgets.
+    """Return the module ipywidgets.
 
     :raises UnusableInput: when it is not installed.
     """
@@ -77,4 +77,4 @@ def widgets() -> Any:
 
 
 def _names(names: Any) -> str:
-    return f'there is: {", ".join(sorted(names))}' if names else 'let some time pass first: machine.run(1)'
+    return f'choose one of: {", ".join(sorted(names))}' if names else 'let some time pass first: machine.run(1)'

@@ -1,7 +1,7 @@
-"""`edulaunch.start`: a machine of one's own that lives beside the cells of a notebook, or in a script, and can be looked at.
+"""`edulaunch.start`: a private machine that runs beside the cells of a notebook, or in a script, with a live view.
 
-It is deterministic as `edulaunch.run` is: what somebody did by hand is kept with its simulated time, so that any instant can be
-reached again and gone on from.
+It is deterministic as `edulaunch.run` is: the machine keeps manual actions with their simulated time. Thus it can
+reach any instant again and continue from there.
 """
 
 from __future__ import annotations
@@ -35,20 +35,20 @@ if TYPE_CHECKING:
 LONGEST_SLEEP_S = 0.02
 KEPT_S = 600.0
 COMMAND_S = 5.0
-"""Simulated seconds after which Ctrl-C is pressed for a command."""
+"""Ctrl-C is pressed for a command after this many simulated seconds."""
 
 
 class Machine(LiveMachine):
-    """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
+    """A simulated machine that runs in real time while an asyncio loop runs (as in a notebook), and otherwise in `run` only.
 
-    Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
+    In a `with` statement, it ends with the block; awaited, it runs until its launches have ended.
 
-    :ivar session: what runs on it.
-    :ivar time: how simulated time follows the clock on the wall: `time.speed`, `time.paused`.
+    :ivar session: the session that runs on it.
+    :ivar time: how simulated time follows real time: `time.speed`, `time.paused`.
     """
 
     can_continue = True
-    """Until it joins a real network: what comes from there cannot be repeated."""
+    """True until it joins a real network, because messages from there cannot be repeated."""
 
     def __init__(
         self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None, *, step: bool = False
@@ -62,7 +62,7 @@ class Machine(LiveMachine):
         self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[None] | None = None
         self._begin(speed)
-        with suppress(RuntimeError):  # no loop runs: time passes in `run` only
+        with suppress(RuntimeError):  # without a running loop, time passes in `run` only
             self._loop = asyncio.get_running_loop()
             self._task = self._loop.create_task(self._follow())
 
@@ -76,14 +76,14 @@ class Machine(LiveMachine):
         return f'<Machine at {self.session.sim.elapsed_s:.3f} s, {state}, {len(self.session.graph.nodes)} nodes>'
 
     async def _follow(self) -> None:
-        """Let simulated time follow the clock on the wall while other cells run."""
+        """Let simulated time follow real time while other cells run."""
         while True:
             wait_s = self._advance()
             self.show_pages()
             await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Do something where the machine runs; from any thread."""
+        """Run a function on the machine's thread; callable from any thread."""
         if self._loop is None:
             action()
         else:
@@ -101,12 +101,12 @@ class Machine(LiveMachine):
         return None if self._loop is None else super().is_on_network
 
     def join_network(self, joins: bool) -> str:
-        """Join a real network, in the environment in which Python was started, or leave it; returns what to say.
+        """Join a real network, in the environment in which Python was started, or leave it; return a message.
 
-        For that everything runs again up to this instant, as if it had begun so long ago by the clock on the wall.
+        To join, it runs everything again up to this instant, with a start time that makes now agree with real time.
         """
         if self._loop is None:
-            return 'a machine joins a network while an asyncio loop runs, as in a notebook'
+            return 'a machine can join a network only while an asyncio loop runs, as in a notebook'
         if joins and self.can_continue and not is_walls_time(self.session.sim.now_ns):
             elapsed_ns = self.session.sim.now_ns - self._start_ns
             self._start_ns = time.time_ns() - elapsed_ns
@@ -116,9 +116,9 @@ class Machine(LiveMachine):
         return super().join_network(joins)
 
     def run(self, duration_s: float) -> Recording:
-        """Let simulated seconds pass as fast as possible; returns what was recorded so far.
+        """Let simulated time pass as fast as possible; return the recording so far.
 
-        The interrupt button (Ctrl-C) ends it early; what was recorded is kept.
+        The interrupt button (Ctrl-C) ends it early and keeps the recording.
         """
         left_s = duration_s
         while left_s > 0:
@@ -133,34 +133,34 @@ class Machine(LiveMachine):
         return self.recording()
 
     def pause(self) -> None:
-        """Let time stand still."""
+        """Pause simulated time."""
         self.time.paused = True
 
     def play(self, speed: float | None = None) -> None:
-        """Let time go on, at `speed` simulated seconds per real second."""
+        """Resume simulated time, at `speed` simulated seconds per real second."""
         if speed is not None:
             self.time.speed = speed
         self.time.paused = False
 
     def step(self, what: str = 'tick') -> None:
-        """One step: a 'tick' of turtlesim (16 ms), to the next 'message', or one 'callback'; then time stands still.
+        """Make one step, then pause: a 'tick' of turtlesim (16 ms), up to the next 'message', or one 'callback'.
 
         :raises UnusableInput: for another word.
         """
         if what not in ('tick', 'message', 'callback'):
-            raise UnusableInput(f'one step is a tick, a message or a callback, not {what!r}')
+            raise UnusableInput(f'unknown step {what!r}: use tick, message or callback')
         self.take({'op': 'step', 'what': what})
 
     def ros2(self, line: str, seconds: float = COMMAND_S) -> str:
-        """Run a command of ROS 2 to its end and return what it printed: `machine.ros2('topic list')`.
+        """Run a ROS 2 command to its end and return its output: `machine.ros2('topic list')`.
 
         :param seconds: simulated seconds after which Ctrl-C is pressed.
-        :raises UnusableInput: when the words cannot be read.
+        :raises UnusableInput: when the command cannot be parsed.
         """
         try:
             words = shlex.split(line)
         except ValueError as error:
-            raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
+            raise UnusableInput(f'cannot read this command: {error}', help='add the missing quotation mark') from None
         printed: list[str] = []
         spec = ProcessSpec(argv=('ros2', *words), name='ros2')
         sim = self.session.sim
@@ -172,16 +172,16 @@ class Machine(LiveMachine):
         return ''.join(printed)
 
     def view(self, tab: str = 'graph') -> DeskWidget:
-        """The live desk as a widget; `tab` is what it shows beside the turtles, such as 'frames', 'graph' or 'plot'.
+        """Return the live view as a widget; `tab` is the tab beside the turtles, such as 'frames', 'graph' or 'plot'.
 
         :raises UnusableInput: when anywidget is not installed, or there is no such tab.
         """
         return desk_widget(self, tab)
 
     def slider(self, node: str, name: str, limits: tuple[float, float] | None = None) -> Any:
-        """A widget that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
+        """Return a slider that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
 
-        :param limits: the least and the largest value; default: the range that the node declares.
+        :param limits: the smallest and the largest value (default: the range that the node declares).
         :raises UnusableInput: when ipywidgets is not installed, there is no such node or parameter, or no range is known.
         """
         from edulaunch.desk.machine.sliders import slider
@@ -189,18 +189,18 @@ class Machine(LiveMachine):
         return slider(self, self.take, node, name, limits)
 
     def take(self, words: dict[str, Any]) -> None:
-        """Do by hand what a page would ask for."""
+        """Do manually what a page would request."""
         self.do_for(self._hand, words)
 
     def record_request(self, words: dict[str, Any]) -> None:
-        """A page asked for this; kept with its time."""
+        """Handle a request of a page, and keep it with its time."""
         if not self._is_again:
             self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
 
     def continue_at(self, time_s: float) -> None:
-        """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.
+        """Run everything again up to an instant, with the same seed and the same manual actions, and continue from there.
 
-        What came after is gone.
+        Everything after that instant is lost.
 
         :param time_s: simulated seconds since the start.
         """
@@ -224,7 +224,7 @@ class Machine(LiveMachine):
             self._is_again = False
 
     def close(self) -> None:
-        """End everything that runs on it."""
+        """End all programs on the machine."""
         if self._task is not None:
             self._task.cancel()
             self._task = None
@@ -250,12 +250,12 @@ class Machine(LiveMachine):
 
 
 def desk_widget(machine: LiveMachine, tab: str) -> DeskWidget:
-    """The live desk of a machine as a widget; see `Machine.view`.
+    """Return the live view of a machine as a widget; see `Machine.view`.
 
     :raises UnusableInput: when anywidget is not installed, or there is no such tab.
     """
     if tab not in TABS:
-        raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
+        raise UnusableInput(f'unknown tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
     try:
         from edulaunch.desk.machine.desk_widget import DeskWidget
     except ImportError:
@@ -274,17 +274,21 @@ def start(
     keep_s: float | None = KEPT_S,
     step: bool = False,
 ) -> Machine:
-    """Start a machine, and a launch file on it: as :func:`edulaunch.run`, but it goes on and can be looked at.
+    """Start a machine and a launch file on it, as :func:`edulaunch.run` does, but let it continue, with a live view.
 
-    :param path_or_package: as in `run`; None: nothing is launched.
+    :param path_or_package: path of a launch file, or name of a package; None launches nothing.
+    :param file: name of a launch file in the package.
+    :param arguments: launch arguments by name, as on the command line.
+    :param seed: the seed of all random numbers.
     :param speed: simulated seconds per real second.
-    :param keep_s: simulated seconds after which messages are let go, so that a machine that goes on for hours stays small; None:
-        never. Nodes, parameters and the last messages of each topic stay.
+    :param workspaces: folders with the student's packages (default: the same as in `run`).
+    :param keep_s: simulated seconds after which old messages are dropped, so that a machine that runs for hours stays small. None
+        keeps all messages. Nodes, parameters and the last messages of each topic always stay.
     :param step: stop before the first action of the launch file; continue in the tab *Launch* of `machine.view('launch')`.
-    :raises UnusableInput: when the file or package does not exist, or `speed` is no positive number.
+    :raises UnusableInput: when the file or package does not exist, or `speed` is not a positive number.
     """
     if not 0 < speed <= 100:
-        raise UnusableInput(f'speed has to be a number above 0 and up to 100, not {speed!r}')
+        raise UnusableInput(f'speed must be a number above 0 and up to 100, not {speed!r}')
     texts = {name: str(value) for name, value in (arguments or {}).items()}
     folders = workspaces_of_command((), path_or_package or '.') if workspaces is None else workspaces
 

@@ -1,4 +1,4 @@
-"""How a terminal finds the machine of its domain, and starts one when there is none. Standard library only."""
+"""How a terminal finds the machine of its domain, and starts one if necessary. Standard library only."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from edulaunch.desk.machine.place import (
 
 MOST_FILES = 4096
 CONNECT_S = 3.0
-"""Seconds after which a machine that takes no connection is taken for stuck."""
+"""After this many seconds without an accepted connection, a machine is considered stuck."""
 
 
 class CannotConnect(OSError):
-    """A machine is there, and too many terminals wait for it."""
+    """A machine runs, but too many terminals wait for it."""
 
 
 def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address] | None:
-    """A connection to the machine of a domain, and its address; None when there is none and `start` is false.
+    """Return a connection to the machine of a domain, and its address; None if no machine runs and `start` is false.
 
-    Of two terminals that come first at the same time one starts the machine, and both are connected to it: the socket listens
+    If two terminals come first at the same time, one of them starts the machine, and both connect to it. The socket listens
     before the machine runs.
 
-    :raises UnsafePlace: when the folder of the machines is not this user's alone.
-    :raises CannotConnect: when a machine is there and takes no connection.
+    :raises UnsafePlace: when others can write in the folder of the machines.
+    :raises CannotConnect: when a machine runs but does not accept connections.
     """
     place = folder()
     found = open_connection(read_address(place, number))
@@ -54,9 +54,9 @@ def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address]
 
 
 def open_connection(address: Address | None) -> tuple[socket.socket, Address] | None:
-    """A connection to the machine at an address; None when nobody listens there.
+    """Return a connection to the machine at an address, or None without a listener.
 
-    :raises CannotConnect: when somebody does, and does not answer.
+    :raises CannotConnect: when there is a listener that does not answer.
     """
     if address is None:
         return None
@@ -66,7 +66,7 @@ def open_connection(address: Address | None) -> tuple[socket.socket, Address] | 
         client.connect(('127.0.0.1', int(address.place)) if address.kind == 'tcp' else address.place)
     except (BlockingIOError, TimeoutError):
         client.close()
-        raise CannotConnect(f'the machine (process {address.pid}) takes no more connections{state(address)}') from None
+        raise CannotConnect(f'the machine (process {address.pid}) accepts no more connections{state(address)}') from None
     except (OSError, ValueError):
         client.close()
         return None
@@ -75,7 +75,7 @@ def open_connection(address: Address | None) -> tuple[socket.socket, Address] | 
 
 
 def state(address: Address) -> str:
-    """What is known of a machine that does not answer, as the rest of a sentence; empty when nothing is."""
+    """Describe a machine that does not answer, as the rest of a sentence; may be empty."""
     if address.host == 'notebook':
         why = f': it belongs to a notebook (process {address.pid}), which runs a cell'
         return f'{why}\n  help: wait for the end of the cell, or interrupt it'
@@ -88,7 +88,7 @@ def state(address: Address) -> str:
 
 
 def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
-    """Start the machine as a child of its guardian; both belong to no terminal. Returns their pids."""
+    """Start the machine as a child of its guardian; both are independent of terminals. Return their pids."""
     reader, writer = os.pipe()
     child = os.fork()
     if child:
@@ -111,7 +111,7 @@ def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
 
 
 def _become(module: str, place: str, number: str, *words: str, files: tuple[int, ...]) -> None:
-    """Run a module of ours in place of this process. Its files are 3 and the next ones; its errors go to the log."""
+    """Run one of our modules in place of this process. Its files are 3 and the next ones; its errors go to the log."""
     import fcntl
 
     is_machine = module.endswith('serving')
@@ -119,10 +119,10 @@ def _become(module: str, place: str, number: str, *words: str, files: tuple[int,
     complaints = os.open(log_file(place, number), flags | os.O_APPEND, 0o600)
     nothing = os.open(os.devnull, os.O_RDWR)
     ours = [nothing, complaints, complaints, *files]
-    high = [fcntl.fcntl(file, fcntl.F_DUPFD, len(ours)) for file in ours]  # where no target is
+    high = [fcntl.fcntl(file, fcntl.F_DUPFD, len(ours)) for file in ours]  # above all targets
     for target, file in enumerate(high):
         os.dup2(file, target)
     os.closerange(len(ours), MOST_FILES)
     os.chdir('/')
-    os.environ.setdefault('PYTHONHASHSEED', '0')  # sets of strings have one order in every machine
+    os.environ.setdefault('PYTHONHASHSEED', '0')  # sets of strings have the same order in every machine
     os.execv(sys.executable, [sys.executable, '-m', module, place, number, *words])

@@ -1,8 +1,8 @@
-"""Terminals as the machine sees them: each runs one command inside the simulation, or says a word to the machine itself
+"""Terminals from the machine's side: each runs one command inside the simulation, or a command for the machine itself
 (`edulaunch machine status|stop|pause|resume|speed X`, `edulaunch network ...`).
 
-What `ros2 doctor` says of the machine besides ROS 2's own checks is no part of what the command printed inside the simulation: a
-recording has no sentence in anybody's language.
+The advice that `ros2 doctor` adds to ROS 2's own checks is not part of the recorded output. Recordings contain no sentences
+in any user's language.
 """
 
 from __future__ import annotations
@@ -34,26 +34,26 @@ if TYPE_CHECKING:
 FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
 NOTES_WITHIN = 50
-"""Writes of a terminal after which it gets no more notes about its programs."""
+"""After this many writes, a terminal gets no more notes about its programs."""
 MOST_PAGES = 256
-"""Live pages that may be open at once; the other connections are for terminals."""
+"""The maximum number of open live views; the other connections are for terminals."""
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
-"""Commands behind which it is said what is wrong."""
+"""Commands that end with advice on what is wrong."""
 MOST_JUDGED = 8
-"""Commands that `ros2 doctor` looks at: the last ones."""
+"""`ros2 doctor` examines this many of the last commands."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
 
 
 def is_doctor(words: Sequence[str]) -> bool:
-    """Whether a command asks for the checks, and not for a report of what there is."""
+    """Return whether a command asks for the checks, and not for a report."""
     return (
         len(words) > 1 and words[0] == 'ros2' and words[1] in ('doctor', 'wtf') and not {'hello', '-r', '--report'} & set(words)
     )
 
 
 def doctors_text(session: Session, reader: Reader) -> str:
-    """What the rules find in the last launches and programs that terminals started, each judged by itself."""
-    heading = reader.says('edulaunch has looked at what ran here until now:')
+    """Return the findings on the last launches and programs of terminals, each judged on its own."""
+    heading = reader.says('edulaunch has checked everything that ran here so far:')
     judged = [
         row['pid'] for row in session.recorder.processes if row['argv'][:2] in ADVISED and session.recorder.leads(row['pid'])
     ]
@@ -62,7 +62,7 @@ def doctors_text(session: Session, reader: Reader) -> str:
 
 
 def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
-    """Do what the words say; returns the exit code."""
+    """Run a command for the machine; return the exit code."""
     word, value = (words + ['status', ''])[:2] if words else ('status', '')
     if word == 'network':
         try:
@@ -72,16 +72,16 @@ def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], sa
             return 2
         return network.run(words[1:], env, say, terminals.machine.tell)
     if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
-        say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
+        say('the network is on, so simulated time must equal real time\n  help: leave it first: edulaunch network off\n')
         return 1
     if word == 'status':
         say(status(terminals))
     elif word == 'stop':
         terminals.is_asked_to_end = True
-        say('the machine stops\n')
+        say('stopping the machine\n')
     elif word in ('pause', 'resume'):
         terminals.time.paused = word == 'pause'
-        say(f'time {"stands still" if terminals.time.paused else "goes on"} at {terminals.session.sim.elapsed_s:.3f} s\n')
+        say(f'time {"is paused" if terminals.time.paused else "continues"} at {terminals.session.sim.elapsed_s:.3f} s\n')
     elif word == 'speed':
         return _set_speed(terminals, value, say)
     else:
@@ -96,15 +96,15 @@ def _set_speed(terminals: Terminals, value: str, say: Callable[[str], object]) -
     except ValueError:
         speed = 0.0
     if not SLOWEST <= speed <= FASTEST:
-        say(f'{value!r} is not a speed from {SLOWEST} to {FASTEST:.0f} simulated seconds per second\n')
+        say(f'invalid speed {value!r}: give simulated seconds per second, from {SLOWEST} to {FASTEST:.0f}\n')
         return 2
     terminals.time.speed = speed
-    say(f'one second is {speed:g} simulated seconds now\n')
+    say(f'speed: {speed:g} simulated seconds per second\n')
     return 0
 
 
 def status(terminals: Terminals) -> str:
-    """What runs on the machine, in words."""
+    """Describe what runs on the machine."""
     time, session = terminals.time, terminals.session
     pace = 'paused' if time.paused else f'speed {time.speed:g}'
     lines = [f'machine: process {os.getpid()}, {session.sim.elapsed_s:.1f} s old, {pace}']
@@ -115,11 +115,11 @@ def status(terminals: Terminals) -> str:
 
 
 class Terminals:
-    """All terminals of a machine, in the order in which they came.
+    """All terminals of a machine, in the order of their connections.
 
-    :param machine: where their commands run; these are the terminals of its session of now.
-    :ivar pages: the live pages that show the machine.
-    :ivar is_asked_to_end: whether somebody said that the machine has to stop.
+    :param machine: runs their commands; these are the terminals of its current session.
+    :ivar pages: the live views that show the machine.
+    :ivar is_asked_to_end: whether a user has stopped the machine.
     """
 
     def __init__(self, machine: LiveMachine) -> None:
@@ -147,9 +147,9 @@ class Terminals:
         return network.where() if network is not None and network.is_on else None
 
     def open(self, connection: Connection, fields: list[str]) -> Peer:
-        """A terminal, a page or a plug-in's peer, as the first frame asks.
+        """Create a terminal, a live view or a plug-in's peer from the first frame of a connection.
 
-        :raises ValueError, IndexError: when that is not what a terminal says.
+        :raises ValueError, IndexError: when the frame is invalid.
         """
         cwd, columns, lines, terminals, count = fields[:5]
         words, variables = fields[5 : 5 + int(count)], fields[5 + int(count) :]
@@ -159,7 +159,7 @@ class Terminals:
             from edulaunch.desk.machine.live_page import LivePage
 
             if len(self.pages) >= MOST_PAGES:
-                why = f'{MOST_PAGES} pages show this machine already: close some of them, and load this page again'
+                why = f'{MOST_PAGES} pages already show this machine: close some of them, and load this page again'
                 connection.send(wire.ERRORS, why.encode())
                 connection.end()
             page = LivePage(self.machine, connection.send, self.pages.remove)
@@ -186,7 +186,7 @@ class Terminal:
     """One terminal with its command.
 
     :param size: columns and lines.
-    :param terminals: which of stdin, stdout and stderr are one at the other end, as '1' and '0'.
+    :param terminals: which of stdin, stdout and stderr are terminals at the other end, as '1' and '0'.
     """
 
     def __init__(self, terminals: Terminals, connection: Connection, size: tuple[int, int], terminals_there: str) -> None:
@@ -209,7 +209,7 @@ class Terminal:
         index = index_for(workspaces, near) if workspaces else host.index
         spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
         if not host.knows(spec):
-            self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
+            self._connection.send(wire.ERRORS, f'{words[0]}: unknown command on the simulated machine\n'.encode())
             self.ended(NOT_FOUND)
             return
         self._reader = reader_of(env, cwd)
@@ -224,7 +224,7 @@ class Terminal:
             self._connection.send(wire.ERRORS, ''.join(self._terminals.notes.same_names(words, [process])).encode())
 
     def show(self, stream: str, text: str) -> None:
-        """Write in this terminal."""
+        """Write to this terminal."""
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
         if self._terminals_there[2] == '1' and self._writes < NOTES_WITHIN:
             self._writes += 1
@@ -232,7 +232,7 @@ class Terminal:
                 self._connection.send(wire.ERRORS, note.encode())
 
     def _finished(self, code: int) -> None:
-        """The command has run to its end: what it launched or ran is judged."""
+        """The command has run to its end: check its launches and programs."""
         if self.process is not None and self.words[:2] in ADVISED and '--quiet' not in self.words:
             session, typed, pid = self._terminals.session, self.process.name, self.process.pid
             lines = end_of_run_lines(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
@@ -242,12 +242,12 @@ class Terminal:
         self.ended(code)
 
     def ended(self, code: int) -> None:
-        """The command has ended; so does the terminal."""
+        """The command has ended, and the terminal with it."""
         self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
         self._connection.end()
 
     def take(self, kind: bytes, payload: bytes) -> None:
-        """What the other end says."""
+        """Handle a frame of the other end."""
         if kind == wire.INPUT:
             self.input.feed(self._decoder.decode(payload), last=not payload)
         elif kind == wire.SIGNAL:
@@ -257,16 +257,16 @@ class Terminal:
             self.input.size = columns, lines
 
     def signal(self, signum: int, running: Process | None = None) -> None:
-        """Ctrl-C and Ctrl-\\ reach every program of the terminal; anything else, its command.
+        """Send Ctrl-C and Ctrl-\\ to every program of the terminal, and other signals to its command.
 
-        :param running: the program in the midst of whose turn this comes; what the signal raises there leaves this method.
+        :param running: the program whose turn is interrupted; what the signal raises there leaves this method.
         """
         if self.process is None:
             return
         reached = [self.process]
         if self.input.isatty() and signum in (signal.SIGINT, getattr(signal, 'SIGQUIT', None)):
             reached = [program for program in self.programs() if not program.is_passed_on]
-        if running is not None:  # who would pass it on does not get a turn
+        if running is not None:  # the process that would pass it on gets no turn
             reached = [*([] if running.is_passed_on else [each for each in reached if each is not running]), running]
         if running is None:
             self._terminals.session.let_go()
@@ -274,12 +274,12 @@ class Terminal:
             program.send_signal(signum)
 
     def programs(self) -> list[Process]:
-        """What runs in the terminal, the command first."""
+        """Return the programs that run in the terminal, the command first."""
         processes = self._terminals.session.host.processes
         return [process for process in processes if process.group is self.process]
 
     def hang_up(self) -> None:
-        """The other end is gone: what still runs there gets SIGHUP."""
+        """The other end has closed: send SIGHUP to the programs that still run there."""
         if self in self._terminals.open_ones:
             self._terminals.open_ones.remove(self)
         host = self._terminals.session.host
@@ -291,7 +291,7 @@ class Terminal:
 
 
 def _launch_file(words: list[str], cwd: str) -> str | None:
-    """The launch file, or the program's file, that a command names by path."""
+    """Return the launch file, or the program's file, that a command names by path."""
     count = 1 if words[0] == 'python3' else 2
     if count == 2 and words[:2] != ['ros2', 'launch']:
         return None

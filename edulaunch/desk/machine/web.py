@@ -1,7 +1,7 @@
-"""The page beside a terminal: a small server on the loopback, between the browser and the machine.
+"""The live view beside a terminal: a small server on the loopback, between the browser and the machine.
 
-Whoever wants in needs the token in the address, and a page of another origin gets nothing: a web socket is accepted only from the
-page that this server gave out. One connection to the machine stands behind each page.
+A client needs the token in the address. A web socket is accepted only from the page that this server sent, so pages of other
+origins get nothing. Each page has one connection to the machine.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from edulaunch.desk.machine import wire
 from edulaunch.desk.view.page import live_page
 
 LONGEST_WORDS = 1 << 16
-"""Bytes of one message from the page."""
+"""The maximum number of bytes in one message from the page."""
 Connect = Callable[[], tuple[socket.socket, bytes]]
-"""Gives a connected socket of the machine, and the first frame to say on it."""
+"""Returns a connected socket of the machine, and the first frame to send on it."""
 Paths = list[tuple[str, type[RequestHandler]]]
 """Patterns of paths, each with its handler."""
 
 
 class Guarded(RequestHandler):
-    """Only the page with the token, and only by the address that we gave out: a name that leads to the loopback is refused."""
+    """Serves the page only with the token, and only at our address: other names of the loopback are refused."""
 
     def prepare(self) -> None:
         expected = self.application.settings
@@ -52,7 +52,7 @@ class _Page(Guarded):
 
 
 class _Socket(Guarded, WebSocketHandler):
-    """Passes words of the page on to the machine, and what the machine says back."""
+    """Passes messages between the page and the machine."""
 
     def check_origin(self, origin: str) -> bool:
         return origin in {f'http://{host}' for host in self.application.settings['hosts']}
@@ -81,7 +81,7 @@ class _Socket(Guarded, WebSocketHandler):
                     *lines, line = (line + payload).split(b'\n')
                     for text in lines:
                         await self.write_message(text)
-        except Exception:  # whichever side has gone, the other one is let go
+        except Exception:  # if one side has closed, close the other one
             self.close()
 
     def on_message(self, message: str | bytes) -> None:
@@ -97,9 +97,9 @@ class _Socket(Guarded, WebSocketHandler):
 async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: Callable[[str], object] | None = None) -> None:
     """Serve the page until cancelled.
 
-    :param port: of the loopback; 0: any that is free.
-    :param opened: called with the address of the page once it is there.
-    :raises OSError: when the port is taken.
+    :param port: port of the loopback; 0 means any free port.
+    :param opened: called with the address when the server is ready.
+    :raises OSError: when the port is in use.
     """
     paths: Paths = [(r'/([\w-]+)/', _Page), (r'/([\w-]+)/socket', _Socket)]
     await serve_paths(paths, port=port, opened=opened, tab=tab, connect=connect, websocket_max_message_size=LONGEST_WORDS)
@@ -135,16 +135,16 @@ async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object
 
 
 def _quiet(handler: RequestHandler) -> None:
-    """Nobody needs to hear of each request."""
+    """Log nothing for each request."""
 
 
 def tell(address: str, more: str = '') -> None:
-    """Say where the page is."""
-    sys.stdout.write(f'the view is at {address}\n{more}')
+    """Print the address of the page."""
+    sys.stdout.write(f'the live view is at {address}\n{more}')
     sys.stdout.flush()
 
 
 def show(address: str) -> None:
-    """Open the page where there is a browser."""
+    """Open the page if there is a browser."""
     with suppress(webbrowser.Error):
         webbrowser.open(address)

@@ -1,4 +1,4 @@
-"""What crosses between a terminal and its machine: a letter, a length and plain bytes. Nothing is unpickled or evaluated."""
+"""Frames between a terminal and its machine: a letter, a length and plain bytes. Nothing is unpickled or evaluated."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ HELLO = b'H'
 """From the terminal, first: token, folder, columns, lines, which of stdin, stdout and stderr are terminals, number of words, the
 words, and the environment as NAME=VALUE; see :func:`pack`."""
 INPUT = b'I'
-"""What was typed; empty: the end of the input."""
+"""Typed bytes; empty at the end of the input."""
 SIGNAL = b'S'
 SIZE = b'Z'
 WELCOME = b'W'
 """From the machine, first."""
 ANSWER = b'A'
-"""The machine has taken the signals that came until now."""
+"""The machine has handled all signals so far."""
 OUTPUT = b'1'
 ERRORS = b'2'
 MODE = b'M'
-"""How the keyboard is read: a sum of CANONICAL, ECHO and SIGNALS."""
+"""The mode of the keyboard: a sum of CANONICAL, ECHO and SIGNALS."""
 READ = b'R'
-"""Somebody reads: from now on pass the keyboard on."""
+"""A program reads: pass on the keyboard from now on."""
 EXIT = b'X'
 
 CANONICAL, ECHO, SIGNALS = 1, 2, 4
@@ -31,28 +31,28 @@ _HEADER = 5
 
 
 class BadFrame(Exception):
-    """These bytes are none of ours."""
+    """These bytes are not a valid frame."""
 
 
 def frame(kind: bytes, payload: bytes = b'') -> bytes:
-    """One piece as it goes over the wire."""
+    """Return a frame as bytes."""
     return kind + len(payload).to_bytes(4, 'big') + payload
 
 
 def pack(fields: Sequence[str]) -> bytes:
-    """Texts without NUL as one payload."""
+    """Return strings without NUL as one payload."""
     return b'\0'.join(field.encode('utf-8', 'surrogateescape') for field in fields)
 
 
 def unpack(payload: bytes) -> list[str]:
-    """The texts of :func:`pack`."""
+    """Return the strings of :func:`pack`."""
     return [field.decode('utf-8', 'surrogateescape') for field in payload.split(b'\0')]
 
 
 class Frames:
-    """Cuts what comes over the wire into frames.
+    """Splits received bytes into frames.
 
-    :param kinds: the letters that may come, with the longest payload of each.
+    :param kinds: the allowed letters, with the longest payload of each.
     """
 
     def __init__(self, kinds: dict[bytes, int]) -> None:
@@ -60,7 +60,7 @@ class Frames:
         self._data = bytearray()
 
     def feed(self, data: bytes) -> list[tuple[bytes, bytes]]:
-        """The frames that are complete now, as (kind, payload).
+        """Return the complete frames, as (kind, payload).
 
         :raises BadFrame: for an unknown letter or a payload that is too long.
         """

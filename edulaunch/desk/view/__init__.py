@@ -1,7 +1,7 @@
-"""The live desk: one page that shows a machine or a recording, and lets a student stop it, step it and look back.
+"""The live view: one page that shows a machine or a recording, and lets a student pause it, step it and look back.
 
-`timeline` turns what was recorded into plain data, one delta after the other; `page` is the front end that draws it. The same
-page stands in a notebook, beside a terminal, in an exported file and in a report of `edugrade`.
+`timeline` turns a recording into plain data, one delta after the other; `page` is the front end that draws it. The same
+page appears in a notebook, beside a terminal, in an exported file and in a report of `edugrade`.
 """
 
 from __future__ import annotations
@@ -14,38 +14,38 @@ if TYPE_CHECKING:
     from edulaunch.runtime.session import Session
 
 TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
-"""What can stand beside the turtles."""
+"""The tabs beside the turtles."""
 
 
 class ViewedMachine:
-    """The machine behind a page: its session, and how its time passes. What not every machine can is answered here.
+    """The machine behind a page: its session and its time. The methods here answer for machines that lack an ability.
 
-    :ivar session: what runs on it.
+    :ivar session: the session that runs on it.
     :ivar time: how its time passes.
     """
 
     session: Session
     time: RealTime
     steps_launches = False
-    """Whether a launch that begins stops before its first action."""
+    """Whether new launches stop before their first action."""
     can_continue = False
-    """Whether any instant can be reached again."""
+    """Whether the machine can return to any instant."""
 
     @property
     def is_on_network(self) -> bool | None:
-        """Whether real nodes can meet those of this machine; None where it cannot join a network: its clock is not the wall's."""
+        """Return whether it has joined a real network, or None if it cannot because its time is not real time."""
         return None
 
     def join_network(self, joins: bool) -> str:
-        """Join a real network, or leave it; returns what to say."""
-        return 'only the machine of the terminals can join a network: edulaunch network on'
+        """Join a real network, or leave it; return a message."""
+        return 'only the shared machine can join a network: type `edulaunch network on` in a terminal'
 
     def recording(self) -> Recording:
-        """What happened until now; the machine goes on."""
+        """Return the recording so far; the machine continues."""
         return self.session.snapshot()
 
     def record_request(self, words: dict[str, Any]) -> None:
-        """A page asked for this."""
+        """Handle a request of a page."""
 
     def continue_at(self, time_s: float) -> None:
-        """Go on from an instant that has passed; not where others have typed meanwhile."""
+        """Continue from a past instant; not possible if other terminals have typed in the meantime."""

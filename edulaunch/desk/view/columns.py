@@ -1,7 +1,7 @@
-"""Columns of numbers and texts as short plain data: steps from one value to the next.
+"""Columns of numbers and strings as short plain data: steps from one value to the next.
 
-A number column is a list of steps in units of its scale; `[n]` inside it stands for n steps of 0, and `null` for a value that
-is not finite. A text column repeats a text as `null`.
+A number column is a list of steps in units of its scale. In it, `[n]` means n steps of 0, and `null` means a value that
+is not finite. A string column has `null` for a repeated string.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ from collections.abc import Iterable
 from typing import Any
 
 FINE = 10_000
-"""Floats are told to a tenth of a millimetre (or of a milliradian)."""
+"""Floats are rounded to a tenth of a millimetre (or of a milliradian)."""
 
 
 def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[list[Any], int]:
-    """The steps of a column from the value `before` (in scaled units), and the last value for the next delta.
+    """Return the steps of a column from the value `before` (in scaled units), and the last value for the next delta.
 
     Values that are not finite, or too large for a browser's numbers, become None and change nothing.
     """
@@ -22,7 +22,7 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
     still = 0
     last: float | None = None
     for value in values:
-        if value == last:  # most of a turtle's numbers stand still for most of the time
+        if value == last:  # most of a turtle's numbers rarely change
             still += 1
             continue
         scaled = value * scale
@@ -46,7 +46,7 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
 
 
 def _still(steps: list[Any], count: int) -> None:
-    """Write down `count` steps of 0, the short way where there is one."""
+    """Append `count` steps of 0, in the short form if there is one."""
     if count > 2:
         steps.append([count])
     else:
@@ -54,7 +54,7 @@ def _still(steps: list[Any], count: int) -> None:
 
 
 def text_steps(values: Iterable[str], before: str | None = None) -> tuple[list[str | None], str | None]:
-    """Texts with None for one that equals the one before it."""
+    """Return the strings, with None for each string that equals the previous one."""
     steps: list[str | None] = []
     for value in values:
         steps.append(None if value == before else value)

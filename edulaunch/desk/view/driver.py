@@ -1,6 +1,6 @@
-"""The program behind the desk's arrow keys: publishes the velocities that it reads, line by line, as a teleop does.
+"""The program behind the arrow keys of the live view: it reads velocities line by line and publishes them, as a teleop does.
 
-It runs inside the simulation, so what somebody drove stands in the recording as messages of a node. A line is
+It runs inside the simulation, so the recording has the user's commands as messages of a node. A line is
 `NAMESPACE LINEAR ANGULAR` (m/s, rad/s).
 """
 

@@ -1,4 +1,4 @@
-"""Checks what a recording says about launches: a recording of a stranger may hold anything."""
+"""Validate the launches in a recording: a recording from a stranger may contain anything."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MOST_DEPTH = 30
 
 
 def _chain(value: Any, depth: int = 0) -> bool:
-    """The steps of a value's origin, each perhaps with those of the launch argument that decides it."""
+    """Return the valid steps of a value's origin; a step may contain those of the launch argument that decides it."""
     below = {'argument': lambda inner: depth < MOST_DEPTH and _chain(inner, depth + 1)}
     step = record({'value': anything, 'origin': text, 'file': maybe(text), 'line': maybe(number), 'counts': anything, **below})
     return each(step)(value)
@@ -58,7 +58,7 @@ def launches_of(told: Any) -> Iterator[dict[str, Any]]:
 
 
 def in_microseconds(row: dict[str, Any]) -> dict[str, Any]:
-    """A step of a launch with its times as a page has them."""
+    """Return a step of a launch with its times in the form of the page."""
     times = {name: row[name] // 1000 for name in ('time', 'due') if row.get(name) is not None}
     if row.get('fired_at'):
         times['fired_at'] = [time // 1000 for time in row['fired_at']]

@@ -1,4 +1,4 @@
-"""The front end put together: a page that needs nothing else, and the module that a notebook's widget loads."""
+"""Build the front end: a page that needs no other file, and the module that a notebook's widget loads."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ FILES = (
     'launch.js',
     'desk.js',
 )
-"""In the order in which they build on each other; together they are one script."""
+"""The script files in the order of their dependencies; together they are one script."""
 
 
 @cache
 def script() -> str:
-    """All of the front end as one script without imports; it defines `openDesk` and `unpacked`."""
+    """Return the front end as one script without imports; it defines `openDesk` and `unpacked`."""
     folder = Path(__file__).with_name('page')
     style = json.dumps(_short((folder / 'style.css').read_text(encoding='utf-8')))
     parts = [_short((folder / name).read_text(encoding='utf-8')) for name in FILES]
@@ -40,27 +40,30 @@ def script() -> str:
 
 
 def _short(text: str) -> str:
-    """A file of the page without comments on lines of their own and without indents: each stored notebook holds all of it."""
+    """Return a file of the page without indentation and comment lines, because each stored notebook contains all of it."""
     return re.sub(r'(?m)^\s+', '', re.sub(r'(?ms)^ */\*(?:(?!\*/).)*\*/ *$\n?', '', text))
 
 
 def module() -> str:
-    """The script as an ES module with `render`, as anywidget asks for."""
+    """Return the script as an ES module with `render`, which anywidget requires."""
     link = (Path(__file__).with_name('page') / 'widget.js').read_text(encoding='utf-8')
     return f'{script()}\n{link}'
 
 
 def packed(delta: dict[str, Any], small: bool = True) -> str:
-    """A timeline delta as text for a page: JSON in base64 behind a letter, deflated if it is to be small.
+    """Return a timeline delta as a string for a page: JSON in base64 after a letter, optionally deflated.
 
-    Deflated bytes differ between versions of zlib; what a notebook stores is to be equal everywhere, and is not deflated.
+    Deflated bytes differ between versions of zlib. Notebooks store the same bytes everywhere, so they are not deflated.
     """
     data = json.dumps(delta, separators=(',', ':')).encode()
     return 'z' + b64encode(zlib.compress(data, 9)).decode() if small else 'j' + b64encode(data).decode()
 
 
 def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, small: bool = True) -> str:
-    """An HTML page that plays a whole timeline, from disk and without a network; `small`: see :func:`packed`."""
+    """Return an HTML page that replays a whole timeline, from disk and without a network.
+
+    :param small: as in :func:`packed`.
+    """
     options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (
         f"unpacked('{packed(delta, small)}').then(all => openDesk(document.getElementById('desk'), null, {options}).load(all));"
@@ -69,7 +72,7 @@ def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, smal
 
 
 def live_page(title: str, tab: str = 'graph') -> str:
-    """The page beside a terminal: it talks to the server that it came from."""
+    """Return the page beside a terminal, which connects to the server that sent it."""
     link = (Path(__file__).with_name('page') / 'socket.js').read_text(encoding='utf-8')
     return _page(
         title, f'{link}\nopenDesk(document.getElementById("desk"), socketLink(), {{ tab: {json.dumps(tab)}, whole: true }});'

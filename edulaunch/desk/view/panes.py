@@ -1,6 +1,4 @@
-"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys for it, completes words, and shows
-what is said.
-"""
+"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys, and completes words."""
 
 from __future__ import annotations
 
@@ -19,13 +17,13 @@ if TYPE_CHECKING:
 COUNT = 2
 SIZE = (80, 24)
 Start = Callable[[list[str], str, Callable[[str, str], object], Callable[[int], object]], Process]
-"""Starts a program: its words, a name, what hears its output, what hears its end."""
+"""Starts a program: its words, a name, a function for its output, a function for its end."""
 
 
 class Pane:
     """One terminal.
 
-    :param say: hands a message (plain data) to the page.
+    :param say: sends a message (plain data) to the page.
     """
 
     def __init__(self, number: int, start: Start, say: Callable[[dict[str, Any]], object]) -> None:
@@ -37,13 +35,13 @@ class Pane:
         self._keyboard: _Keyboard | None = None
 
     def has_programs(self) -> bool:
-        """Whether something runs that was started here, with `&` or without."""
+        """Return whether something runs that was started here, with or without `&`."""
         return any(one is not None and one.returncode is None for one in (self._job, *self._left))
 
     def line(self, text: str) -> None:
-        """A line was typed: for the program that runs, or a command.
+        """Handle a typed line: input for the running program, or a command.
 
-        :raises ValueError: when the words cannot be read.
+        :raises ValueError: when the command cannot be parsed.
         """
         if self._job is not None and self._job.returncode is None:
             self.keys(f'{text}\n')
@@ -52,7 +50,7 @@ class Pane:
         background = words[-1:] == ['&']
         words = words[: len(words) - background]
         if words[:1] != ['ros2']:
-            self.tell('stderr', f'{words[0] if words else text}: this terminal knows ros2 ... only\n')
+            self.tell('stderr', f'{words[0] if words else text}: this terminal runs only ros2 commands\n')
             return
         job = self._start(words, 'ros2', self.tell, (lambda code: None) if background else self._ended)
         if background:
@@ -63,17 +61,17 @@ class Pane:
             self._tell_mode(False)
 
     def keys(self, text: str) -> None:
-        """Keys were pressed for the program that runs."""
+        """Send pressed keys to the running program."""
         if self._keyboard is not None:
             self._keyboard.feed(text)
 
     def interrupt(self) -> None:
-        """Ctrl-C."""
+        """Press Ctrl-C."""
         if self._job is not None and self._job.returncode is None:
             self._job.send_signal(signal.SIGINT)
 
     def tell(self, stream: str, text: str) -> None:
-        """A program says something."""
+        """Show the output of a program."""
         self._say({'text': text, 'pane': self._number})
 
     def _tell_mode(self, by_key: bool) -> None:
@@ -85,7 +83,7 @@ class Pane:
 
 
 class _Keyboard(PipedInput):
-    """What a program in a pane reads; it may ask for keys in place of lines."""
+    """The input of a program in a pane; the program may request keys instead of lines."""
 
     is_inherited = True
 
@@ -94,27 +92,27 @@ class _Keyboard(PipedInput):
         self._tell_mode = tell_mode
 
     def isatty(self) -> bool:
-        """Somebody sits there."""
+        """Return True: a person uses the terminal."""
         return True
 
     def terminal_size(self) -> tuple[int, int]:
-        """As a terminal has it that nobody has pulled larger."""
+        """Return the size of a terminal that the user has not resized."""
         return SIZE
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """The page is told whether keys or lines are wanted."""
+        """Inform the page whether the program wants keys or lines."""
         super().change_mode(process, flags)
         self._tell_mode(self.by_key)
 
 
 def completions(session: Session, words: list[str], typed: str) -> list[str]:
-    """Words that could come behind `ros2 WORDS...` and begin as what is typed, in alphabetical order."""
+    """Return the words that fit at the end of `ros2 WORDS...` and begin as typed, in alphabetical order."""
     possible = ros2_command.complete(words, typed, lambda: session.index, lambda command: _listed(session, command))
     return sorted({word for word in possible if word.startswith(typed)})
 
 
 def _listed(session: Session, command: str) -> list[str]:
-    """What a command such as `topic list` would print now, without a turn of anybody's."""
+    """Return what a command such as `topic list` would print now, without a turn of any program."""
     rows, (what, *rest) = session.recorder.endpoints, command.split()
     if what == 'node':
         return [node.fully_qualified_name for node in session.graph.nodes if not node.name.startswith('_')]

@@ -1,6 +1,4 @@
-"""The sources of a timeline, and the replay of a run: the live desk without a machine behind it, in a frame that loads nothing
-from other computers.
-"""
+"""The sources of a timeline, and the replay of a run: the live view without a machine, in a frame without network access."""
 
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ SCHEME = (
     '<style>[data-jp-theme-light="true"] .edulaunch-replay iframe{color-scheme:light}'
     '[data-jp-theme-light="false"] .edulaunch-replay iframe{color-scheme:dark}</style>'
 )
-"""The frame of a replay takes its theme from JupyterLab: a page in it sees the colour scheme of its element."""
+"""JupyterLab sets the theme of a replay: the page in the frame uses the colour scheme of its element."""
 MOVING = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
 
 
@@ -50,7 +48,7 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 
 
 class RecordingSource:
-    """A finished recording as the source of a timeline: equal on every machine, for paths of this one are left out."""
+    """A finished recording as the source of a timeline: equal on every machine, because it has no paths of this one."""
 
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
@@ -61,7 +59,7 @@ class RecordingSource:
         self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
 
     def topics(self) -> list[tuple[str, str]]:
-        """(topic, type) of all there are."""
+        """Return the (topic, type) of all topics."""
         return list(self._topics)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
@@ -75,7 +73,7 @@ class RecordingSource:
         return rows
 
     def numbers(self, name: str) -> Sequence[int]:
-        """A recording has everything."""
+        """Return 0: a recording has dropped nothing."""
         return range(len(self.part(name)))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
@@ -101,19 +99,19 @@ class RecordingSource:
         return start
 
     def now_ns(self) -> int:
-        """The length of the recording."""
+        """Return the length of the recording."""
         duration: int = self._content['duration_ns']
         return duration
 
 
 class RecorderSource:
-    """The recorder of a machine that goes on running as the source of a timeline."""
+    """The recorder of a running machine as the source of a timeline."""
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
 
     def topics(self) -> list[tuple[str, str]]:
-        """(topic, type) of all there are, in alphabetical order."""
+        """Return the (topic, type) of all topics, in alphabetical order."""
         return sorted(self._recorder.columns)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
@@ -155,15 +153,15 @@ class RecorderSource:
         return self._recorder.sim.start_ns
 
     def now_ns(self) -> int:
-        """Simulated time since the start."""
+        """Return the simulated time since the start."""
         return self._recorder.sim.now_ns - self._recorder.sim.start_ns
 
 
 class Replay:
     """Everything of a run over time: turtles, frames, graph, numbers, log, parameters, with play, pause, steps and a slider.
 
-    A notebook or an HTML page made from it shows the desk; where scripts do not run there is a filmstrip of small pictures;
-    `repr()` is one line; a digest of what moved goes with it, for tests of notebooks.
+    Notebooks, and HTML pages made from them, show the live view. Where scripts do not run, they show a strip of small pictures.
+    `repr()` is one line. For tests of notebooks, a digest of all movements is part of the output.
 
     :raises NothingToDraw: when nothing moved in the recording.
     """
@@ -176,7 +174,7 @@ class Replay:
 
     @property
     def caption(self) -> str:
-        """One line that says what is to be seen."""
+        """Return one line that describes the replay."""
         worlds = []
         for world in self._worlds:
             names = ', '.join(dict.fromkeys(track.name for track in world.tracks))
@@ -187,15 +185,16 @@ class Replay:
         return self.caption
 
     def filmstrip(self) -> str:
-        """Small pictures of the run as an SVG."""
+        """Return small pictures of the run as an SVG."""
         return filmstrip(self._worlds, self.duration_s)
 
     def page(self, *, small: bool = True) -> str:
-        """The desk as an HTML page that needs no other file; with `small` off the same bytes with every version of zlib."""
+        """Return the live view as an HTML page that needs no other file; without `small`, zlib does not influence its bytes."""
         return recorded_page(self.timeline, self._title, small=small)
 
     def html(self) -> str:
-        """What a notebook shows: the desk in an isolated frame, over a picture for places that allow no frames or scripts."""
+        """Return the notebook's output: the live view in an isolated frame, over a picture for places without frames or
+        scripts."""
         alternative, picture = html.escape(self.caption), b64encode(self.filmstrip().encode()).decode()
         return (
             f'{SCHEME}<div class="edulaunch-replay" style="position:relative;height:{HEIGHT_PX}px;overflow:hidden">'
@@ -211,12 +210,12 @@ class Replay:
         return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.timeline.get('tf')])}
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the desk as an HTML file that any browser plays, without a network."""
+        """Write the live view as an HTML file that any browser replays, without a network."""
         Path(path).write_text(self.page(), encoding='utf-8')
 
 
 def _in_quotes(text: str) -> str:
-    """Return a text as the value of an attribute in double quotes. The other signs need no escape there: a page has thousands."""
+    """Return a string as the value of an attribute in double quotes. Other characters need no escape; a page has thousands."""
     return text.replace('&', '&amp;').replace('"', '&quot;')
 
 

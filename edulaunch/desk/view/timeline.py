@@ -1,7 +1,7 @@
-"""A run as the page wants it: plain data that only ever grows, handed out delta by delta, and marks on nodes, topics and frames.
+"""A run as plain data for the page: data that only grows, sent delta by delta, and marks on nodes, topics and frames.
 
-The first delta of a finished recording is all of it; a living machine gives what came since the delta before. Times are whole
-microseconds since the start of the simulation. The rules that make marks are another room's; here is what a mark looks like.
+The first delta of a finished recording contains all of it; a live machine sends the changes since the last delta. Times are whole
+microseconds since the start of the simulation. The marks come from the rules of advice; this file only defines their form.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ FLOATS = {'float32', 'float64'}
 TEXT_TYPE = 'std_msgs/msg/String'
 SCAN_TYPE = 'sensor_msgs/msg/LaserScan'
 SCAN_EVERY_US = 200_000
-"""A scan is shown five times a second: there are hundreds of numbers in each."""
+"""The page shows five scans per second, because each contains hundreds of numbers."""
 LONGEST_TEXT = 160
-"""Characters of an array or text field that the page shows of a message."""
+"""The page shows this many characters of an array or string field."""
 
 
 def marks_of(recording: Recording) -> list[Mark]:
-    """Return what the rules of advice find in a run, in texts without paths of this machine: notebooks store them."""
-    from edulaunch.advice.wording import marks  # late: a page that nobody asks for advice loads no rules
+    """Return the advice on a run as strings without paths of this machine, because notebooks store them."""
+    from edulaunch.advice.wording import marks  # late, so that a page loads the rules only on request
 
     return marks(recording)
 
 
 def mark_rows(marks: Iterable[Mark]) -> list[dict[str, Any]]:
-    """Marks as plain data: `[{time (us), subject: {node | topic | frame: name}, text, rule}]`."""
+    """Return marks as plain data: `[{time (us), subject: {node | topic | frame: name}, text, rule}]`."""
     return [
         {
             'time': round(mark.time_s * 1e6),
@@ -52,44 +52,45 @@ def mark_rows(marks: Iterable[Mark]) -> list[dict[str, Any]]:
 
 
 class TimelineSource(Protocol):
-    """What a timeline is made from: a recorder of a living machine, or a finished recording."""
+    """The source of a timeline: the recorder of a live machine, or a finished recording."""
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """Times (ns since the start), publishers and wires of a topic, from message number `first` on."""
+        """Return times (ns since the start), publishers and wires of a topic, from message number `first`."""
 
     def topics(self) -> list[tuple[str, str]]:
-        """(topic, type) of all there are."""
+        """Return the (topic, type) of all topics."""
 
     def part(self, name: str) -> Sequence[Any]:
-        """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or 'notes'."""
+        """Return the rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or
+        'notes'."""
 
     def numbers(self, name: str) -> Sequence[int]:
-        """The place of each row of a part among all there ever were: a machine that runs for long no longer has all of them."""
+        """Return the number of each row of a part, counted over the whole run: a long run has dropped some rows."""
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """How many messages of a (topic, type) it no longer has."""
+        """Return how many messages of a (topic, type) it has dropped."""
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """(dotted path, type) of each entry of a wire."""
+        """Return (dotted path, type) of each entry of a wire."""
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
         """File and line that made an endpoint, by its number; only for code of students."""
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
-        """Return what another wing recorded (see `Recorder.beside`).
+        """Return the records of another wing (see `Recorder.beside`).
 
-        :param since: by process id, the counts that it returned before.
+        :param since: the counts that it returned in the previous call, by process id.
         """
 
     def start_ns(self) -> int:
-        """When the simulation started, since the epoch."""
+        """Return when the simulation started, since the epoch."""
 
     def now_ns(self) -> int:
-        """Simulated time since the start."""
+        """Return the simulated time since the start."""
 
 
 class _Column(NamedTuple):
-    """One leaf of a message type: its path, its place in a wire, and how it is told ('float', 'number', 'text')."""
+    """One leaf of a message type: its path, its place in a wire, and its form ('float', 'number', 'text')."""
 
     path: str
     place: int
@@ -97,7 +98,7 @@ class _Column(NamedTuple):
 
 
 class Timeline:
-    """Gives what a source has, in deltas that fit behind each other. See :meth:`delta`."""
+    """Returns the content of a source in consecutive deltas. See :meth:`delta`."""
 
     def __init__(self, source: TimelineSource) -> None:
         self._source = source
@@ -110,11 +111,11 @@ class Timeline:
         self._launches: dict[int, tuple[int, Any]] = {}
 
     def mark(self, marks: Iterable[Mark] | None) -> None:
-        """What the rules say is told with the next delta, in place of what they said before; None: they were not asked."""
+        """Send these marks with the next delta, in place of the previous marks; None keeps the previous ones."""
         self._marks = None if marks is None else mark_rows(marks)
 
     def delta(self) -> dict[str, Any]:
-        """What came since the last call, ready for JSON.
+        """Return the changes since the last call, ready for JSON.
 
         `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else; `advice` after
         :meth:`mark`.
@@ -176,7 +177,7 @@ class Timeline:
         return self._source.part(name)[first:]
 
     def _living(self, name: str, row_of: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
-        """New rows, and old ones that have ended since; each begins with its number."""
+        """Return new rows, and old ones that have ended since; each begins with its number."""
         numbers, new = self._source.numbers(name), self._new(name)
         rows = self._source.part(name)
         found = [(number, bisect_left(numbers, number)) for number in self._open.get(name, ())]
@@ -186,7 +187,7 @@ class Timeline:
         return [row_of(number, row) for number, row in [*(pair for pair in open_before if pair[1][end] is not None), *new_rows]]
 
     def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
-        """The messages of a topic: steps of the times, and of each leaf that is a number or a text."""
+        """Return the messages of a topic: steps of the times, and of each leaf that is a number or a string."""
         if kind not in self._layout:
             self._layout[kind] = _layout(self._source.wire_type(kind)) if kind != TF_TYPE else []
         found: dict[str, Any] = {'name': topic, 'type': kind}
@@ -210,7 +211,7 @@ class Timeline:
     def _transforms(
         self, topic: str, times: Sequence[int], publishers: Sequence[int], wires: Sequence[Any]
     ) -> list[dict[str, Any]]:
-        """The transforms of TFMessages, a track for each child in each parent from each publisher."""
+        """Return the transforms of TFMessages, a track for each combination of child, parent and publisher."""
         tracks: dict[tuple[str, str, int], list[tuple[float, ...]]] = {}
         for time, publisher, wire in zip(times, publishers, wires, strict=True):
             for sec, nanosec, parent, child, *numbers in wire[0]:
@@ -225,7 +226,7 @@ class Timeline:
         return found
 
     def _robots(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
-        """[time, namespace, True: a description and no footprint, outline from above] of robots that describe themselves."""
+        """Return [time, namespace, True for a description or False for a footprint, outline from above] of robots."""
         found = []
         for time, wire in zip(times, wires, strict=True):
             if outline := outline_of(wire[0]):
@@ -233,7 +234,7 @@ class Timeline:
         return found
 
     def _scans(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
-        """[topic, time, frame, first angle, step (radians), ranges in cm or None] of some of the scans."""
+        """Return [topic, time, frame, first angle, step (radians), ranges in cm or None] of some of the scans."""
         places = {path: place for place, (path, _) in enumerate(self._source.wire_type(SCAN_TYPE))}
         found = []
         for time, wire in zip(times, wires, strict=True):
@@ -256,25 +257,26 @@ def _layout(wire_type: Sequence[tuple[str, str]]) -> list[_Column]:
 
 
 def _text(value: Any) -> str:
-    """A text, or an array as a short text."""
+    """Return a string unchanged, or an array as a short string."""
     text = value if isinstance(value, str) else repr(list(value[:24]) if isinstance(value, (tuple, bytes)) else value)
     return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 1] + '…'
 
 
 def _event(row: Sequence[Any]) -> list[Any]:
-    """A row that begins with its time."""
+    """Return a row that begins with its time."""
     return [row[0] // 1000, *map(_json, row[1:])]
 
 
 def _parameter(row: Sequence[Any]) -> list[Any]:
-    """[time, node, name, value, origin, whether its numbers are doubles: a browser does not tell 1.0 from 1]"""
+    """Return [time, node, name, value, origin, whether its numbers are doubles, because a browser cannot distinguish 1.0 from
+    1]."""
     value = row[3]
     entries = value if isinstance(value, (list, tuple)) else [value]
     return [*_event(row), bool(entries) and all(isinstance(entry, float) for entry in entries)]
 
 
 def _endpoint(row: Sequence[Any]) -> list[Any]:
-    """[time, kind, name, type, number of the node, number of the endpoint, QoS]"""
+    """Return [time, kind, name, type, number of the node, number of the endpoint, QoS]."""
     *what, time, qos = row
     return [time // 1000, *what, _json(qos)]
 
@@ -295,7 +297,7 @@ def _place(file: str | None, line: int | None) -> str:
 
 
 def _node(number: int, row: Sequence[Any]) -> list[Any]:
-    """[number, name, process, index, from, to]"""
+    """Return [number, name, process, index, from, to]."""
     name, process, start, end, index = row
     return [number, name, process, index, start // 1000, None if end is None else end // 1000]
 
@@ -316,6 +318,6 @@ def _process(number: int, row: Any) -> list[Any]:
 
 
 def _call(number: int, row: Sequence[Any]) -> list[Any]:
-    """[number, time, service, type, client, request, served, replied]; the request as a list of its leaves."""
+    """Return [number, time, service, type, client, request, served, replied]; the request is a list of its leaves."""
     time, service, kind, client, request, served, replied, _ = row
     return [number, time // 1000, service, kind, client, _json(request), served, None if replied is None else replied // 1000]

@@ -1,6 +1,6 @@
-"""One desk on a machine that lives: hands out the timeline, and does what somebody asks for with a mouse or a keyboard.
+"""One live view of a live machine: it sends the timeline, and handles the user's mouse and keyboard.
 
-What comes from the page is plain data that may be anything: a word that is not understood is answered with a sentence.
+Data from the page may be anything. An error message answers an invalid request.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.sim.pacing import RealTime
 
 TICK_NS = 16_000_000
-"""One step of turtlesim's window."""
+"""The duration of a step of turtlesim's window."""
 LONGEST_STEP_NS = 10_000_000_000
 FASTEST = 100.0
 LONGEST_LINE = 4000
@@ -32,9 +32,9 @@ DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 
 
 class Viewer:
-    """What stands behind one page.
+    """The machine's side of one page.
 
-    :param say: hands a message (plain data) to the page.
+    :param say: sends a message (plain data) to the page.
     """
 
     def __init__(self, machine: ViewedMachine, say: Callable[[dict[str, Any]], object]) -> None:
@@ -47,7 +47,7 @@ class Viewer:
         self._sent_state: dict[str, object] | None = None
 
     def show(self) -> None:
-        """Say what is new: a timeline delta, and how time goes."""
+        """Send the news: a timeline delta, and the state of time."""
         message: dict[str, Any] = {}
         if self._look():
             message['reset'] = True
@@ -60,7 +60,7 @@ class Viewer:
         self._say({**message, 'delta': self._timeline.delta()})
 
     def has_programs(self) -> bool:
-        """Whether a program runs that was started in one of the page's terminals."""
+        """Return whether a program runs that one of the page's terminals has started."""
         return self._machine.session is self._session and any(pane.has_programs() for pane in self._panes)
 
     @property
@@ -68,7 +68,7 @@ class Viewer:
         return self._machine.time
 
     def _look(self) -> bool:
-        """Whether another session runs on the machine than before: a page begins anew then."""
+        """Return whether the machine runs another session than before; then the page starts over."""
         if self._machine.session is self._session:
             return False
         self._session = self._machine.session
@@ -78,11 +78,11 @@ class Viewer:
         return True
 
     def take(self, request: Any) -> None:
-        """Do what a page asks for: a dict with `op` and what belongs to it."""
+        """Handle a request of the page: a dict with `op` and its values."""
         op = request.get('op') if isinstance(request, dict) else None
         action = _ACTIONS.get(op) if isinstance(op, str) else None
         if action is None:
-            self._say({'said': 'the machine did not understand this'})
+            self._say({'said': 'The machine does not know this request.'})
             return
         self._look()
         if op in ('drive', 'teleport', 'param', 'line', 'keys', 'interrupt', 'process'):
@@ -103,7 +103,7 @@ class Viewer:
         self._time.speed = min(speed, FASTEST) if speed > 0 else FASTEST
 
     def _step(self, request: dict[str, Any]) -> None:
-        """Let time go on by a tick of turtlesim, to the next message, or by one item of the agenda; then it stands still."""
+        """Let time pass by a tick of turtlesim, to the next message, or by one item of the agenda; then pause."""
         self._time.paused = True
         sim, recorder = self._session.sim, self._session.recorder
         what = request.get('what', 'tick')
@@ -116,12 +116,12 @@ class Viewer:
             while recorder.publication_count() == before and (sim.next_time_ns() or latest) < latest:
                 sim.step()
         else:
-            raise ValueError(f'one step is a tick, a message or a callback, not {what!r}')
+            raise ValueError(f'unknown step {what!r}: use tick, message or callback')
         self._time.go_on()
 
     def _continue(self, request: dict[str, Any]) -> None:
         if not self._machine.can_continue:
-            raise ValueError('other terminals hang on this machine: a machine of its own can, see edulaunch.start')
+            raise ValueError('other terminals use this machine, so it cannot go back: use a private machine (edulaunch.start)')
         self._machine.continue_at(min(max(_number(request, 'time'), 0.0), self._session.sim.elapsed_s))
 
     def _launch(self, request: dict[str, Any]) -> None:
@@ -133,7 +133,7 @@ class Viewer:
         if way == 'line':
             place = str(request['file']), int(_number(request, 'line'))
         elif way not in ('into', 'next', 'event'):
-            raise ValueError('a launch goes to the next action, into an include, to the next event or to a line')
+            raise ValueError('a launch can step to the next action, into an include, to the next event or to a line')
         self._time.paused = True
         trace.stepper.go(way, place)
         sim, latest = self._session.sim, self._session.sim.now_ns + LONGEST_STEP_NS
@@ -142,14 +142,14 @@ class Viewer:
         self._time.go_on()
         if not sim.is_suspended:
             trace.stepper.go('go')
-            self._say({'said': 'the launch did not come there within 10 s of simulated time'})
+            self._say({'said': 'The launch did not reach that place within 10 s of simulated time.'})
 
     def _stops(self, request: dict[str, Any]) -> None:
-        """Let new launches stop before their first action, or not. With `again`, run this launch again and stop there."""
+        """Make new launches stop before their first action, or not. With `again`, run this launch again and stop there."""
         on = request['on'] is True
         again = on and request.get('again') is True
         if again and not self._machine.can_continue:
-            raise ValueError('other terminals use this machine: launch the file again in one of them')
+            raise ValueError('other terminals use this machine, so launch the file again in one of them')
         self._machine.steps_launches = self._session.steps_launches = on
         if again:
             self._machine.continue_at(0.0)
@@ -158,7 +158,7 @@ class Viewer:
         """Stop or kill the process of a launch, or start it again."""
         trace = next((one for one in self._session.traces if one.pid == request['pid']), None)
         if trace is None:
-            raise ValueError('this launch is no longer known')
+            raise ValueError('this launch has ended')
         number, signals = int(_number(request, 'number')), {'stop': signal.SIGINT, 'kill': signal.SIGKILL}
         what = request['what']
         if what == 'restart':
@@ -175,7 +175,7 @@ class Viewer:
         self._driver.feed(f'{who or "/"} {_number(request, "linear")} {_number(request, "angular")}\n')
 
     def _network(self, request: dict[str, Any]) -> None:
-        """Onto a real network, or off it."""
+        """Join a real network, or leave it."""
         self._say({'said': self._machine.join_network(request['on'] is True)})
 
     def _teleport(self, request: dict[str, Any]) -> None:
@@ -191,15 +191,15 @@ class Viewer:
         self._start(words_of_line, 'ros2', lambda stream, text: self._say({'said': text.strip()}))
 
     def _line(self, request: dict[str, Any]) -> None:
-        """A line typed in one of the page's terminals."""
+        """Handle a line typed in one of the page's terminals."""
         self._panes[_pane(request)].line(str(request['line'])[:LONGEST_LINE])
 
     def _keys(self, request: dict[str, Any]) -> None:
-        """Keys pressed there for a program that wants keys."""
+        """Handle keys pressed there for a program that wants keys."""
         self._panes[_pane(request)].keys(str(request['keys'])[:LONGEST_LINE])
 
     def _complete(self, request: dict[str, Any]) -> None:
-        """The Tab key in the page's terminal: the line as far as it is sure, and what could follow."""
+        """Handle the Tab key in the page's terminal: complete the unambiguous part of the line, and list what could follow."""
         line = str(request['line'])[:LONGEST_LINE]
         *before, typed = line.split(' ')
         if before[:1] != ['ros2']:
@@ -210,20 +210,20 @@ class Viewer:
         self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(request)})
 
     def _interrupt(self, request: dict[str, Any]) -> None:
-        """Ctrl-C in one of the page's terminals."""
+        """Handle Ctrl-C in one of the page's terminals."""
         self._panes[_pane(request)].interrupt()
 
     def _export(self, request: dict[str, Any]) -> None:
-        """Give the page a file that plays what has happened until now, from disk and without a network."""
+        """Send the page a file that replays the run so far, from disk and without a network."""
         recording = self._machine.recording()
         name = os.path.basename(recording.launch.file or '').partition('.')[0] or 'machine'
         self._say({'export': recorded_page(timeline_of(recording), name), 'name': f'{name}.html'})
 
     def _advise(self, request: dict[str, Any]) -> None:
-        """Let the rules look at what has happened until now."""
+        """Check the run so far with the rules of advice."""
         marks = marks_of(self._machine.recording())
         self._timeline.mark(marks)
-        self._say({'said': f'to look at: {len(marks)}' if marks else 'No problems found.'})
+        self._say({'said': f'Problems found: {len(marks)}.' if marks else 'No problems found.'})
 
     def _defaults(self, request: dict[str, Any]) -> None:
         """Give the page the defaults of parameters that got a value from outside."""
@@ -246,7 +246,7 @@ class Viewer:
         return process
 
     def close(self) -> None:
-        """The page is gone: what it started ends, the machine goes on."""
+        """The page has closed: its programs end, and the machine continues."""
         if self._session.sim.is_suspended:
             self._session.let_go()
             self._time.paused = False
@@ -280,20 +280,20 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
 
 
 def _number(request: dict[str, Any], name: str) -> float:
-    """A finite number.
+    """Return a finite number.
 
-    :raises ValueError: when it is something else.
+    :raises ValueError: for another value.
     """
     value = request.get(name)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
-        raise ValueError(f'{name} has to be a number')
+        raise ValueError(f'{name} must be a number')
     return float(value)
 
 
 def _pane(request: dict[str, Any]) -> int:
-    """Which of the page's terminals.
+    """Return one of the page's terminals.
 
-    :raises ValueError: when there is none of that number.
+    :raises ValueError: when there is no terminal with that number.
     """
     pane = request.get('pane', 0)
     if pane not in range(COUNT) or isinstance(pane, bool):
@@ -302,11 +302,11 @@ def _pane(request: dict[str, Any]) -> int:
 
 
 def _name(request: dict[str, Any], name: str) -> str:
-    """A ROS name: letters, digits, underscores and slashes.
+    """Return a ROS name: letters, digits, underscores and slashes.
 
-    :raises ValueError: when it is something else.
+    :raises ValueError: for another string.
     """
     value = request.get(name)
     if not isinstance(value, str) or len(value) > 255 or not all(letter.isalnum() or letter in '_/' for letter in value):
-        raise ValueError(f'{name} has to be a name')
+        raise ValueError(f'{name} must be a ROS name')
     return value

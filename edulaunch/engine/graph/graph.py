@@ -35,7 +35,9 @@ class Graph(Members):
     def create_subscription(
         self, node: NodeEntry, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> Subscription:
-        """A subscription of `node`, connected to all publishers that suit it; old samples may stand in its queue at once."""
+        """Add a subscription of `node`, and connect it to all compatible publishers; its queue may receive old samples
+        immediately.
+        """
         subscription = Subscription(self, node, topic, cls, qos, on_ready)
         self.add_end(node, self.subscriptions, topic, subscription)
         for publisher in self.publishers.get(topic, ()):
@@ -43,7 +45,7 @@ class Graph(Members):
         return subscription
 
     def create_service(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceServer:
-        """A server of `node`. All servers of one name get each request, and the client hears the first reply."""
+        """Add a server of `node`. All servers of one name get each request, and the client receives the first reply."""
         server = ServiceServer(self, node, name, cls, qos, on_ready)
         self.add_end(node, self.services, name, server)
         return server

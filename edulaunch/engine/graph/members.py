@@ -1,6 +1,6 @@
 """Who is there: nodes and their endpoints come and go, and everybody who waits for a change is called.
 
-`graph.py` creates endpoints on top of this; an endpoint knows no more of its graph than what stands here.
+`graph.py` creates endpoints with these classes; an endpoint knows no more of its graph than this file defines.
 """
 
 from __future__ import annotations

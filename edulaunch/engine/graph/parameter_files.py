@@ -18,7 +18,7 @@ class ParameterFileError(ValueError):
 
 
 class Entry(NamedTuple):
-    """One parameter of a file: the node pattern it stands under, its dotted name, its value, and its line (from 1)."""
+    """One parameter of a file: its node pattern, its dotted name, its value, and its line (from 1)."""
 
     pattern: str
     name: str
@@ -58,7 +58,7 @@ def read_value(text: str) -> Any:
 
 
 class _Reader:
-    """The YAML events of a text, one at a time."""
+    """Yield the YAML events of a string, one at a time."""
 
     def __init__(self, text: str, of_a_file: bool = True) -> None:
         import yaml
@@ -103,8 +103,9 @@ def line_of(event: Any) -> int:
 
 
 def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
-    """Read a mapping of namespaces and node names; `path` is where it stands. To rcl, /sim and sim are two patterns, of which the
-    later one wins; both mean the same nodes."""
+    """Read a mapping of namespaces and node names at `path`. To rcl, /sim and sim are two patterns, of which the later one
+    counts; both mean the same nodes.
+    """
     while type(key := reader.next()).__name__ != 'MappingEndEvent':
         name = _key_text(key)
         value = reader.next()
@@ -121,7 +122,7 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
 
 
 def _too_early(event: Any, path: str) -> ParameterFileError:
-    """What to raise for a value that stands too early; `path` is what stands above it."""
+    """Return the error for a value that is not deep enough; `path` is the place of the value."""
     error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
     name, colon, value = str(getattr(event, 'value', '')).partition(':')
     if colon and name and value and ' ' not in name + value:

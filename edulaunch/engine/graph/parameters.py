@@ -62,7 +62,7 @@ def precedence(value: Any) -> int:
 
 
 def value_fits(value: Any, number: int) -> bool:
-    """Whether `value` may stand in a parameter of type `number`."""
+    """Return whether a parameter of type `number` can have this value."""
     if number == NOT_SET:
         return value is None
     if number < BYTE_ARRAY:

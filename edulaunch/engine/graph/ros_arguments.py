@@ -186,7 +186,7 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
 def remap_rule(text: str) -> RemapRule:
     """The rule that `from:=to` is.
 
-    :raises RuleError: when it is none.
+    :raises RuleError: when it is invalid.
     """
     plain = _PLAIN_RULE.fullmatch(text)
     if plain is not None:
@@ -233,7 +233,7 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
 
 
 def _keep(values: dict[str, Override], name: str, override: Override) -> None:
-    """Add a value; rcl keeps one of each type, and of those rclpy takes the first type: a bool before a number before a text."""
+    """Add a value. rcl keeps one value of each type, and rclpy takes the first type: a bool before a number before a string."""
     kept = values.get(name)
     if kept is None or precedence(override.value) <= precedence(kept.value):
         values[name] = override

@@ -1,4 +1,4 @@
-"""Reading what stands in one argument for ROS, as `from:=to` or `name:=value`: tokens, and rcl's words for what is wrong."""
+"""Read one argument for ROS, as `from:=to` or `name:=value`: tokens, and rcl's error messages."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class RuleReader:
         self.take()
 
     def expect_new_token(self) -> None:
-        """Go past a token of a new name. Raises RuleError when there is none, without saying why, as rcl does."""
+        """Move past a token of a new name. Raise RuleError without one, and without a reason, as rcl does."""
         if BACK_REFERENCE <= self.kind < TOKEN:
             raise RuleError('Backreferences are not implemented')
         if self.kind != TOKEN:
@@ -97,7 +97,7 @@ class RuleReader:
 
 
 def read_parameter_name(reader: RuleReader) -> str:
-    """The parameter's name at the reader's place, up to `:=`, which is gone past. Slashes may stand anywhere in it.
+    """Read the parameter's name up to `:=`, and move past it. Slashes are allowed anywhere in it.
 
     :raises RuleError: when it breaks the rules.
     """

@@ -56,7 +56,7 @@ class ServiceServer(ServiceEnd):
         return self.queue.popleft() if self.queue else None
 
     def respond(self, request_id: RequestId, wire: Any) -> None:
-        """Send the reply to whoever asked. Does nothing when the client is gone or has an answer."""
+        """Send the reply to the client. Do nothing if the client no longer exists or already has a reply."""
         client, sequence = request_id
         if client.destroyed or sequence not in client.unanswered:
             return

@@ -160,7 +160,7 @@ class Subscription(Endpoint):
 
 
 def connect(publisher: Publisher, subscription: Subscription) -> None:
-    """Match two endpoints of one topic, or tell both why they do not match."""
+    """Match two endpoints of one topic, or inform both why they do not match."""
     policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
     if policy is not None:
         publisher.graph.tracer.incompatible(publisher, subscription, policy)

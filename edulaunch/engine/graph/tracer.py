@@ -40,7 +40,7 @@ class Tracer:
         """An endpoint went."""
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
-        """A service request was sent; `served` tells whether a server took it."""
+        """A service request was sent; `served` is whether a server accepted it."""
 
     def response(self, client: Any, sequence: int, wire: Any) -> None:
         """A reply went back to its client."""
@@ -54,7 +54,7 @@ class Tracer:
     def descriptor(
         self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
     ) -> None:
-        """What a parameter was declared to be: limits are the least and the largest value, and the step (0: any)."""
+        """The declared properties of a parameter: limits are the smallest and the largest value, and the step (0 allows any)."""
 
     def process_started(self, process: Any) -> None:
         """A program began."""
@@ -69,16 +69,18 @@ class Tracer:
         """A program logged a message."""
 
     def note(self, process: Any, kind: str, text: str) -> None:
-        """The engine saw something that the user should hear about."""
+        """The engine noticed something that the user should know."""
 
     def fact(self, process: Any, kind: str, key: Hashable, data: dict[str, Any]) -> None:
-        """Something odd happened in a program: plain data, no words. With a key that came before it happened once more."""
+        """A program did something unusual: plain data, without messages. A repeated key counts another occurrence."""
 
     def fact_over(self, process: Any, kind: str, key: Hashable) -> None:
         """Withdraw the fact of that key: it turned out not to be one."""
 
     def watch(self, node: NodeEntry, look: Look) -> None:
-        """`look()` tells what is odd about a node; it is called when the node leaves, or when the record ends before that."""
+        """`look()` returns unusual facts about a node; it is called when the node is removed, or earlier if the recording
+        ends.
+        """
 
     def node_leaving(self, node: NodeEntry) -> None:
         """A node is about to leave, with all its endpoints."""

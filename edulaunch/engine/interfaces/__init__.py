@@ -1,8 +1,9 @@
 """Message, service and action classes made from .msg, .srv and .action text; wire tuples.
 
-Reading order: `spec` (what an interface is), `notation` and `parser` (from text), `layout` (flattened fields), `generator` and
-`services` (the classes), `registry` (finds files, makes each class once), `importer` (`import geometry_msgs.msg`), `texts`
-(kept in recordings). The forms that leave the simulation, such as CDR, are in `edulaunch.ros.serialization`.
+Read the files in this order: `spec` (definition of an interface), `notation` and `parser` (reading text), and `layout` (flat
+fields). Then read `generator` and `services` (the classes), `registry` (finds files, creates each class once), `importer`
+(`import geometry_msgs.msg`), and `texts` (kept in recordings). `edulaunch.ros.serialization` has the forms that leave the
+simulation, such as CDR.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ def install(registry: Registry | None = None) -> None:
 
 
 def current_registry() -> Registry:
-    """The registry whose interfaces can be imported at present: the running program's workspace over the
-    underlay; outside any program the installed one, or the underlay's.
+    """Return the registry of importable interfaces: the running program's workspace and the underlay. Outside programs, it is the
+    installed registry, or that of the underlay.
     """
     from edulaunch.engine.interfaces.importer import installed_registry
     from edulaunch.engine.interfaces.registry import running_registry, underlay_registry

@@ -1,4 +1,4 @@
-"""What may be assigned to a field: rclpy's checks with their texts."""
+"""Check assignments to fields as rclpy does, with its error messages."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from edulaunch.engine.interfaces.spec import Field, Primitive
 
 
 def python_values(values: Any, kind: Primitive) -> Any:
-    """What Jazzy makes of them: an `array.array` or numpy array of the field's kind takes integers for floats, numpy's numbers
-    for Python's, and goes through any iterable.
+    """Convert values as Jazzy does. An `array.array` or numpy array of the field's kind accepts integers for floats, numpy's
+    numbers for Python's, and any iterable.
 
     :param kind: of the field's elements.
-    :return: an array for a numpy array of just that kind (an image), else a list of Python's numbers; `values` itself where
-        Jazzy refuses, too: an array with rows, floats where integers are wanted, text.
+    :return: an array for a numpy array of exactly that kind (an image), otherwise a list of Python's numbers. Values that Jazzy
+        refuses are returned unchanged, such as an array with rows, floats for integers, or strings.
     """
     numpy = sys.modules.get('numpy')
     numbers: tuple[type, ...] = (int, float) if kind.python is float else (int,)

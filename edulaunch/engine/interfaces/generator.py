@@ -1,8 +1,8 @@
 """Makes a message class: its Python source, and what that needs.
 
-Snapshots are the hottest code of a simulation, so each class gets straight-line code of its own: nested
-messages are inlined, their slots are stored directly without checks, all single values move in one tuple, and
-float32 values are rounded together in one struct round trip.
+Snapshots are the hottest code of a simulation, so each class gets its own straight-line code. Nested messages are inlined and
+their slots are stored directly without checks. All single values move in one tuple, and float32 values are rounded together in
+one struct round trip.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from edulaunch.engine.interfaces.spec import KINDS, Field, FieldType, MessageSpe
 
 
 class ClassSource:
-    """Writes the source of one class; afterwards `names` tells what the code expects in its globals.
+    """Writes the source of one class; afterwards, `names` has the globals that the code needs.
 
     `names` maps a global name to what it stands for: ('class', type), ('rule', type, field name), ('default',
     wire value).

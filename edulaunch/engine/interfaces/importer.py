@@ -23,8 +23,8 @@ class InterfaceFinder(Loader):
     """A finder for `sys.meta_path`: provides `<package>.msg|srv|action` and, unless Python finds a real one,
     `<package>` itself.
 
-    It must stand before Python's path finder: in a workspace the folder `my_interfaces/msg` looks like a
-    namespace package.
+    It must come before Python's path finder, because the folder `my_interfaces/msg` of a workspace looks like a namespace
+    package.
     """
 
     def __init__(self, registry: Registry) -> None:
@@ -143,7 +143,7 @@ class InterfaceModule(ModuleType):
 
 
 class PartModule(ModuleType):
-    """`<package>.msg._twist`: where a class says it comes from; pickle finds it here."""
+    """`<package>.msg._twist`, the module that a class names; pickle finds the class here."""
 
     def __init__(self, name: str, registry: Registry, interface: str) -> None:
         super().__init__(name)

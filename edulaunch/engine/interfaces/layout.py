@@ -1,8 +1,8 @@
-"""How a message lies flat in a wire tuple.
+"""The layout of a message in a flat wire tuple.
 
-A wire tuple holds the message's single values in order, with the fields of nested messages in place of the
-nested message: a Twist is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated
-fields are tuples (or bytes) inside it; each element of a repeated message field is such a flat tuple again.
+A wire tuple has the message's single values in order, with the fields of nested messages in place of the nested message. A Twist
+is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated fields are tuples (or bytes) inside it; each
+element of a repeated message field is such a flat tuple again.
 """
 
 from __future__ import annotations

@@ -63,7 +63,7 @@ class Message(metaclass=ConstantsStay):
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Field names with their types as text, in order: {'linear': 'geometry_msgs/Vector3', ...}."""
+        """Return field names with their types as strings, in order, such as {'linear': 'geometry_msgs/Vector3'}."""
         return dict(cls._FIELDS)
 
     @classmethod

@@ -1,8 +1,8 @@
 """What is known about mistakes with messages, as plain data: a refused value, a misspelt field, a type that does not exist.
 
-`twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that adds to its text at
-that moment (`__setattr__`) would make each correct assignment three times slower, so whoever reports an error
-to the user asks here for what it does not say.
+`twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that extends its message at that moment
+(`__setattr__`) would make each correct assignment three times slower. So the code that reports an error to the user asks this
+module for more facts.
 """
 
 from __future__ import annotations
@@ -39,7 +39,9 @@ class KnownTypes(Protocol):
 
 
 def value_facts(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
-    """The facts of `messages.field-value`: `field`, `wanted`, `given`; and `write`, `fields`, `value` or `count` and `size`."""
+    """Return the facts of `messages.field-value`: `field`, `wanted`, `given`, and one of `write`, `fields`, `value`, or
+    `count` with `size`.
+    """
     kind = field_type.kind
     wanted = message.__name__ if message is not None else kind.python.__name__ if kind is not None else 'str'
     facts = {'about': 'messages.field-value', 'field': name, 'wanted': wanted, 'given': given_kind(value)}
@@ -117,10 +119,9 @@ _TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", r
 
 
 def field_facts(error: BaseException, registry: KnownTypes) -> dict[str, Any]:
-    """Facts of an AttributeError about a message: its type and its fields; of any other error none.
+    """Return the facts of an AttributeError about a message (its type and its fields); for other errors, return no facts.
 
-    :param registry: its classes made so far are searched by name, since Python before 3.13 does not tell the
-        object.
+    :param registry: its classes made so far are searched by name, because the error has no object before Python 3.13.
     """
     match = _TEXT.match(str(error)) if isinstance(error, AttributeError) else None
     if match is None:

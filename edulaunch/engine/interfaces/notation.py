@@ -1,5 +1,5 @@
-"""How interface texts are written: lines and their parts between the `---`, types (`float64`, `string<=10`,
-`geometry_msgs/Point[]`), and the values of constants and defaults.
+"""The notation of interface files: lines and their parts between `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`),
+and the values of constants and defaults.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]
         names = {2: 'request --- response', 3: 'goal --- result --- feedback'}[wanted]
         Line(file, number, '').fail(
             f"expected {wanted - len(sections)} more line{'s' * (wanted - len(sections) > 1)} with '---'",
-            help=f'a .{kind} file is: {names}; a part may be empty',
+            help=f'a .{kind} file has these parts, which may be empty: {names}',
         )
     return sections
 
@@ -73,7 +73,7 @@ _OTHER_WORDS = {
 
 
 def split_type(text: str) -> FieldType | None:
-    """The type that a text stands for, its base name as written; None for a text of another shape."""
+    """Return the type that a string describes, with its base name as written; None for a string of another form."""
     match = _TYPE.match(text)
     if match is None:
         return None
@@ -89,7 +89,7 @@ def split_type(text: str) -> FieldType | None:
 def field_type(line: Line, text: str, package: str) -> FieldType:
     """The type of a field, its base resolved to a primitive kind or a full type name.
 
-    :raises InterfaceError: when the text is no type; types of other files are looked up later.
+    :raises InterfaceError: when the string does not describe a type; types of other files are checked later.
     """
     written = split_type(text)
     if written is None:
@@ -125,7 +125,7 @@ def _refuse_name(line: Line, name: str) -> NoReturn:
 
 
 def constant_value(base: str, text: str) -> Any:
-    """The value of a constant. A string may stand without quotes, as ROS allows.
+    """Return the value of a constant. A string needs no quotation marks, as in ROS.
 
     :raises ValueError: naming what was expected.
     """
@@ -153,7 +153,7 @@ def default_value(field_type: FieldType, text: str) -> Any:
 
 
 def _items(text: str) -> list[str]:
-    """Split at the commas that stand outside quotes."""
+    """Split at the commas outside quotation marks."""
     items, start, quote = [], 0, ''
     for index, char in enumerate(text):
         if quote:

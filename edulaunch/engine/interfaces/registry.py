@@ -1,6 +1,6 @@
-"""Finds interface files in share folders and makes each class once; whose interfaces count: those of the running program's
-workspace, where there is one. This layer knows no programs: whoever runs them says here, once, how to find the registry of the
-one that runs.
+"""Find interface files in share folders, and create each class once. The interfaces of the running program's workspace count, if
+there is one. This layer knows no programs, so the code that runs programs sets a function that returns the registry of the
+running one.
 """
 
 from __future__ import annotations

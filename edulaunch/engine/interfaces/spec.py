@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 class Primitive:
     """One primitive type.
 
-    `code` is the type code of both `array` and `struct`; `python` the type that a field of it holds; `low`
-    and `high` the inclusive range of numbers; `ros` the name in `get_fields_and_field_types()`; `type_id` its
-    number in a type description.
+    `code` is the type code of both `array` and `struct`. `python` is the type of the field's values, and `low` and `high` are the
+    inclusive range of numbers. `ros` is the name in `get_fields_and_field_types()`, and `type_id` the number in a type
+    description.
     """
 
     # Plain classes here and in `layout`: each NamedTuple would add half a millisecond to every start.
@@ -34,7 +34,7 @@ class Primitive:
 
     @property
     def range_words(self) -> str:
-        """The range as ROS words it in its assertions; empty when there is none."""
+        """Return the range as ROS writes it in its assertions; empty without a range."""
         if self.python is float:
             return f'{self.ros} in [{self.low!r}, {self.high!r}]'
         if self.python is int:
@@ -85,9 +85,8 @@ def primitive_name(name: str) -> str:
 class FieldType(NamedTuple):
     """The type of a field.
 
-    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'); `string_bound` the N of
-    `string<=N` or None; `array` one of '' (a single value), 'fixed', 'bounded', 'unbounded'; `size` the N of
-    `T[N]` and `T[<=N]`.
+    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'). `string_bound` is the N of `string<=N` or None.
+    `array` is '' (a single value), 'fixed', 'bounded' or 'unbounded', and `size` is the N of `T[N]` and `T[<=N]`.
     """
 
     base: str
@@ -135,9 +134,7 @@ class FieldType(NamedTuple):
 
 
 class Field(NamedTuple):
-    """One field; `default` is a Python value (a tuple for repeated fields) or None; `line` its line in the
-    file.
-    """
+    """One field. `default` is a Python value (a tuple for repeated fields) or None, and `line` is its line in the file."""
 
     name: str
     type: FieldType

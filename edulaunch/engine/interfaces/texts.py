@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class TextRegistry(Registry):
-    """Interfaces whose texts are given, over those of another registry.
+    """Interfaces with these definitions, on top of those of another registry.
 
     :param texts: the text of each file, by type name such as 'my_interfaces/msg/Num'.
     :param base: asked for packages that no text belongs to.
@@ -36,7 +36,7 @@ class TextRegistry(Registry):
         return super().text(type_name)
 
     def refresh(self) -> None:
-        """Texts do not change."""
+        """Definitions do not change."""
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:
         return self._packages.get(package, {})
@@ -46,7 +46,7 @@ class TextRegistry(Registry):
 
 
 def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
-    """The texts that define the named types and everything in them, but for types of the registry's base.
+    """Return the definitions of the named types and of all types in them, except for types of the registry's base.
 
     :param names: type names; parts such as 'pkg/srv/Catch_Request' stand for the whole.
     """

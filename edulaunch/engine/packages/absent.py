@@ -1,7 +1,8 @@
 """What a robot's machine may have and edulaunch does not: packages whose programs launch files start, and modules.
 
-On a student's ROS machine such packages are installed, so a launch that names them goes on there; here, too: their programs
-end at once and say why. The modules are not found, whatever is installed on the real machine, and the error says what is missing.
+A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs end
+immediately with an explanation. The modules are not found, whatever is installed on the real machine, and the error names what is
+missing.
 """
 
 from __future__ import annotations
@@ -158,12 +159,12 @@ even where they are installed. `tkinter` has a view."""
 
 
 def absent_kind(package: str) -> str | None:
-    """What an absent package belongs to; None for a name that nobody knows, which is a mistake in ROS 2, too."""
+    """Return what an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
     from fnmatch import fnmatchcase  # late: most launches never ask
 
     return next((kind for kind, absent in KINDS.items() if any(fnmatchcase(package, name) for name in absent.packages)), None)
 
 
 def absent_module_kind(module: str) -> str | None:
-    """What a module that is not here belongs to; None for a name that nobody knows."""
+    """Return what a missing module belongs to; None for an unknown name."""
     return next((kind for kind, absent in KINDS.items() if module in absent.modules), None)

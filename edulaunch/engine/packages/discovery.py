@@ -1,4 +1,4 @@
-"""Which workspaces a command means when it names none: those that a person with a real ROS 2 would have sourced."""
+"""Find the workspaces of a command that names none: the ones that a user of a real ROS 2 would have sourced."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ _DISTRIBUTION_SIGNS = (os.path.join('share', 'rclpy'), os.path.join('share', 'ro
 
 
 def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str], list[str]]:
-    """Tell folders that colcon built (`install/`) from folders with source packages; absolute paths, in the given order.
+    """Separate folders that colcon built (`install/`) from folders with source packages; return absolute paths, in the given
+    order.
 
     A workspace that has both is read from source: what is written there is what the student means, built or not.
     """
@@ -26,8 +27,9 @@ def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str
 def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None = None) -> list[str]:
     """Absolute paths of the workspaces for a command, in order of search and each once.
 
-    Searched are EDULAUNCH_WORKSPACES; upwards from the launch file; upwards from the current folder, and when nothing is above,
-    one level below it; last what AMENT_PREFIX_PATH and COLCON_PREFIX_PATH name, as a real `install/setup.bash` sets them.
+    The search covers EDULAUNCH_WORKSPACES, the parents of the launch file, and the parents of the current folder. If no parent
+    has a workspace, it covers one level below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH come last, as a real
+    `install/setup.bash` sets them.
 
     :param folder: the current folder of the command.
     :param env: its environment.
@@ -55,8 +57,8 @@ def folder_of(target: str | os.PathLike[str]) -> str:
 
 
 def workspace_around(path: str) -> str | None:
-    """The workspace in which a file or folder lies: what has its package in `src`; without one, the folder above the package
-    when it holds further packages, else the package. None outside any package.
+    """Return the workspace of a file or folder, which has the package in `src`. Without `src`, it is the folder above the package
+    if that has further packages, otherwise the package. Return None outside any package.
     """
     package = package_around(path)
     if package is None or package.startswith(underlay_prefix()):
@@ -127,7 +129,7 @@ def _has_manifest(folder: str) -> bool:
 
 
 def _names(folder: str) -> list[str]:
-    """What lies in a folder, without what is hidden; nothing when it cannot be read."""
+    """Return the contents of a folder without hidden entries; nothing if it cannot be read."""
     try:
         return sorted(name for name in os.listdir(folder) if not name.startswith('.'))
     except OSError:

@@ -1,4 +1,4 @@
-"""The index: one view over source workspaces, install prefixes and the underlay; and the interfaces that one sees over it."""
+"""The index: one view of source workspaces, install prefixes and the underlay, and of their interfaces."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ class Place(Protocol):
         """Names of the packages here, sorted."""
 
     def install(self, package: str) -> None:
-        """Make sure that the package's files stand below :attr:`path`."""
+        """Make sure that the package's files exist below :attr:`path`."""
 
     def executables(self, package: str) -> list[str]:
         """Names in lib/<package> that can be started, sorted."""
 
     def program(self, package: str, executable: str) -> Program | None:
-        """The Python program of that name; None when there is none, or when it is not Python."""
+        """Return the Python program of that name; None for an unknown one, or one that is not Python."""
 
     def modules(self) -> dict[str, str]:
         """Top-level import names that packages here bring, with the path of each folder or .py file."""
@@ -114,7 +114,7 @@ class Index:
         return dict(sorted(found.items()))
 
     def prefix(self, package: str) -> str | None:
-        """The prefix that holds the package, or None. Its files stand there when this returns."""
+        """Return the prefix that has the package, or None. Its files exist there when this returns."""
         place = self._place(package)
         if place is None:
             return None
@@ -130,7 +130,7 @@ class Index:
     def absent(self, package: str) -> str | None:
         """What a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
 
-        Its files would stand below :attr:`absent_prefix`.
+        Its files would be below :attr:`absent_prefix`.
         """
         return None if self._underlay is None or self._place(package) is not None else absent_kind(package)
 
@@ -266,8 +266,8 @@ def _modules(place: Place) -> dict[str, str]:
 def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
     """The packages whose interfaces come from a workspace, and the registry of all.
 
-    Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
-    the workspace only when that has types which the underlay lacks.
+    Packages that the underlay has too keep the underlay's interfaces, because its programs communicate with them. The workspace's
+    interfaces are used only if they have types which the underlay lacks.
     """
     shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
     folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}

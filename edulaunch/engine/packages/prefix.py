@@ -1,9 +1,9 @@
 """An install prefix, as colcon or a package manager makes it; and the built-in packages, laid out like one.
 
 Every folder of the underlay's `share/` is a package, and so is every import package of `python/` that ROS has as a package.
-Executables stand in `share/<package>/console_scripts.txt`, one `name = module:function` on a line. The modules lie in the
-underlay's `python/` folder, on the ordinary path; or in `programs/`, when they are written as students write theirs (they
-sleep, have threads or an event loop), so that each process gets modules of its own, as those of a workspace.
+Executables are in `share/<package>/console_scripts.txt`, one `name = module:function` on a line. The modules are in the
+underlay's `python/` folder, on the ordinary path. Modules in `programs/` are written as students write theirs: they sleep, or
+have threads or an event loop. Each process gets its own copy of them, as with modules of a workspace.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Prefix:
         return self._packages
 
     def install(self, package: str) -> None:
-        """Nothing to do: the files stand there."""
+        """Do nothing: the files exist."""
 
     def executables(self, package: str) -> list[str]:
         """Executable files in lib/<package>."""
@@ -173,7 +173,7 @@ class Underlay:
         return list(_built_in(self.path)[0])
 
     def install(self, package: str) -> None:
-        """Nothing to do: the files stand there."""
+        """Do nothing: the files exist."""
 
     def executables(self, package: str) -> list[str]:
         """Names in the package's console_scripts.txt."""
@@ -223,8 +223,8 @@ class Underlay:
 
 @cache
 def _built_in(path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Packages of an underlay, and those of them with interface files. It is looked through once: nobody changes what is
-    installed while it runs, and looking at its 350 files took a third of a run of one node.
+    """Return the packages of an underlay, and the packages with interface files. It is searched once, because it does not change
+    while it runs. The search of its 350 files took a third of a run of one node.
     """
     share = os.path.join(path, 'share')
     names = sorted(os.listdir(share)) if os.path.isdir(share) else []

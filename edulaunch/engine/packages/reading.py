@@ -1,5 +1,5 @@
-"""Finding the packages of a source workspace, as colcon does, and what reading one gives: its package.xml, its programs, what
-it installs, and what could not be understood.
+"""Find the packages of a source workspace, as colcon does, and define what reading one returns: package.xml, programs, installed
+files, problems.
 """
 
 from __future__ import annotations
@@ -12,9 +12,12 @@ from typing import NamedTuple, Protocol
 class PackageWarning(NamedTuple):
     """Something in a package that a build would reject, or that cannot be known without running it.
 
-    `line` counts from 1; 0 means the file as a whole. `about` is 'unknown' where nothing is wrong and only a
-    build knows a value, 'same name' for one of two packages, 'ROS 1' for a package that ROS 2 does not build,
-    'stand-in' where a built-in program is used, '' for anything else.
+    `line` counts from 1; 0 means the file as a whole. `about` is the kind of problem:
+    - 'unknown': nothing is wrong, but only a build knows a value
+    - 'same name': one of two packages with this name
+    - 'ROS 1': ROS 2 does not build the package
+    - `stand-in`: a built-in program is used instead
+    - '': anything else
     """
 
     file: str
@@ -34,11 +37,11 @@ class Contents:
     :param entry_points: path below the prefix (`lib/<package>/<executable>`) -> (module, function).
     :param programs: those of `files` that are installed as executables.
     :param python_modules: top-level import name -> absolute path of its folder or .py file.
-    :param native: executables built from C++ or C: name -> line of the build file; they cannot run here.
+    :param native: executables built from C++ or C (name -> line of the build file), which cannot run here.
     :param announced: group of entry points -> lines `name = package.module:attribute`.
     :param version: what setup() says, '' when it says nothing.
     :param unread: what of the build file only a build can follow, '' where all that is installed is known.
-    :param broken: why a build stops before anything is installed; it stands in `warnings`, too.
+    :param broken: why a build stops before anything is installed; `warnings` contains it, too.
     :param interfaces: there are .msg, .srv or .action files among `files`.
     """
 
@@ -57,10 +60,11 @@ class Contents:
 class Program(NamedTuple):
     """A program of a package; all but native ones run in the simulation.
 
-    :param kind: 'entry_point' (a function of a module), 'script' (a file run as `__main__`), 'module' (of `python3 -m`), 'shell'
-        (`file` is a line of commands), or one that ends at once and says why: 'native' (built from C++: `file` is the line of
-        CMakeLists.txt that builds it) or 'absent' (of a package that is not here: `file` is what it belongs to).
-    :param path: `<prefix>/lib/<package>/<executable>`, the word that stands in a command line.
+    :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file run as `__main__`, and 'module' is
+        for `python3 -m`. With 'shell', `file` is a line of commands. A 'native' or 'absent' program ends immediately with an
+        explanation. A 'native' one is built from C++, and `file` is its line in CMakeLists.txt. An 'absent' one is in a missing
+        package, and `file` is what it belongs to.
+    :param path: `<prefix>/lib/<package>/<executable>`, the first word of a command line.
     :param module: dotted module name of an entry point, else ''.
     :param function: name of the entry point's function, else ''.
     :param file: the script as the student wrote it (never a generated link), else ''.
@@ -145,9 +149,9 @@ _MAX_FOLDERS = 5000
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
     """Folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
 
-    Does not look inside packages, build/ install/ log/, hidden folders, virtual environments, and folders
-    with a COLCON_IGNORE. Links to folders are followed, as colcon does, but no folder is taken twice; gives up
-    with a warning after `most` folders, for somebody may have named a whole home folder.
+    The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
+    COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`
+    folders, because the user may have named a whole home folder.
     """
     found: list[str] = []
     waiting = [workspace]
@@ -178,8 +182,9 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
 
 
 def _list(folder: str) -> tuple[frozenset[str], list[str]]:
-    """Names of the files, and of the folders worth entering: real ones before links, so that a folder that can be
-    reached both ways is found where it lies."""
+    """Return the names of the files, and of the folders to enter. Real folders come before links, so that a folder that can be
+    reached both ways gets its real path.
+    """
     files: list[str] = []
     folders: list[str] = []
     links: list[str] = []

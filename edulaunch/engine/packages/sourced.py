@@ -11,7 +11,7 @@ from edulaunch.engine.underlay_place import underlay_prefix
 
 
 class _Sourced:
-    """The state of this interpreter; `path` is None as long as nothing was sourced."""
+    """The state of this interpreter; `path` stays None until something is sourced."""
 
     def __init__(self) -> None:
         self.path: str | None = None

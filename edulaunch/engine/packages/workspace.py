@@ -1,8 +1,8 @@
 """A folder of source packages, read without building it, and presented as if it were installed: a prefix folder of symbolic
 links.
 
-The prefix lies in the user's temporary folder under a name made from the workspace's path, so that the paths which programs
-see repeat from run to run. It goes away with the last index that uses it.
+The prefix is in the user's temporary folder. Its name is made from the workspace's path, so that the paths which programs see
+repeat from run to run. It is deleted with the last index that uses it.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Image:
     def add(self, package: str, contents: Contents) -> None:
         """Install a package: links to its files, and folders for its entry points.
 
-        What an earlier reading of the package has left there goes: somebody else may have used the folder all the time.
+        Delete what an earlier reading of the package has left there, because another process may have used the folder since.
         """
         self._claim()
         self._clear(package, contents)
@@ -77,7 +77,9 @@ class Image:
         return self._sources[inside[0]].rsplit(os.sep, depth)[0]
 
     def _claim(self) -> None:
-        """Use the folder, afresh when nobody else does; given up when this object goes, or at exit."""
+        """Use the folder, with fresh content if no other process uses it. It is released when this object is deleted, or at
+        exit.
+        """
         if self._claimed:
             return
         self._claimed = True

@@ -1,9 +1,10 @@
-"""Launched programs: what to start (`spec`), what runs (`process`, whose parts are `lifecycle`, `streams`, `signals`, `limits`),
-who starts it (`host`), which commands are simulated (`commands`), and the private modules of a program (`loader`).
+"""Launched programs: descriptions (`spec`), running processes (`process` with its parts `lifecycle`, `streams`, `signals`,
+`limits`), and the host that starts them (`host`). `commands` has the simulated commands, and `loader` the private modules of a
+program.
 
-Imports point one way: a process sees its machine by the protocol in `host_face`. Some imports stand inside functions: of files
-that many runs do not need, which are `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4 ms) and `real` (5 ms); of the
-modules that views stand for; and of modules that only Unix has.
+Imports point one way: a process knows its machine only by the protocol in `host_face`. Some imports are inside functions. They
+are for files that many runs do not need: `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4 ms) and `real` (5 ms). Others
+are for modules that views replace, and for modules that only Unix has.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Any other command is a real program.
 
-The engine knows no tool and no shell. Whoever makes a machine hands in both, as a :class:`CommandSet`.
+The engine knows no tool and no shell. The creator of a machine passes in both, as a :class:`CommandSet`.
 """
 
 from __future__ import annotations

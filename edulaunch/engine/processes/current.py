@@ -10,8 +10,8 @@ from edulaunch.engine.sim.task import current_task
 def current_process() -> Process:
     """The process whose code runs now.
 
-    Outside any simulation (a plain script, a notebook cell that uses `rclpy` by itself) it is the *ambient* process of this
-    thread: made at first use, with a simulation, graph and host of its own; waiting in it runs that simulation in place.
+    Outside any simulation (a plain script, a notebook cell that uses `rclpy` directly), it is the *ambient* process of this
+    thread. It is created at first use, with its own simulation, graph and host. Waiting in it runs that simulation.
     """
     task = current_task()
     process: Process | None = task.owner

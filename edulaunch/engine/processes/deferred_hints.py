@@ -1,7 +1,7 @@
 """Deferred hints: the hint for an error appears later than the error arises, where the last line of its text reaches a console.
 
-A hint is no output of a program and is not recorded. So recordings are the same in every language, and a launch file's handlers
-of output see what they see in ROS 2.
+A hint is not output of a program and is not recorded. So recordings are the same in every language, and a launch file's handlers
+of output receive the same output as in ROS 2.
 """
 
 from __future__ import annotations
@@ -55,17 +55,17 @@ class DeferredHints:
             self.pending.append(_Pending(lines[-1], group, error, set()))
 
     def helped(self, group: int) -> set[str]:
-        """The programs below whose error a hint has appeared, of those that one program of a terminal started.
+        """The programs of one terminal below whose error a hint has appeared.
 
         :param group: number of that program.
         """
         return {process for pid, process in self._helped if pid == group}
 
     def below(self, text: str, pid: int, env: Mapping[str, str]) -> str:
-        """The hint below a text that has just come to the console of a program; '' when there is none.
+        """Return the hint below the last output in the console of a program, or ''.
 
         :param pid: the number of that program.
-        :param env: its environment, which tells the language of the reader.
+        :param env: its environment, which sets the language of the reader.
         """
         lines = _COLOUR.sub('', text).splitlines()
         # Another terminal's error may have ended with the same line, for another reason.

@@ -1,6 +1,6 @@
-"""What is known about an error that ended a program and its text does not say: plain data, for `edulaunch.advice`. Of modules
-of the workspace that are compiled code, or would be after a build; of a `with` around something of ROS that is no context
-manager.
+"""Facts about an error that ended a program, beyond its message, as plain data for `edulaunch.advice`. One example is a module of
+the workspace that is compiled code, or would be after a build. Another one is a `with` around an object of ROS that is not a
+context manager.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ ENDED_BY = {
 
 
 def with_facts_at(error: BaseException) -> dict[str, Any]:
-    """For `with rclpy.init():`, and for `with node:` where Python tells the class of what it was given (since 3.11)."""
+    """Return facts for `with rclpy.init():`, and for `with node:` where Python names the class of the object (since 3.11)."""
     if '__enter__' not in str(error) and 'context manager' not in str(error):
         return {}
     trace = _innermost(error.__traceback__)
@@ -88,7 +88,9 @@ _LIBRARY = re.compile(r'(\S+): cannot open shared object file')
 
 
 def compiled_module(process: Program, name: str) -> str | None:
-    """Where the compiled code of a module is that Python did not find, 'robo/fast.so', or what would make it; None: nowhere."""
+    """Return the place of a module's compiled code that Python did not find ('robo/fast.so'), or what would build it;
+    otherwise None.
+    """
     parent, _, leaf = name.rpartition('.')
     if parent:
         folders = list(getattr(process.loader.modules.get(parent), '__path__', ()))
@@ -151,7 +153,7 @@ def _hiding(process: Program, name: Any) -> Found:
 
 
 def _module(process: Program, name: str) -> Found:
-    """Of a module that nobody has: what it is, and the nearest name."""
+    """Return facts about an unknown module: what it is, and the nearest name."""
     top = name.partition('.')[0]
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}

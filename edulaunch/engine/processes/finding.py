@@ -1,5 +1,5 @@
-"""Where one program's own modules are: its script's folder, its package, the workspaces (what these add to the underlay is
-read once per index, when first asked for), and what it put on `sys.path`; and their compiled code.
+"""Find a program's own modules in its script's folder, its package, the workspaces, and its changes to `sys.path`, together with
+their compiled code. The additions of a workspace to the underlay are read once per index, at first use.
 """
 
 from __future__ import annotations
@@ -164,7 +164,7 @@ class Overlay:
 
     @cached_property
     def finder(self) -> InterfaceFinder:
-        """Makes the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so nobody else sees them."""
+        """Creates the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so no other code sees them."""
         return InterfaceFinder(self.registry)
 
 
@@ -190,12 +190,13 @@ def read_script(path: str) -> CodeType:
 
 @lru_cache(maxsize=64)
 def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
-    """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
+    """Return the compiled code of source without warnings. It is kept for the next run, because a notebook or a grader runs a
+    file many times.
 
-    None for one with errors or warnings: these are to come each time. (`catch_warnings` is not used to find out: it makes
-    Python forget which warnings it has shown, so that a first run would show more of them than a second one.)
+    Return None for source with errors or warnings, because these should appear each time. (`catch_warnings` cannot find out,
+    because it makes Python forget which warnings it has shown. A first run would then show more of them than a second one.)
 
-    :param filters: those in force, which decide what is said.
+    :param filters: the active filters, which decide which warnings appear.
     """
     shown: list[Any] = []
     before, warnings.showwarning = warnings.showwarning, lambda *warning, **more: shown.append(warning)

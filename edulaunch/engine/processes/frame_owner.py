@@ -1,5 +1,5 @@
-"""Whose code a file is: the engine's, that of Python and its installed packages, or the student's; and where a program stands
-in its student's own.
+"""Find the owner of a file (the engine, Python and its installed packages, or the student), and a program's current place in the
+student's code.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ def is_own(filename: str) -> bool:
 
 
 def student_line(frame: FrameType | None = None) -> dict[str, Any]:
-    """The innermost line of the student on the way to a frame (default: the caller's), for a fact: `file`, `line`, the
-    `function` it is in, and what it `calls` ('timer.sleep': file and function; of a view, the module that it stands for); empty
-    when no code of a student is on the way.
+    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact. It has `file`, `line`,
+    the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the module that it replaces.
+    The result is empty if no code of a student is on the way.
     """
     inner: FrameType | None = None
     here = frame if frame is not None else sys._getframe(1)

@@ -44,17 +44,18 @@ class GeneratedFile(Protocol):
 
 
 class Host:
-    """Owns the processes of one simulation. `watchdog` stops those that never give their turn back, if one is set.
+    """Owns the processes of one simulation. `watchdog` stops processes that never end their turn, if one is set.
 
     :param env: the environment that programs inherit.
-    :param command_set: the tools and the shell of the machine; default: it has none.
-    :param hint_of: gives the hint below an error, see :class:`DeferredHints`; default: there are no hints.
-    :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
-        of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
+    :param command_set: the tools and the shell of the machine (default: none).
+    :param hint_of: returns the hint below an error, see :class:`DeferredHints` (default: no hints).
+    :param stdin: input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. It is a string, a
+        list of (simulated seconds, string), or an open text file. Other programs read an empty input, and programs of a launch a
+        silent pipe.
     :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
-    :ivar join_network: joins a real ROS 2 network, with an environment, the words of the join's options, and a function that
-        reports that it has joined and left; returns what leaves it. None where that cannot be.
+    :ivar join_network: joins a real ROS 2 network, or None where that is impossible. It takes an environment, the words of the
+        join's options, and a function that reports joining and leaving. It returns a function that leaves the network.
     :ivar where_on_network: says which real network it is on and by what; None for none.
     :ivar make_launch_observer: makes the observer for the launch service of a process, if there is one.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
@@ -100,7 +101,7 @@ class Host:
 
     @cached_property
     def real_look(self) -> RealLook:
-        """What hears of the real programs."""
+        """Return the observer of the real programs."""
         from edulaunch.engine.processes.real import RealLook
 
         return RealLook(self)
@@ -137,7 +138,7 @@ class Host:
         return pid
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
-        """What the program reads: what is given for its launch name or executable, else nothing."""
+        """Return the input of the program, by its launch name or executable, otherwise an empty input."""
         from edulaunch.engine.processes.real import RealInput
 
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)

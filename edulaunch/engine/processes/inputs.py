@@ -1,6 +1,6 @@
-"""What a simulated program reads: a text, lines that come at given times, a pipe. (`real_input` is the keyboard of a person.)
+"""The inputs of simulated programs: a string, lines at given times, a pipe. (`real_input` is the keyboard of a person.)
 
-Reading waits in simulated time: the other programs go on meanwhile.
+Reading waits in simulated time; meanwhile, the other programs continue.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Input:
     """`sys.stdin` of a simulated program: an empty file. Subclasses say where more text comes from.
 
-    A program that reads key by key (see the `termios` view) has a keyboard instead: nobody presses a key after the last one.
+    A program that reads key by key (see the `termios` view) has a keyboard instead: after the last key, no key is pressed.
 
     :ivar by_key: whether the program took the terminal out of its line mode.
     :ivar blocking: whether reading waits (see the `fcntl` view).
@@ -64,7 +64,7 @@ class Input:
     def terminal_size(self) -> tuple[int, int]:
         """Columns and lines of the terminal.
 
-        :raises OSError: when it is none, as the system says it.
+        :raises OSError: when it is invalid, with the error of the operating system.
         """
         raise OSError(25, 'Inappropriate ioctl for device')
 
@@ -82,7 +82,7 @@ class Input:
         return True
 
     def _wait_for_ever(self, deadline_ns: int | None = None) -> None:
-        """Wait for a key that nobody presses: until a signal ends the program, or the deadline."""
+        """Wait for a key that is never pressed, until a signal ends the program, or until the deadline."""
         task = current_task()
         while deadline_ns is None or task.sim.now_ns < deadline_ns:
             task.park(deadline_ns)
@@ -166,7 +166,7 @@ class Input:
 
 
 class SilentPipe(Input):
-    """What a program of a launch reads: a pipe into which nobody ever writes and which nobody closes, as ROS 2 makes it."""
+    """The input of a program of a launch: a pipe that is never written to and never closed, as in ROS 2."""
 
     is_inherited = True
     _has_warned = False
@@ -176,7 +176,7 @@ class SilentPipe(Input):
         return False
 
     def take_more(self, deadline_ns: int | None) -> bool:
-        """Wait until the deadline, or until a signal ends the program; the recording tells of the latter."""
+        """Wait until the deadline, or until a signal ends the program; the recording contains the signal."""
         process: Process = current_task().owner
         if deadline_ns is None and not self._has_warned:
             self._has_warned = True
@@ -204,7 +204,7 @@ class BytesInput:
 
 
 class TypedInput(Input):
-    """Text that comes at given times, as somebody would type it.
+    """Text that arrives at given times, as if a person typed it.
 
     :param pieces: (simulated seconds since the start, text), in any order.
     """

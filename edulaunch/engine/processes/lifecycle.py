@@ -37,7 +37,7 @@ class Lifecycle:
 
     :param main: the program's main function; what it returns is the exit status, as for `sys.exit`.
     :ivar task: the main thread.
-    :ivar threads: those that the program waits for before it ends.
+    :ivar threads: threads that the program waits for before it ends.
     :ivar before_join: called before the program waits for its threads, the last one first.
     :ivar exit_calls: what the program registered with `atexit`: function, arguments, options.
     :ivar at_exit: called when the program has ended in whatever way.

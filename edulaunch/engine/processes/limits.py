@@ -1,5 +1,5 @@
-"""The limit on what a program writes. A loop that writes and never waits would fill the memory long before the watchdog sees it,
-and others would have to read all of it.
+"""The limit on a program's output. A loop that writes and never waits would fill the memory long before the watchdog notices it.
+Other programs would have to read all of it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class WriteLimit:
         self._characters = 0
 
     def is_exceeded_by(self, text: str) -> bool:
-        """Count a text, and return whether it is too much."""
+        """Count a string, and return whether it exceeds the limit."""
         if self._instant_ns != self._sim.now_ns:
             self._instant_ns, self.writes, self._characters = self._sim.now_ns, 0, 0
         self.writes += 1

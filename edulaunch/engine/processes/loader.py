@@ -1,10 +1,10 @@
 """The private modules of one program.
 
-Two copies of one node must not share globals, and each must see its own clock, arguments and streams. Modules of a student's
-workspace, the main script and launch files are therefore executed once per process, with `__builtins__` whose `__import__`
-comes here first. Everything else (the standard library, numpy, the ROS faces) is shared; the few standard modules that
-know time, chance, threads or the process itself are replaced by views (`processes/views/`), and a few more are executed
-privately too, so that they use those views.
+Two copies of one node must not share globals, and each must have its own clock, arguments and streams. So each process executes
+its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__` that
+comes here first. Everything else (the standard library, numpy, the ROS packages) is shared. Views (`processes/views/`) replace
+the few standard modules with time, random numbers, threads or the process itself. A few more are executed privately, so that they
+use those views.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ class Loader:
     def run_module(self, name: str) -> ModuleType:
         """Execute a module of the program as `python -m` does: as `__main__`, in its package.
 
-        :raises ModuleNotFoundError: when there is none of that name.
+        :raises ModuleNotFoundError: when no module has that name.
         """
         parent, _, leaf = name.rpartition('.')
         path = list(getattr(self.import_module(parent), '__path__', ())) if parent else []
@@ -327,7 +327,7 @@ class Loader:
 def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
     """The full name of a relative import.
 
-    :raises ImportError: with Python's texts, outside any package or above the topmost one.
+    :raises ImportError: with Python's messages, outside any package or above the topmost one.
     """
     package = globals.get('__package__')
     if not package:

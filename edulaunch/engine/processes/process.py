@@ -166,7 +166,7 @@ class Process:
     def fact(self, kind: str, key: Hashable, data: dict[str, Any]) -> None:
         """Record something odd in plain data, without words (`edulaunch.advice` has those); counted when the key came before.
 
-        File and line of the student's code stand in it as `file` and `line`; times are seconds since the start.
+        File and line of the student's code are in it as `file` and `line`; times are seconds since the start.
         """
         if not self.lifecycle.is_dead:
             self.tracer.fact(self, kind, key, data)
@@ -215,7 +215,7 @@ class Process:
         self.graph.remove_process(self)
 
     def report_end(self) -> None:
-        """Tell the machine, and whoever started the program, that it has ended."""
+        """Report the end of the program to the machine, and to the program that started it."""
         self.host.ended(self)
         if self.on_exit is not None:
             assert self.returncode is not None

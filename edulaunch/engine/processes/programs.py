@@ -1,6 +1,5 @@
-"""What runs inside a simulated process: an entry point's function, or a script or module as `__main__`; also of command lines
-that name Python themselves (`python3 script.py`, `python3 -m package.module`, `./script.py`), since they probably hold ROS
-nodes.
+"""The code that runs inside a simulated process: an entry point's function, or a script or module as `__main__`. This includes
+command lines with Python (`python3 script.py`, `python3 -m package.module`, `./script.py`), because they probably run ROS nodes.
 """
 
 from __future__ import annotations
@@ -48,8 +47,8 @@ def _cannot_run(program: Program) -> OSError:
 def entry_function(process: Process, program: Program) -> Callable[[], object]:
     """The function of an entry point.
 
-    :raises ModuleNotFoundError, AttributeError: with Python's text; when the entry point itself names something that is not
-        there, the facts tell where it is written and what was meant.
+    :raises ModuleNotFoundError, AttributeError: with Python's message; if the entry point names something that does not exist,
+        the facts have its place and the nearest name.
     """
     try:
         found: Any = process.loader.load_entry_module(program.module)

@@ -36,8 +36,8 @@ READER_NAME = 'edulaunch reads '
 
 
 class RealLook:
-    """One look at all real programs of a simulation: it hands on what they said and, while there are any, lets simulated
-    time wait for real time.
+    """Checks all real programs of a simulation: it passes on their output and, while any of them runs, keeps simulated time equal
+    to real time.
 
     :ivar news: where their threads put (program, stream, text).
     """
@@ -159,7 +159,7 @@ class RealProcess:
             self._child.terminate()  # all that Windows has
 
     def kill(self) -> None:
-        """End it for good; nobody is told."""
+        """Kill it without reporting its end."""
         self.on_output = self.on_exit = None
         self._room.release(4 * MOST_WAITING)  # nobody takes more: its threads come to their end
         self.send_signal(Signals.SIGKILL)
@@ -189,11 +189,11 @@ def _chunk(reader: int) -> bytes:
 
 
 class RealInput(Input):
-    """An open text file of this machine, such as the terminal. While somebody types, simulated time keeps pace with real time and
-    the other programs go on; what is there already is read at once.
+    """An open text file of this machine, such as the terminal. While a person types, simulated time follows real time and the
+    other programs continue. Input that is already there is read immediately.
 
-    :param file: a terminal, a pipe or a file. One that is no file of the operating system is read line by line.
-    :param host: its watchdog is told to be patient while such a file is read.
+    :param file: a terminal, a pipe or a file. An object that is not a file of the operating system is read line by line.
+    :param host: its watchdog allows long turns while such a file is read.
     """
 
     def __init__(self, file: Any, host: HostFace) -> None:
@@ -269,7 +269,7 @@ class RealInput(Input):
 
 
 def _waitable(file: Any) -> int | None:
-    """The file's number, when the operating system can tell whether reading it would wait."""
+    """Return the file's number, if the operating system can report whether reading it would wait."""
     try:
         number: int = file.fileno()
         select.select([number], [], [], 0)

@@ -1,11 +1,10 @@
 """Notes which simulated programs read the real machine: then a run cannot repeat, and its recording says so.
 
-What Python's own audit events tell is heard where it happens, also inside of libraries (`psutil` reads `/proc`, `requests`
-connects); a few modules and functions that tell of the machine without such an event are noted when the student's code asks for
-them. Importing a library that looks about is no reason: what it finds there seldom matters.
-A plain seam will not do in place of the audit hook: views see what the student's own code calls, and installed libraries do not
-use them.
-Also the folders of this machine whose places a digest must not depend on.
+It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few modules
+and functions reveal facts about the machine without such an event; they are noted when the student's code asks for them.
+Importing a library that inspects the machine does not count, because its result seldom matters. Views cannot replace the audit
+hook: they see only calls from the student's own code, and installed libraries do not use them. The file also has the folders of
+this machine that a digest must not depend on.
 """
 
 from __future__ import annotations
@@ -39,7 +38,7 @@ _listening = False
 
 
 def listen() -> None:
-    """From now on. Python lets nobody stop again; while no simulated program runs nothing is noted."""
+    """Install the hook. Python cannot remove it; while no simulated program runs, it notes nothing."""
     global _listening
     if not _listening:
         _listening = True
@@ -143,7 +142,7 @@ SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
 
 
 def machine_roots() -> list[list[str]]:
-    """(folder, short name), those that say more first: where two are the same folder the first one counts."""
+    """(folder, short name), with the more specific ones first: if two are the same folder, the first one counts."""
     import tempfile  # late: only a recording needs it
 
     packages = [sysconfig.get_path('purelib'), sysconfig.get_path('platlib'), site.getusersitepackages()]

@@ -51,7 +51,7 @@ class SignalDelivery:
             task.attend()
 
     def _waits(self) -> list[dict[str, Any]]:
-        """Where each thread of the program stands, main first."""
+        """Return the current place of each thread of the program, main first."""
         tasks = (self._lifecycle.task, *self._lifecycle.threads)
         return [{'thread': task.name, **waiting_line(task)} for task in tasks if not task.finished]
 

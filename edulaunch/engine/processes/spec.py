@@ -1,5 +1,5 @@
-"""What to start: the frozen description of a program, made by launch actions and judged by most checks; where it was written,
-and the signals that it may get: those of a Linux, also on a Windows, which has six of its own.
+"""The frozen description of a program to start. Launch actions create it, and most checks judge it. It includes its place in the
+launch file, and the signals that it may get: those of Linux, even on Windows, which has only six.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class ProcessSpec(NamedTuple):
     :ivar package, executable: of a Node action.
     :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
     :ivar emulate_tty: whether a real program writes to a terminal instead of pipes; a simulated one writes as if to one anyway.
-    :ivar has_pipe: whether it reads from a pipe of the program that starts it, into which nobody writes; else an empty file.
+    :ivar has_pipe: whether it reads from a pipe of its parent, which is never written to; otherwise, it reads an empty file.
     """
 
     argv: tuple[str, ...]

@@ -1,11 +1,11 @@
 """What a simulated program writes to.
 
-A student's own modules see streams of their program through the `sys` view. What the standard library or an installed package
-writes (warnings, `help()`, progress bars) goes through the real `sys`, which has a :class:`SharedStream` in their place while
-a simulation runs: each call reaches the program that makes it.
+A student's own modules get the streams of their program from the `sys` view. Output of the standard library or an installed
+package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a :class:`SharedStream`
+in their place, so each call reaches the program that makes it.
 
-Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run
-to run, and recordings must not; so they are shown numbered, in the order of their appearance.
+Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run to
+run, and recordings must not. So the addresses are replaced by numbers, in the order of their appearance.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from edulaunch.engine.sim.task import AmbientTask, running_task
 class OutputStream:
     """`sys.stdout` or `sys.stderr` as a simulated program sees it.
 
-    :param write: takes the name of the stream and a text.
+    :param write: takes the name of the stream and a string.
     """
 
     encoding = 'utf-8'
@@ -160,7 +160,7 @@ class Streams:
     """The three streams of one program.
 
     :param stdin: what the program reads.
-    :param write: takes what the program writes: the name of the stream and a text.
+    :param write: takes the output of the program: the name of the stream and a string.
     :ivar is_writing: its output is being handed on now; what is written meanwhile to the real `sys` is not the program's.
     """
 
@@ -172,5 +172,5 @@ class Streams:
         self._addresses = Addresses()
 
     def steady(self, text: str) -> str:
-        """A text of the program without what would differ from run to run: addresses of objects."""
+        """Return output of the program without parts that differ from run to run, such as addresses of objects."""
         return self._addresses.steady(text) if MARK in text else text

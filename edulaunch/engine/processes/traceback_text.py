@@ -1,5 +1,5 @@
-"""A traceback cut to what the student wrote, with `Did you mean: 'x'?` at its end as Python 3.12, that of ROS 2 Jazzy, says
-it; the same on every Python.
+"""Reduce a traceback to the student's code, with a last line `Did you mean: 'x'?` as in Python 3.12, the version of ROS 2 Jazzy.
+The result is the same with every Python.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _NOT_IN_MODULE = re.compile(r"cannot import name '(\w+)' from '([\w.]+)' ")
 
 
 def with_suggestion(text: str, error: BaseException) -> str:
-    """The last line of a traceback, with the suggestion that belongs to it. Texts of several lines have help of their own."""
+    """Return the last line of a traceback, with its suggestion. Messages of several lines have their own help."""
     line = text.rstrip('\n')
     if '\n' in line or not isinstance(error, (AttributeError, ImportError, NameError)):
         return text
@@ -121,7 +121,7 @@ def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseE
     """The members one below the other in a frame of their own.
 
     :param depth: how many frames are around the group, its own among them.
-    :param tell: gives the text of one member, inside so many frames.
+    :param tell: returns the message of one member, inside this many frames.
     """
     indent = '  ' * depth
     shown = members[:MOST]
@@ -146,10 +146,10 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
-    When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
-    error carries facts, is one of rclpy's own, or a built-in program's end by Ctrl-C: then we have raised it knowingly. Or
-    Python could not read the student's file at all: then nothing of it ran.
-    The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
+    If no other frame is left, all frames stay: then the mistake is in edulaunch, and hiding it would not help. There are three
+    exceptions: the error carries facts, it is one of rclpy's own, or a built-in program ended by Ctrl-C. Then edulaunch has
+    raised it deliberately. The same holds if Python could not read the student's file, because none of it ran. The marks under a
+    line that newer versions of Python print are left out, so that recordings are equal on all of them.
     """
     return ''.join(_chain(error, [])), _place(error)
 
@@ -201,7 +201,7 @@ def _one(error: BaseException) -> Iterator[str]:
 
 
 def _lines_of_python(error: BaseException) -> list[str]:
-    """Type and text. Of a group too: without the members, which newer Pythons tell here."""
+    """Return type and message. For a group, leave out the members, which newer versions of Python list here."""
     members = members_of(error)
     told = traceback.format_exception_only(type(error), error)
     return told if not members else [next(line for line in told if line.strip())]
@@ -213,7 +213,7 @@ def _own(error: BaseException) -> list[traceback.FrameSummary]:
 
 
 def _unread_file(error: BaseException) -> str | None:
-    """The student's file that is no Python."""
+    """Return the student's file that is not valid Python."""
     unread = error.filename if isinstance(error, SyntaxError) else None
     return None if unread is None or is_engine(unread) else unread
 
@@ -230,7 +230,7 @@ def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
-    """The last frame of a traceback in a student's file; when there is none, the last that is not in the engine."""
+    """Return the last frame of a traceback in a student's file or, without one, the last frame outside the engine."""
     own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
     last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)
     return None if last is None else Origin(last.filename, last.lineno or 0)

@@ -1,7 +1,7 @@
 """Stops programs that never give their turn back, such as `while True: pass`.
 
-A thread looks every now and then at what the simulation's thread is doing. Nothing is counted or checked while programs run, so
-this costs them nothing. It is the processor's time of a turn that counts, so that a busy machine stops nobody.
+A thread sometimes checks what the simulation's thread is doing. Nothing is counted or checked while programs run, so this costs
+them nothing. The processor time of a turn counts, so that a busy machine stops no program.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 class RunawayProgram(BaseException):
     """Raised inside a program that kept its turn for too long, wherever it is; no `except Exception` of the program stops it.
 
-    :param did: what it did, in words that go on after its name.
+    :param did: what it did, as the rest of a sentence after its name.
     :param counted: whether it was found by counting, which repeats, and not by the time that it took.
     """
 
@@ -43,7 +43,7 @@ class RunawayProgram(BaseException):
 class Turn(NamedTuple):
     """What one look sees: whose turn it is since when, and what the innermost function of the student's code holds.
 
-    `state` is None while a library works for that function.
+    While a library works for that function, `state` has the value None.
     """
 
     task: Task
@@ -54,10 +54,10 @@ class Turn(NamedTuple):
 class Watchdog:
     """Watches one simulation.
 
-    :param seconds: the processor's time that a turn may take without a change in the variables of the student's function; where
-        something goes on it may last some times as long.
+    :param seconds: the processor time that a turn may take without a change in the variables of the student's function. With
+        changes, it may take several times as long.
     :ivar thread: number of the thread in which the simulation runs; None before it does.
-    :ivar asleep: somebody waits for a person at a real keyboard, which may take any time.
+    :ivar asleep: whether a program waits for a person at a real keyboard, which may take any time.
     """
 
     def __init__(self, sim: Simulation, seconds: float) -> None:
@@ -69,7 +69,7 @@ class Watchdog:
         self._started = False
 
     def start(self) -> None:
-        """Begin to watch; doing it twice is doing it once. Nobody watches in a browser, where there are no threads."""
+        """Begin to watch; repeating it changes nothing. In a browser without threads, there is no watchdog."""
         if not self._started and sys.platform != 'emscripten':
             self._started = True
             threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True).start()
@@ -108,7 +108,7 @@ class Watchdog:
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(RunawayProgram))
 
     def _look(self) -> Turn | None:
-        """The turn that somebody has now; None when the hub runs, or a person is waited for."""
+        """Return the current turn; None if the hub runs, or a program waits for a person."""
         sim = self._sim()
         if sim is None:
             self.stop()
@@ -129,7 +129,7 @@ class Watchdog:
         return (None, None) if task is None else (task, top)
 
     def _processor_s(self) -> float:
-        """The processor's time that the simulation's thread has used; where a system does not tell it, that of all threads."""
+        """Return the processor time of the simulation's thread; where a system does not report it, return that of all threads."""
         try:
             return time.clock_gettime(time.pthread_getcpuclockid(self.thread or 0))
         except (AttributeError, OSError):

@@ -1,8 +1,8 @@
 """The narrow waist: everything below produces a Recording, everything above reads one.
 
-`records.py` says what is in it, `recorder.py` collects it from a running simulation, `recording.py` answers questions about
-it, `file_format.py` writes and reads it as text that is the same byte for byte for the same run. `views.py` is where other wings
-register what they make of a recording.
+`records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions about
+it, and `file_format.py` writes and reads it as text that is the same byte for byte for the same run. Other wings register their
+views of a recording in `views.py`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a recording answers when it is asked for something that did not happen: one message, and no frames of ours."""
+"""Errors for questions about something that did not happen: one message, without frames of edulaunch."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ class NodeParameters(dict[str, Any]):
 
 
 class NoMessages(list[Any]):
-    """The messages of a topic that nobody had: none. Asking for one of them says which topics there are.
+    """The empty list of messages of a topic without publications. Asking for one of them raises an error that lists the topics.
 
-    It stays an empty list for all who count or go through the messages: that nobody spoke is a fact of the run, too.
+    It is an empty list for code that counts or iterates, because a topic without messages is a valid result of a run, too.
     """
 
     def __init__(self, topic: str, among: Iterable[str]) -> None:

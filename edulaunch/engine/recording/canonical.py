@@ -17,9 +17,9 @@ _SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
-    """The content with the folders named in `roots` (workspaces, the package edulaunch, the launch file's folder, Python's
-    folders, temporary files ...) replaced by short names wherever a text mentions them, and without the frames of libraries in
-    tracebacks, which are others in each version of a library.
+    """Return the content with short names in place of the folders in `roots` in every string. These are workspaces, the package
+    edulaunch, the launch file's folder, Python's folders and temporary files. Frames of libraries in tracebacks are removed,
+    because they differ between versions.
     """
     shorten = _shortener(content['roots'])
     short = {part: shorten(content[part]) for part in TEXT_PARTS}
@@ -39,7 +39,7 @@ def _holds_text(value: Any) -> bool:
 
 
 def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
-    """A function that replaces the roots in all texts of plain data.
+    """Return a function that replaces the roots in all strings of plain data.
 
     A root counts where a path begins with it: '/tmp/tmpabc' has one '/tmp', and '/home/tmp/x' has none.
     """

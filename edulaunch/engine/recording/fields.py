@@ -20,7 +20,7 @@ def getter(cls: Any, path: str) -> Callable[[Any], Any]:
     steps = path.split('.')
     found = [_STEP.fullmatch(step) for step in steps]
     if not all(found):
-        raise ValueError(f"{path!r} is no path of a field: write it as 'pose.position.x' or 'ranges[0]'")
+        raise ValueError(f"{path!r} is not a path of a field: write it as 'pose.position.x' or 'ranges[0]'")
     plain = '.'.join(match[1] for match in found if match)
     names = leaf_paths(cls)
     if plain not in names and not any(name.startswith(f'{plain}.') or plain.startswith(f'{name}.') for name in names):

@@ -1,8 +1,8 @@
 """A recording as text: JSON lines, the same bytes for the same run.
 
-The first line is the header, then one line per part, then one line each with odd facts, with what parameters were declared to be,
-and with the texts of the student's own message types if there are any, then one line per topic. Messages are wire tuples written
-as JSON lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
+The first line is the header, followed by one line per part. Then come lines for unusual facts, for declared parameters, and for
+the definitions of the student's own message types, if any. Each topic has one line at the end. Messages are wire tuples written
+as JSON lists, and byte strings are written as {"hex": ...}. Only plain data is ever read back.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def refuse_huge(data: bytes, name: str) -> None:
 def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     """The content of a recording file.
 
-    :raises RecordingError: when it is no recording, is of another version, or is damaged.
+    :raises RecordingError: when it is not a recording, has another version, or is damaged.
     """
     lines = io.BytesIO(data)
     header = _parse(lines.readline(), name, 1)
@@ -128,7 +128,7 @@ def _check(content: dict[str, Any], name: str) -> None:
             raise RecordingError(f'{name} is damaged: the part {part!r} is cut off or no such part.')
     texts = content['interfaces']
     if not schema.table(schema.text)(texts) or not all(map(TYPE_NAME.fullmatch, texts)):
-        raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
+        raise RecordingError(f"{name} is damaged: the part 'interfaces' does not contain definitions of message types.")
     for topic in content['topics']:
         if not schema.record(schema.TOPIC)(topic) or len({len(topic[key]) for key in ('times', 'publishers', 'messages')}) != 1:
             raise RecordingError(f'{name} is damaged: the columns of a topic do not fit together.')

@@ -39,8 +39,8 @@ def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
 
 
 class FrameLink(NamedTuple):
-    """All that was broadcast of a child frame: its parents (more than one is a mistake), the nodes that broadcast it, how many
-    times, and when first and last (seconds).
+    """The broadcasts of a child frame: its parents (more than one is a mistake) and the nodes that broadcast it. It also has the
+    number of broadcasts, and the times of the first and the last one (seconds).
     """
 
     child: str

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 
 class Messages:
-    """The part of a recording that holds messages, and the types they have. A file is read as plain data first: what
-    somebody asks for is checked against its type then, once.
+    """The part of a recording with messages and their types. A file is first read as plain data; at its first use, each part is
+    checked against its type.
     """
 
     def __init__(self, content: dict[str, Any]) -> None:
@@ -43,22 +43,29 @@ class Messages:
         return dict(sorted(found.items()))
 
     def rows(self, part: str) -> list[Any]:
-        """The rows of a part ('topics', 'calls', 'logs', 'output', 'parameters') as the file has them: plain data, times in
-        nanoseconds. For who reads all of a long run; not to be changed.
+        """Return the rows of a part of the file as plain data, with times in nanoseconds.
+
+        This is fast for code that reads all of a long run. Do not change the rows.
+
+        :param part: 'topics', 'calls', 'logs', 'output' or 'parameters'.
         """
         found: list[Any] = self._content[part]
         return found
 
     def offered(self, topic: str) -> list[QoS]:
-        """The quality of service of each publisher that a topic ever had."""
+        """Return the quality of service of each publisher that a topic had during the run.
+
+        :param topic: full name of the topic.
+        """
         from edulaunch.engine.graph.qos import QoS
 
         return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
-        """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there.
+        """Return all messages of a topic as (time in seconds, message), in order of publication; [] for an unknown topic.
 
-        :raises KeyError: later, when one of the messages of a topic that is not there is asked for; it names the nearest topic.
+        :param topic: full name of the topic, such as '/turtle1/pose'.
+        :raises KeyError: when code reads an item of the list of an unknown topic; the message names the nearest topic.
         """
         if topic not in self.topics:
             return NoMessages(topic, self.topics)
@@ -70,14 +77,22 @@ class Messages:
         return [(time / 1e9, message) for time, message in rows]
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
-        """All messages of one type on a topic as (time in ns, wire), in order of publication; much cheaper than messages."""
+        """Return all messages of one type on a topic as (time in ns, wire), in order of publication; much faster than `messages`.
+
+        :param topic: full name of the topic.
+        :param type_name: such as 'turtlesim/msg/Pose'. A wire is the flat tuple of the message's values.
+        """
         columns = [column for column in self._columns(topic) if column['type'] == type_name]
         rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
         rows.sort(key=_time_of)
         return rows
 
     def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
-        """As :meth:`wires`, each with the name of the node that published it: (time in ns, node, wire)."""
+        """Do the same as :meth:`wires`, and add the name of the publishing node: (time in ns, node, wire).
+
+        :param topic: full name of the topic.
+        :param type_name: such as 'turtlesim/msg/Pose'.
+        """
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
         rows = [
@@ -90,8 +105,10 @@ class Messages:
         return rows
 
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
-        """Numbers over time: rows of (time in seconds, field, field ...); a field is a path: 'pose.pose.position.x', 'ranges[0]'.
+        """Return numbers over time: rows of (time in seconds, field, field ...).
 
+        :param topic: full name of the topic.
+        :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]', in the units of the message.
         :raises NotRecorded: when the messages have no such field; the message names the nearest one.
         """
         from edulaunch.engine.recording.fields import getter
@@ -105,17 +122,20 @@ class Messages:
         return [(time, *(get(message) for get in gets)) for time, message in messages]
 
     def message_class(self, type_name: str) -> Any:
-        """The class of a message type, as it was in the run: 'turtlesim/msg/Pose'."""
+        """Return the class of a message type, as it was in the run.
+
+        :param type_name: such as 'turtlesim/msg/Pose'.
+        """
         return self._class(type_name)
 
     @property
     def registry(self) -> RecordedTypes:
-        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        """Return the interfaces of this recording: the student's own ones as recorded, and the ones that can be imported now."""
         return self._registry
 
     @cached_property
     def _registry(self) -> RecordedTypes:
-        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        """The interfaces of this recording: the student's own ones as recorded, and the ones that can be imported now."""
         from edulaunch.engine.recording.recorded_types import RecordedTypes
 
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
@@ -163,9 +183,10 @@ class Messages:
         return calls
 
     def to_pandas(self, topic: str, *fields: str) -> Any:
-        """The messages of a topic as a pandas DataFrame with the time in seconds as its index (pandas has to be installed).
+        """Return the messages of a topic as a pandas DataFrame, with the time in seconds as its index.
 
-        :param fields: default: every field that is no list.
+        :param topic: full name of the topic.
+        :param fields: the columns (default: every field that is not a list).
         :raises UnusableInput: when pandas is not installed.
         """
         from edulaunch.engine.recording.fields import getter, leaf_paths

@@ -26,7 +26,7 @@ class Mismatch(NamedTuple):
 def mismatches(records: Iterable[NodeRecord], notes: Iterable[Note]) -> Iterator[Mismatch]:
     """Yield the mismatches of a run in order of time.
 
-    A node that subscribes with several types, the publisher's among them, receives its messages: that is no mismatch.
+    A node that subscribes with several types receives messages of each of them, so this is not a mismatch.
     """
     nodes = {node.name: node for node in records}
     for note in notes:

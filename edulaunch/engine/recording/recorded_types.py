@@ -1,4 +1,6 @@
-"""The classes of a student's own messages, made from the texts in a recording without compiling anything: a file is data."""
+"""The classes of a student's own messages, made from their definitions in a recording without compiling anything, because a
+file is data.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ Read = Callable[[Iterator[Any]], Any]
 
 
 class RecordedTypes(TextRegistry):
-    """Interfaces of a recording over those that can be imported now. Its own messages can be read, compared and shown.
+    """The interfaces of a recording, and the ones that can be imported now. Its own messages can be read, compared and shown.
 
     :ivar checks: whether wires fit.
     """

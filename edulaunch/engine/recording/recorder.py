@@ -127,7 +127,7 @@ class Recorder(Tracer):
         return self.groups.get(pid) == pid
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
-        """The texts of those types that are the student's own, so that messages can be read without the workspace."""
+        """Return the definitions of the student's own types among these, so that messages can be read without the workspace."""
         if self.overlay is None or not self.overlay.interface_packages:
             return {}
         from edulaunch.engine.interfaces.texts import texts_of

@@ -96,14 +96,16 @@ class Recording(Messages, Views):
         return recording
 
     def to_bytes(self) -> bytes:
-        """The recording as text (JSON lines), the same bytes for the same run."""
+        """Return the recording as text (JSON lines), with the same bytes for the same run."""
         return file_format.encode(self._content)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a recording file, whole or not at all; what is no regular file (`/dev/stdout`, a pipe) is written to.
+        """Write a recording file completely or not at all.
 
-        When it cannot be written, an older recording of that name stays as it was.
+        A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly. If the file cannot be written, an older
+        recording of that name does not change.
 
+        :param path: path of the file, usually with the ending .rec.
         :raises RecordingError: when it cannot be written.
         """
         try:
@@ -137,7 +139,7 @@ class Recording(Messages, Views):
 
     @property
     def includes(self) -> list[str]:
-        """The launch files that were included, in order."""
+        """Return the launch files that were included, in order."""
         return self.launch.includes
 
     @cached_property
@@ -176,9 +178,10 @@ class Recording(Messages, Views):
         ]
 
     def parameters(self, node: str) -> dict[str, Parameter]:
-        """The parameters of a node (fully qualified name) at the end, in the order of declaration.
+        """Return the parameters of a node at the end of the run, by name, in the order of declaration.
 
-        :raises KeyError: when no such node was there; the message names the nodes that were.
+        :param node: full name of the node, such as '/sim'.
+        :raises KeyError: for an unknown node; the message lists the nodes of the run.
         """
         found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
         rows = [row for row, values in enumerate(self.parameter_rows) if values[1] == node]
@@ -200,23 +203,28 @@ class Recording(Messages, Views):
 
     @cached_property
     def own_processes(self) -> list[ProcessRecord]:
-        """The processes that run a student's program: neither one of ours, nor a `ros2` command."""
+        """Return the processes that run a student's program, without programs of edulaunch and `ros2` commands."""
         ours = tuple(os.path.join(path, '') for path, name in self._content['roots'] if name == '@underlay')
         return [row for row in self.processes if not row.argv[0].startswith(ours) and os.path.basename(row.argv[0]) != 'ros2']
 
     def trajectory(self, turtle: str) -> Trajectory:
-        """Where a turtle was, as numpy arrays t, x, y, theta; `turtle` is 'turtle1', or '/ns/turtle1' with a namespace.
+        """Return the path of a turtle or robot as numpy arrays t, x, y, theta.
 
-        A robot's odometry topic such as '/odom' works too. See :class:`~edulaunch.engine.recording.trajectory.Trajectory`.
+        t is in seconds since the start, x and y are in metres, and theta is in radians. See
+        :class:`~edulaunch.engine.recording.trajectory.Trajectory`.
 
-        :raises KeyError: when nothing of that name was recorded; the message names what was.
+        :param turtle: 'turtle1', '/ns/turtle1' with a namespace, or the odometry topic of a robot, such as '/odom'.
+        :raises KeyError: for an unknown name; the message lists the known ones.
         """
         from edulaunch.engine.recording.trajectory import read_trajectory
 
         return read_trajectory(self, turtle)
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
-        """The newest transform of each tf child frame at a time, by child name in order of first appearance."""
+        """Return the newest transform of each tf child frame at a time, by child name in order of first appearance.
+
+        :param time_s: seconds since the start of the run.
+        """
         from edulaunch.engine.recording.frames import frames_at
 
         return frames_at(self, time_s)
@@ -251,8 +259,8 @@ class Recording(Messages, Views):
 
     @property
     def not_repeatable(self) -> list[str]:
-        """Why the same launch may not give the same recording again: programs that read the real machine, and what they used;
-        real programs that were started. Empty for a run that repeats.
+        """Return why the same launch may give another recording: programs that used facts about the real machine, and real
+        programs. Return an empty list for a run that repeats.
         """
         return list(dict.fromkeys(note.text for note in self.notes if note.kind in UNREPEATABLE))
 
@@ -264,5 +272,7 @@ class Recording(Messages, Views):
 
     @property
     def warnings(self) -> list[str]:
-        """The findings of :attr:`advice` as sentences: programs that died, misspelt names, what went wrong without an error."""
+        """Return the findings of :attr:`advice` as sentences: programs that died, misspelt names, and other problems without an
+        error.
+        """
         return [*map(str, map(view('sentences'), self.advice))]

@@ -32,7 +32,7 @@ class DeclaredArgument(NamedTuple):
 class UnreadArgument(NamedTuple):
     """A launch argument that was given, and that no launch file declares or reads; what is declared where it was given.
 
-    `included` is the launch file it was given to, when that was an include, which stands at `file` and `line`.
+    `included` is the launch file that received it, if an include at `file` and `line` passed it on.
     """
 
     name: str
@@ -72,8 +72,8 @@ class LaunchRecord(NamedTuple):
 
 
 class ProcessRecord(NamedTuple):
-    """A launched program. `returncode` is None while it runs; negative for a signal. `exception` is what ended it, if any:
-    a dict with type, message, file, line.
+    """A launched program. `returncode` is still None while it runs, and negative for a signal. `exception` is the exception that
+    ended it, if any, as a dict with type, message, file, line.
     """
 
     name: str
@@ -165,7 +165,9 @@ class Note(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """Something odd in a program, as plain data: of which kind, how often, first and last; see `Process.fact` for `data`."""
+    """An unusual fact about a program as plain data: its kind, its number of occurrences, its first and last time. See
+    `Process.fact` for `data`.
+    """
 
     time_s: float
     process: str | None

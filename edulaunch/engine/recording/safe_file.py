@@ -14,7 +14,7 @@ NO_SUCH_CALL = (errno.EINVAL, errno.ENOTSUP)
 
 
 def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
-    """Write a file; what is no regular file (`/dev/stdout`, a pipe) is written to directly.
+    """Write a file. A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly.
 
     The lines go into a draft with a name of its own, so that two programs can write the same file at once. The draft takes the
     name of the file when the disk has it. It goes away when that fails, and the older file stays.
@@ -44,7 +44,7 @@ def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
 
 
 def remove_drafts(path: str | os.PathLike[str]) -> None:
-    """Remove the drafts of a file that programs left behind which were killed. Drafts that somebody writes now stay."""
+    """Remove drafts of a file from programs that were killed. Drafts that are being written stay."""
     for draft in glob.glob(f'{glob.escape(_stem(os.path.realpath(path)))}*.part'):
         with suppress(OSError, ImportError), open(draft, 'rb') as file:
             _lock(file)
@@ -60,7 +60,7 @@ def _stem(target: str) -> str:
 def _lock(file: BinaryIO) -> None:
     """Hold a draft until its file is closed.
 
-    :raises OSError: when somebody else holds it, or the file system has no locks.
+    :raises OSError: when another process holds it, or the file system has no locks.
     :raises ImportError: when this system has none.
     """
     import fcntl

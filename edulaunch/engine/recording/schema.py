@@ -15,7 +15,7 @@ def text(value: Any) -> bool:
 
 
 def number(value: Any) -> bool:
-    """A whole number that fits into 64 bits (True is none)."""
+    """Accept a whole number that fits in 64 bits (but not True)."""
     return type(value) is int and -FAR <= value < FAR
 
 
@@ -70,7 +70,7 @@ def anything(value: Any) -> bool:
 
 
 def fact(value: Any) -> bool:
-    """What is known about an error: a text, a number, several texts, or that it is not known."""
+    """Accept a fact about an error: a string, a number, several strings, or an unknown value."""
     return value is None or text(value) or isinstance(value, (int, float)) or each(text)(value)
 
 

@@ -44,7 +44,7 @@ class WireChecks:
     def _entries(self, type_name: str) -> list[Check]:
         spec = self._registry.spec(type_name)
         if not isinstance(spec, MessageSpec):
-            raise InterfaceError(f'{type_name} is no message type')
+            raise InterfaceError(f'{type_name} is not a message type')
         found: list[Check] = []
         messages = 1
         for field in spec.fields:

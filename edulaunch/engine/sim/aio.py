@@ -40,7 +40,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
         self._clock_resolution = 1e-9
 
     def __del__(self, _warn: object = None) -> None:
-        """Nothing of the operating system is held: a loop that nobody closed is no reason to warn."""
+        """It uses no resource of the operating system, so an unclosed loop causes no warning."""
 
     def time(self) -> float:
         """Simulated seconds since the start."""
@@ -63,7 +63,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             raise RuntimeError('This event loop is already running')
 
     def call_exception_handler(self, context: dict[str, Any]) -> None:
-        """As asyncio's; but that a program is being ended is no mistake of the callback that is interrupted."""
+        """Do the same as asyncio's method, except that the end of a program is not an error of the interrupted callback."""
         if not isinstance(context.get('exception'), TaskKilled):
             super().call_exception_handler(context)
 

@@ -14,9 +14,9 @@ from edulaunch.engine.sim.simulation import Simulation
 class Interruption:
     """In force, the first SIGINT lets the simulation stop between two of its steps; a second one raises KeyboardInterrupt.
 
-    Python's own handler raises KeyboardInterrupt in whatever runs: in a simulated program, which takes it for its own Ctrl-C
-    while the run goes on, or in the middle of the engine. Where somebody else handles SIGINT, or outside the main thread,
-    nothing is done.
+    Python's own handler raises KeyboardInterrupt in the code that runs. This may be a simulated program, which takes it for its
+    own Ctrl-C while the run continues, or the middle of the engine. If other code handles SIGINT, or outside the main thread,
+    nothing changes.
 
     :param on_first: called at the first one.
     :ivar came: whether a SIGINT has come.

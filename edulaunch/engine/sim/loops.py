@@ -51,8 +51,8 @@ async def _all_ended(left: Iterable[Task[Any]]) -> None:
 def outer_loop_set_aside() -> Iterator[None]:
     """Let simulated programs run as if no loop ran around them, and give the notebook its loop back afterwards.
 
-    A launch that goes on living is left in the middle of a loop of its own; without this the kernel would take that one, or none,
-    for the loop that runs.
+    A launch that continues to run is left in the middle of its own loop. Without this function, the kernel would take that loop,
+    or none, for the running one.
     """
     hooks, outer = sys.get_asyncgen_hooks(), set_aside()
     try:

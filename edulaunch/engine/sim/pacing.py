@@ -17,7 +17,7 @@ FALLS_BEHIND_S = 0.25
 class Pacer:
     """Runs a simulation at `speed` simulated seconds per real second; 0 means as fast as possible.
 
-    :param clock, wait: what tells and lets pass real time, in seconds (for tests).
+    :param clock, wait: reads and waits for real time, in seconds (for tests).
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class RealTime:
 
     The owner calls :meth:`advance` and then waits as long as that says, or shorter.
 
-    :param clock: what tells real time, in seconds (for tests).
+    :param clock: reads real time, in seconds (for tests).
     """
 
     def __init__(self, sim: Simulation, speed: float = 1.0, *, clock: Callable[[], float] = time.monotonic) -> None:
@@ -81,7 +81,7 @@ class RealTime:
 
     @property
     def is_wall(self) -> bool:
-        """Whether the simulated time *is* that of the clock on the wall, as for whoever talks with the real world.
+        """Whether simulated time equals real time, as communication with the real world requires.
 
         Then nothing stays lost: after a second in which the computer was too slow it is a second later. It cannot be
         paused, and the speed has no effect.
@@ -123,7 +123,9 @@ class RealTime:
             self._began = self.sim.now_ns, self._clock()
 
     def advance(self) -> float | None:
-        """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
+        """Run the items that are due, at most for a moment; return the real seconds until the next item is due, or None
+        without one.
+        """
         sim = self.sim
         if self._paused:
             if not sim.is_suspended:

@@ -17,7 +17,7 @@ POLL_PAUSE_NS = 1_000_000
 
 
 class TaskKilled(BaseException):
-    """Raised inside a task that is being killed; a program cannot go on after it."""
+    """Raised inside a task that is being killed; a program cannot continue after it."""
 
 
 class Parking:

@@ -28,7 +28,9 @@ class RealPace:
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:
-        """How long to wait until real time is where simulated time is. After a second in which nobody asked they begin anew."""
+        """Return how long to wait until real time reaches simulated time. After a second without a call, both start again
+        together.
+        """
         now, real = self._sim.now_ns, self._clock()
         if now - self._last[0] > SILENCE_NS or real - self._last[1] > SILENCE_NS:
             self._anchor = now - LOOK_EVERY_NS, real

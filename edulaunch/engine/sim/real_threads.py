@@ -52,7 +52,7 @@ class RealThreads:
         return RealThreadTask(self._host, self)
 
     def add(self, thread: threading.Thread) -> None:
-        """Another one has come; simulated time goes on from where it is."""
+        """Use another real clock; simulated time continues from its current value."""
         if not self.are_here():
             self._anchor = self._host.sim.now_ns, time.monotonic_ns()
         self._threads.append(thread)
@@ -78,7 +78,7 @@ class RealThreads:
         self._bell.set()
 
     def await_turn(self, due_ns: int | None) -> bool:
-        """Whether it is time for what is due at `due_ns` (None: never); if not, wait a moment, or for :meth:`ring`."""
+        """Return whether an item at `due_ns` is due (None means never). If not, wait a moment, or for :meth:`ring`."""
         now = self.now_ns()
         if due_ns is not None and now >= due_ns:
             return True
@@ -100,8 +100,9 @@ class RealThreadTask(AmbientTask):
         self._clock.add(threading.current_thread())
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """As :meth:`Task.park`, in real time; may end early, as if woken: not everything that ends a wait wakes whoever waits, so
-        it looks again now and then. A wake is never lost: whoever waits looks at what it waits for after the flag went down.
+        """Do the same as :meth:`Task.park`, in real time. It may return early, because not every end of a wait wakes the waiting
+        task, so the task checks from time to time. A wake is never lost: the task checks its condition after it has cleared the
+        flag.
         """
         self._clock.ring()
         wait_s = LOOK_EVERY_S

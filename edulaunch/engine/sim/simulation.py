@@ -27,9 +27,9 @@ Item = list[Any]
 class Simulation:
     """Owns the time (integer nanoseconds), one agenda and the seed. Nothing else keeps a clock.
 
-    The agenda is a heap of (time, priority, sequence, callback): ties are settled by priority, then by who asked first.
-    What is asked for the present instant with the usual priority 0 stands in a queue beside the heap: that is the same order
-    (whatever the heap holds for this instant was asked for earlier), and much cheaper.
+    The agenda is a heap of (time, priority, sequence, callback): priority settles ties, then the order of the requests. Items for
+    the present instant with the usual priority 0 are in a queue beside the heap. The order is the same, because the heap's items
+    for this instant were requested earlier, and the queue is much cheaper.
 
     Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
     :class:`~edulaunch.engine.sim.task.Task`).
@@ -86,13 +86,13 @@ class Simulation:
         return agenda[0][0] if agenda else None
 
     def step(self) -> bool:
-        """Run the next item. False when there is none."""
+        """Run the next item. Return False without one."""
         self.hub = getcurrent()
         self.hands_on = False
         return self._run_next(FAR_NS)
 
     def _run_next(self, limit_ns: int) -> bool:
-        """Run the next item; False when there is none until `limit_ns`."""
+        """Run the next item; return False without one until `limit_ns`."""
         agenda, soon = self.agenda, self._soon
         while soon or agenda:
             if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):

@@ -10,7 +10,7 @@ from edulaunch.engine.sim.task import Task, current_task
 
 
 def sleep(seconds: float) -> None:
-    """Let simulated time pass for this program only; the rest of the world goes on. As `time.sleep`.
+    """Let simulated time pass for this program only, as `time.sleep` does; other programs continue.
 
     :raises ValueError: for a negative length.
     """
@@ -55,7 +55,7 @@ class Lock:
         return True
 
     def release(self) -> None:
-        """Give the lock back. Raises RuntimeError when nobody holds it."""
+        """Release the lock. Raise RuntimeError if it is not locked."""
         if not self._held:
             raise RuntimeError('release unlocked lock')
         self._held = False
@@ -63,7 +63,7 @@ class Lock:
             self._waiters[0].wake()
 
     def locked(self) -> bool:
-        """Whether somebody holds it."""
+        """Return whether the lock is held."""
         return self._held
 
     def __enter__(self) -> bool:
@@ -82,7 +82,7 @@ class RLock:
         self._count = 0
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """Take the lock once more; True when taken."""
+        """Acquire the lock again; return True on success."""
         task = current_task()
         if self._owner is not task:
             if not self._lock.acquire(blocking, timeout):
@@ -159,7 +159,7 @@ class Condition:
         return result
 
     def notify(self, n: int = 1) -> None:
-        """Let the `n` that waited longest go on."""
+        """Wake the `n` tasks that have waited longest."""
         for is_notified in self._waiting[:n]:
             is_notified[0] = True
         del self._waiting[:n]
@@ -167,7 +167,7 @@ class Condition:
             task.wake()
 
     def notify_all(self) -> None:
-        """Let all go on."""
+        """Wake all tasks."""
         self.notify(len(self._waiting))
 
 

@@ -1,4 +1,4 @@
-"""Programs as tasks: their beginning, their end, and which of them is running; `parking.py` has how they wait.
+"""Programs as tasks: their start, their end, and the running one. `parking.py` has their waits.
 
 The code of a plain script is a task, too (`AmbientTask`): it is made when the script first uses ROS.
 """
@@ -41,7 +41,7 @@ class Task(Parking):
 
     @property
     def frame(self) -> FrameType | None:
-        """Where it stands while it is parked; None while it runs, and when it has ended."""
+        """The place where it is parked; None while it runs, and after its end."""
         return getattr(self._greenlet, 'gr_frame', None)
 
     is_real_thread = False
@@ -63,8 +63,8 @@ class Task(Parking):
         return switch
 
     def start_at_once(self) -> None:
-        """As :meth:`start`, before everything else that was asked for this instant: the task that calls this goes on when the new
-        one waits for the first time.
+        """Do the same as :meth:`start`, before everything else that was requested for this instant. The calling task continues
+        when the new one first waits.
         """
         self._soon.appendleft([self.sim.now_ns, 0, 0, self._make_greenlet()])
         starter = running_task()
@@ -72,7 +72,7 @@ class Task(Parking):
             starter.run_next_first()
 
     def run_next_first(self) -> None:
-        """Run the first item that waits for the present instant, then go on. Wakes that come meanwhile are kept."""
+        """Run the first item that waits for the present instant, then continue. Wakes in the meantime are kept."""
         due = self._soon.popleft()
         self._soon.extendleft((self._turn, due))
         if self.loop is None:
@@ -156,8 +156,8 @@ class AmbientTask(Task):
                 return False
             if not sim.step():
                 raise SimulationError(
-                    'waiting for ever: nothing that is scheduled could end this wait',
-                    help='a script alone has a simulation of its own: start it with ros2 run, or by a launch file, as the others',
+                    'waiting forever: no scheduled event can end this wait',
+                    help='a plain script has its own simulation; start it with ros2 run, or in the launch file of the others',
                 )
         self._woken = False
         self._deliver_interrupts()
@@ -204,7 +204,7 @@ def _ambient_task() -> AmbientTask:
 
 
 def task_around(frame: FrameType | None) -> Task | None:
-    """The task whose code a frame of another thread belongs to: it stands at the bottom."""
+    """Return the task whose code a frame of another thread belongs to, which is at the bottom of its stack."""
     while frame is not None:
         if frame.f_code is Task._run.__code__:
             task: Task = frame.f_locals['self']

@@ -1,7 +1,7 @@
 """Transforms and their time-ordered buffer: numbers only, no node, no topic, no message.
 
-Read `quaternions.py` and `transforms.py` (the maths), `history.py` (one frame over time), `path.py` (the
-usual lookup), `walk.py` (the lookup in all its detail) and `buffer.py` (what ties them together).
+Read `quaternions.py` and `transforms.py` (the maths), then `history.py` (one frame over time) and `path.py` (the usual lookup).
+`walk.py` is the lookup in all its detail, and `buffer.py` combines them.
 """
 
 from __future__ import annotations

@@ -37,10 +37,14 @@ class TransformBuffer:
     def set(
         self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str = 'default_authority', static: bool = False
     ) -> tuple[Rejection, ...]:
-        """Take one transform: `pose` of the child seen from the parent at a time.
+        """Add one transform: `pose` of the child relative to the parent at a time.
 
-        :returns: what tf2 logs when it refuses the transform, as (severity, text); empty when it was
-            accepted.
+        :param parent, child: names of the frames, without a leading slash.
+        :param stamp_ns: time of the transform in ns.
+        :param pose: translation in metres and rotation as (x, y, z, w).
+        :param authority: name of the node that broadcasts it.
+        :param static: whether it holds at all times; then the stamp does not matter.
+        :returns: the log lines of tf2 when it refuses the transform, as (severity, text); empty if it was accepted.
         """
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
@@ -104,9 +108,11 @@ class TransformBuffer:
         self._paths.clear()
 
     def lookup(self, target: str, source: str, time_ns: int = 0) -> tuple[int, Transform]:
-        """(stamp, target_from_source) at a time, interpolated between samples; 0 is the latest common time.
+        """Return (stamp in ns, target_from_source) at a time, interpolated between samples.
 
-        :raises TransformFailure: an unknown name, no connection, or no data at that time.
+        :param target, source: names of the frames; the result converts coordinates in the source to coordinates in the target.
+        :param time_ns: time in ns; 0 means the latest common time.
+        :raises TransformFailure: for an unknown name, a missing connection, or a time without data.
         """
         path = self._paths.get((target, source))
         if path is None:
@@ -121,51 +127,62 @@ class TransformBuffer:
         return walk(self._frames, target, source, time_ns)
 
     def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
-        """The same between two times, over a frame that does not move meanwhile; the stamp is that of the
-        target.
+        """Return the transform between two times, over a frame that does not move meanwhile; the stamp is that of the target.
 
-        :raises TransformFailure: as :meth:`lookup`; all three names are checked.
+        :param target, target_ns: name of the target frame, and its time in ns.
+        :param source, source_ns: name of the source frame, and its time in ns.
+        :param fixed: name of the frame that does not move between the two times.
+        :raises TransformFailure: as in :meth:`lookup`; all three names are checked.
         """
         check_names(self._frames, target, source, fixed)
         stamp_ns, target_from_fixed = self.lookup(target, fixed, target_ns)
         return stamp_ns, canonical(compose(target_from_fixed, self.lookup(fixed, source, source_ns)[1]))
 
     def can_transform(self, target: str, source: str, time_ns: int = 0) -> tuple[bool, str]:
-        """(whether :meth:`lookup` would succeed, why not)."""
+        """Return (whether :meth:`lookup` would succeed, why not).
+
+        :param target, source: names of the frames.
+        :param time_ns: time in ns; 0 means the latest common time.
+        """
         path = self._paths.get((target, source))
         if target == source or path is not None and path.covers(time_ns or path.latest_common_time()):
             return True, ''
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
     def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
-        """(whether :meth:`lookup_full` would succeed, why not)."""
+        """Return (whether :meth:`lookup_full` would succeed, why not).
+
+        :param target, target_ns, source, source_ns, fixed: as in :meth:`lookup_full`.
+        """
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """The newest time for which the transform is known; 0 when all of it is static.
+        """Return the latest time, in ns, for which the transform is known; 0 if all transforms on the path are static.
 
-        :raises TransformFailure: an unknown name, or no connection.
+        :param target, source: names of the frames.
+        :raises TransformFailure: for an unknown name, or a missing connection.
         """
         check_name(self._frames, target, 'get_latest_common_time')
         check_name(self._frames, source, 'get_latest_common_time')
         return latest_common_time(self._frames, target, source)
 
     def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
-        """The frames on the way from the source over the fixed frame to the target.
+        """Return the frames on the path from the source over the fixed frame to the target.
 
-        :raises TransformFailure: as :meth:`lookup_full`.
+        :param target, target_ns, source, source_ns, fixed: as in :meth:`lookup_full`.
+        :raises TransformFailure: as in :meth:`lookup_full`.
         """
         check_names(self._frames, target, source, fixed)
         below = chain(self._frames, fixed, source, source_ns)
         return below + chain(self._frames, target, fixed, target_ns)[1:]
 
     def frame_exists(self, name: str) -> bool:
-        """Whether the frame has been mentioned in a transform."""
+        """Return whether a transform has mentioned the frame `name`."""
         return name in self._frames
 
     def frame_names(self) -> list[str]:
-        """All frames in order of first mention."""
+        """Return all frames in the order of their first mention."""
         return list(self._frames)
 
     def all_frames_as_yaml(self) -> str:
@@ -177,7 +194,7 @@ class TransformBuffer:
         return dumps.all_frames_as_string(self._frames)
 
     def all_frames_as_dot(self, now_ns: int = 0) -> str:
-        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_dot`."""
+        """Return the tree at the time `now_ns`; see :func:`edulaunch.engine.tf.dumps.all_frames_as_dot`."""
         return dumps.all_frames_as_dot(self._frames, now_ns)
 
     def _newest(self, frame: str) -> int:

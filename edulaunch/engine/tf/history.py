@@ -14,8 +14,8 @@ COMPACT_AT = 64
 class History:
     """The samples of one child frame, oldest first: three parallel lists from index `first` on.
 
-    Old samples are dropped by moving `first`; the lists are cut when half of them is dead, so that an insert
-    costs the same however long the history is, and a look at any time costs a bisection.
+    Old samples are dropped by moving `first`. The lists are cut when half of their entries are dead. Thus the cost of an insert
+    does not depend on the length of the history. A lookup at any time costs a bisection.
 
     :param name: the child frame.
     :param static: True for a frame of /tf_static: one sample, valid at all times.
@@ -73,9 +73,7 @@ class History:
                 self.mixed = any(parent != self.parents[-1] for parent in self.parents)
 
     def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
-        """Put a sample in its place; among equal stamps it becomes the newest; one that is known already is
-        ignored.
-        """
+        """Insert a sample in order. Among equal stamps it becomes the newest; a known sample is ignored."""
         stamps = self.stamps
         if not stamps or stamp_ns > stamps[-1]:
             place = len(stamps)
@@ -114,9 +112,9 @@ class History:
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
     """The pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
 
-    Between two samples it is interpolated. Exactly at a stamp that several samples have, the last inserted one counts, except
-    among the oldest, where it is the first (as in tf2). One loop without a call for each frame: lookups in the past spend their
-    time here.
+    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at the
+    oldest stamp, where the first one counts (as in tf2). The loop has no function call for each frame, because lookups in the
+    past spend their time here.
 
     :param histories: none of them empty.
     """

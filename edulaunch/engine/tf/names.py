@@ -13,7 +13,7 @@ def check_name(frames: Container[str], name: str, function: str) -> None:
     """Raise when there is no such frame.
 
     :raises TransformFailure: with the text of tf2's exception; `function` is what the name was passed to.
-    :raises TypeError: for something else than a text, such as the None of a parameter without a value.
+    :raises TypeError: for a value that is not a string, such as the None of a parameter without a value.
     """
     if name in frames:
         return

@@ -37,7 +37,7 @@ class Path:
         return latest
 
     def covers(self, time_ns: int) -> bool:
-        """Whether every history can tell its pose at `time_ns` (0: always)."""
+        """Return whether every history has a pose at `time_ns` (0 means always)."""
         if time_ns:
             for history in self.dynamic:
                 if not history.stamps[history.first] <= time_ns <= history.stamps[-1]:
@@ -69,7 +69,7 @@ class Path:
 
 
 def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:
-    """The path by the newest parents; None when there is none, or when it is not the same at all times."""
+    """Return the path by the newest parents; None without a path, or if it changes over time."""
     up: list[History] = []
     place = {source: 0}
     frame = source

@@ -18,7 +18,7 @@ NEGATIVE_NAN = copysign(nan, -1.0)
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
-    """The Hamilton product: first rotate by `b`, then by `a`."""
+    """Return the Hamilton product, which first rotates by `b`, then by `a`."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return (
@@ -30,7 +30,7 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def conjugate(q: Quaternion) -> Quaternion:
-    """The opposite rotation of a unit quaternion."""
+    """Return the opposite rotation of a unit quaternion `q`, as (x, y, z, w)."""
     return (0.0 - q[0], 0.0 - q[1], 0.0 - q[2], q[3])
 
 
@@ -43,11 +43,11 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
 
 
 def canonical(q: Quaternion) -> Quaternion:
-    """The quaternion of length 1 that tf2 shows for the rotation `q`.
+    """Return the quaternion of length 1 that tf2 shows for the rotation `q`.
 
-    q and -q are the same rotation. tf2 sends every rotation through a matrix, which settles the choice: w is
-    positive for turns below 120 degrees (trace > 0), otherwise the largest of x, y, z is positive and w may
-    be negative. A zero quaternion, and one holding nan or infinity, becomes nan.
+    q and -q are the same rotation. tf2 converts every rotation to a matrix and back, which determines the sign. For turns below
+    120 degrees (trace > 0), w is positive. Otherwise, the largest of x, y, z is positive and w may be negative. A zero
+    quaternion, and one with nan or infinity, becomes nan.
     """
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
@@ -65,7 +65,7 @@ def canonical(q: Quaternion) -> Quaternion:
 
 
 def to_matrix(q: Quaternion) -> Matrix:
-    """The 3x3 rotation matrix, by rows. Any length is accepted; length 0 gives nan."""
+    """Return the 3x3 rotation matrix, by rows, of the quaternion `q`. Any length is accepted; length 0 gives nan."""
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
     scale = 2.0 / square if square else inf
@@ -77,7 +77,7 @@ def to_matrix(q: Quaternion) -> Matrix:
 
 
 def from_matrix(m: Matrix) -> Quaternion:
-    """The quaternion of a rotation matrix, with tf2's choice of sign (see :func:`canonical`)."""
+    """Return the quaternion of the rotation matrix `m`, with tf2's choice of sign (see :func:`canonical`)."""
     trace = m[0][0] + m[1][1] + m[2][2]
     if trace > 0.0:
         s = sqrt(trace + 1.0)
@@ -96,7 +96,7 @@ def from_matrix(m: Matrix) -> Quaternion:
 
 
 def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """The quaternion of a turn by roll about x, then pitch about y, then yaw about z, all fixed axes."""
+    """Return the quaternion of a turn by `roll` about x, then `pitch` about y, then `yaw` about z, all fixed axes and radians."""
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)
     cy, sy = cos(yaw / 2.0), sin(yaw / 2.0)
@@ -104,7 +104,7 @@ def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 
 def to_euler(q: Quaternion) -> Vector:
-    """(roll, pitch, yaw) of a rotation; at pitch = +-90 degrees yaw is taken as 0, as tf2 does."""
+    """Return (roll, pitch, yaw), in radians, of the quaternion `q`. At pitch = +-90 degrees, yaw is 0, as in tf2."""
     (m00, _, _), (m10, _, _), (m20, m21, m22) = to_matrix(q)
     if abs(m20) >= 1.0:
         return (atan2(m21, m22), copysign(pi / 2.0, -m20), 0.0)

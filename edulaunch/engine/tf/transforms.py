@@ -17,14 +17,16 @@ IDENTITY: Transform = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
-    """c_from_a: first the right transform, then the left one."""
+    """Return c_from_a, which applies `b_from_a` first and then `c_from_b`."""
     q = c_from_b[3:]
     x, y, z = quaternions.rotate(q, b_from_a[:3])
     return (x + c_from_b[0], y + c_from_b[1], z + c_from_b[2], *quaternions.multiply(q, b_from_a[3:]))
 
 
 def product(poses: Sequence[Transform]) -> Transform:
-    """top_from_bottom, from each frame's pose in the next one, bottom first: the inner loop of lookups."""
+    """Return top_from_bottom from `poses`, the pose of each frame in the next one, bottom first. This is the inner loop of
+    lookups.
+    """
     x, y, z, qx, qy, qz, qw = poses[0]
     for px, py, pz, ax, ay, az, aw in poses[1:]:
         ux = 2.0 * (ay * z - az * y)
@@ -42,7 +44,7 @@ def product(poses: Sequence[Transform]) -> Transform:
 
 
 def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:
-    """b_from_a, from where both are seen from a common frame: inverse(top_from_b) composed with
+    """Return b_from_a from the poses `top_from_b` and `top_from_a` in a common frame: inverse(top_from_b) composed with
     top_from_a.
     """
     bx, by, bz, qx, qy, qz, qw = top_from_b
@@ -61,12 +63,12 @@ def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:
 
 
 def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
-    """The coordinates in b of a point given in a."""
+    """Return the coordinates in b, in metres, of `point_in_a`, with the transform `b_from_a`."""
     x, y, z = quaternions.rotate(b_from_a[3:], point_in_a)
     return (x + b_from_a[0], y + b_from_a[1], z + b_from_a[2])
 
 
 def canonical(transform: Transform) -> Transform:
-    """The same transform as tf2 shows it: rotation of length 1 with tf2's sign, no negative zeros."""
+    """Return the same `transform` as tf2 shows it: a rotation of length 1 with tf2's sign, and no negative zeros."""
     x, y, z = transform[:3]
     return (x + 0.0, y + 0.0, z + 0.0, *quaternions.canonical(transform[3:]))

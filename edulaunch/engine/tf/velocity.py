@@ -11,12 +11,14 @@ from edulaunch.engine.tf.quaternions import Quaternion, Vector, conjugate, multi
 def lookup_velocity(
     buffer: TransformBuffer, tracking: str, observation: str, time_ns: int, averaging_ns: int
 ) -> tuple[Vector, Vector]:
-    """(linear in m/s, angular in rad/s) of the tracking frame's origin, in axes of the observation frame.
+    """Return the mean velocity of a frame's origin as (linear in m/s, angular in rad/s), in axes of the observation frame.
 
-    The mean over `averaging_ns` around `time_ns` (0: the latest time); the span is moved back where data
-    ends.
-
-    :raises TransformFailure: as :meth:`TransformBuffer.lookup`.
+    :param buffer: has the transforms.
+    :param tracking: name of the moving frame.
+    :param observation: name of the frame relative to which it moves.
+    :param time_ns: the middle of the time span in ns; 0 means the latest time.
+    :param averaging_ns: length of the time span in ns; the span moves back where data ends.
+    :raises TransformFailure: as in :meth:`TransformBuffer.lookup`.
     """
     latest_ns = buffer.lookup(observation, tracking)[0]
     end_ns = min((time_ns or latest_ns) + averaging_ns // 2, latest_ns)

@@ -1,7 +1,6 @@
 """Lookups step by step in tf2's own order, so that they fail with tf2's own words.
 
-`path.py` answers the usual lookups faster; this walk serves the rest: failures, and frames whose parent has
-changed.
+`path.py` answers the usual lookups faster. This walk handles the rest: failures, and frames whose parent has changed.
 """
 
 from __future__ import annotations

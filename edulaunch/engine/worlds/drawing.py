@@ -1,4 +1,4 @@
-"""The drawing layer of a turtle window: what the pens left behind; and the single precision that turtlesim's numbers have."""
+"""The drawing layer of a turtle window: the lines of the pens, with the single precision of turtlesim's numbers."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class DrawingLayer:
         self._newest: Pen | None = None  # who set the last square
 
     def clear(self) -> None:
-        """Wipe every line. Whoever goes on drawing must lift the pens."""
+        """Wipe every line. Turtles that continue to draw must lift their pens."""
         self.version += 1
         self._pixels = None
         self._newest = None
@@ -94,8 +94,8 @@ class DrawingLayer:
     def trace(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> Color:
         """What a turtle does on its way: read the colour where it arrives (on the canvas), then draw the line to there.
 
-        A slow turtle stays on one pixel for many ticks: as long as the square to be set is the one that was set last, nothing
-        changes, and the colour there is the pen's. (This makes the large project 15 % faster.)
+        A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, nothing changes, and the
+        colour there is the pen's. (This makes the large project 15 % faster.)
         """
         if pen is self._newest and x0 * METRE_PX == pen.last_x and y0 * METRE_PX == pen.last_y:
             x = x1 * METRE_PX
@@ -177,7 +177,7 @@ class DrawingLayer:
 
 
 def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
-    """Ink that part of a square, given by its upper left pixel, that lies on the canvas."""
+    """Draw the part of a square that is on the canvas; the square is given by its upper left pixel."""
     left, right = max(column, 0), min(column + pen.width, SIDE_PX)
     if left < right:
         stroke = pen.stroke[: 3 * (right - left)]

@@ -8,9 +8,9 @@ from math import cos, inf, pi, sin
 class PlanarRobot:
     """A robot that drives with a linear and an angular velocity, like a TurtleBot3 Waffle.
 
-    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame.
-    The robot keeps its last command, however old; it has no mass: a new velocity holds at once. Between
-    commands it runs along an exact circular arc, so that the result does not depend on how often one looks.
+    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame. The robot keeps its
+    last command, however old. It has no mass, so a new velocity applies immediately. Between commands, it moves along an exact
+    circular arc, so the result does not depend on the number of calls.
 
     :param max_linear: limit of the linear velocity either way, m/s (the Waffle's is 0.26).
     :param max_angular: limit of the angular velocity either way, rad/s (the Waffle's is 1.82).
@@ -38,13 +38,18 @@ class PlanarRobot:
         self.max_angular = max_angular
 
     def command(self, linear: float, angular: float, now_ns: int) -> None:
-        """Drive with these velocities from `now_ns` on, each cut to its limit; not a number means zero."""
+        """Drive with these velocities from `now_ns`, each limited to its maximum; nan means zero.
+
+        :param linear: m/s along the robot's x axis.
+        :param angular: rad/s, counter-clockwise.
+        :param now_ns: simulated time in ns.
+        """
         self.advance_to(now_ns)
         self.linear = _limited(linear, self.max_linear)
         self.angular = _limited(angular, self.max_angular)
 
     def advance_to(self, now_ns: int) -> None:
-        """Move along to the time `now_ns`; an earlier time than the last one changes nothing."""
+        """Simulate up to the time `now_ns`; a time before the last one changes nothing."""
         dt = (now_ns - self.time_ns) * 1e-9
         if dt <= 0.0:
             return

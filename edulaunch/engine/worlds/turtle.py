@@ -12,7 +12,7 @@ CLOSE_ENOUGH = 0.02
 
 
 def normalize(angle: float) -> float:
-    """The equivalent angle in [-PI, PI), radians; of infinity, as of nan, there is none but nan."""
+    """Return the angle equivalent to `angle` in [-PI, PI), radians; nan for infinity and nan."""
     try:
         return angle - TWO_PI * floor((angle + PI) / TWO_PI)
     except (OverflowError, ValueError):
@@ -20,7 +20,7 @@ def normalize(angle: float) -> float:
 
 
 def normalize_single(angle: float) -> float:
-    """As :func:`normalize`, rounded to 32 bits."""
+    """Normalize `angle` (radians) as :func:`normalize` does, rounded to 32 bits."""
     return as_float32(normalize(angle))
 
 
@@ -40,7 +40,7 @@ class RotationGoal:
         self.delta = 0.0
 
     def step(self, heading: float) -> float:
-        """Look at the present heading: the angular velocity to turn with (rad/s), 0.0 at the goal."""
+        """Return the angular velocity (rad/s) to turn with at the present `heading` (radians); 0.0 at the goal."""
         heading = as_float32(heading)
         self.remaining = normalize_single(as_float32(self.theta - heading))
         self.delta = normalize_single(as_float32(self.start - heading))
@@ -56,12 +56,12 @@ COMMAND_LASTS_NS = 1_000_000_000
 class Turtle:
     """A turtle on the canvas.
 
-    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta`
-    is in radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
+    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge). `theta` is in radians,
+    counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
 
-    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down)
-    outside the canvas it was stopped at (None: no wall), `turned` whether a rotation goal was reached, and `still` whether
-    the turtle had no velocity and stayed where it was.
+    Each :meth:`update` sets these attributes. `color` is the value of the colour sensor. `wall_hit` is the position (x, down)
+    outside the canvas where a wall stopped it, or None. `turned` is whether a rotation goal was reached. `still` is whether the
+    turtle had no velocity and did not move.
     """
 
     __slots__ = (
@@ -116,7 +116,12 @@ class Turtle:
         return hypot(self.speed, self.sideways) if self.sideways else abs(self.speed)
 
     def command(self, linear: float, angular: float, now_ns: int, sideways: float | None = None) -> None:
-        """Move with these velocities for a second, or until the next command. None leaves it alone."""
+        """Move with these velocities for a second, or until the next command.
+
+        :param linear, sideways: m/s along the turtle's x and y axes. Without `sideways`, that velocity does not change.
+        :param angular: rad/s, counter-clockwise.
+        :param now_ns: simulated time in ns.
+        """
         self.command_ns = now_ns
         self.speed = linear
         self.turning = angular
@@ -124,18 +129,23 @@ class Turtle:
             self.sideways = sideways
 
     def set_pen(self, color: Color, width: int, off: bool) -> None:
-        """Take another pen; with `off`, only lift the present one."""
+        """Set the pen.
+
+        :param color: red, green and blue from 0 to 255.
+        :param width: width in pixels of the window.
+        :param off: only lift the current pen.
+        """
         if off:
             self.pen.on = False
         else:
             self.pen = Pen(color, width)
 
     def teleport_absolute(self, x: float, y: float, theta: float) -> None:
-        """Be at (x, y, theta) in the next update. A y above the top edge means the top edge."""
+        """Move to (`x`, `y`, `theta`), in metres and radians, in the next update. A y above the top edge means the top edge."""
         self._requests.append((True, x, y, theta))
 
     def teleport_relative(self, linear: float, angular: float) -> None:
-        """In the next update turn by `angular`, then jump `linear` metres ahead."""
+        """Turn by `angular` (radians) and then jump `linear` metres ahead, in the next update."""
         self._requests.append((False, linear, 0.0, angular))
 
     def rotate_to(self, theta: float) -> RotationGoal:
@@ -148,7 +158,7 @@ class Turtle:
         self.speed = self.sideways = self.turning = 0.0
 
     def update(self, now_ns: int) -> None:
-        """One tick of 16 ms, in this order: teleports, rotation, timeout, motion, walls, colour, pen."""
+        """Simulate one tick of 16 ms at `now_ns`: teleports, rotation, timeout, motion, walls, colour, pen, in this order."""
         if self._requests:
             self._teleport()
         if self.rotation is not None:

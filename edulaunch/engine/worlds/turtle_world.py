@@ -24,14 +24,14 @@ class TurtleWorld:
         self._named = 0
 
     def find(self, name: str) -> Turtle | None:
-        """The turtle of that name, or None."""
+        """Return the turtle with this `name`, or None."""
         for turtle in self.turtles:
             if turtle.name == name:
                 return turtle
         return None
 
     def free_name(self) -> str:
-        """The next automatic name: turtle1, turtle2, ... Numbers of turtles that are gone are not used."""
+        """Return the next automatic name: turtle1, turtle2, ... Numbers of removed turtles are not used again."""
         while True:
             self._named += 1
             name = f'turtle{self._named}'
@@ -39,8 +39,10 @@ class TurtleWorld:
                 return name
 
     def spawn(self, x: float, y: float, theta: float, name: str = '') -> Turtle | None:
-        """Put a turtle at (x, y, theta), y upward; if that is off the canvas, the first update clamps it.
+        """Create a turtle at (x, y, theta); if that is off the canvas, the first update clamps it.
 
+        :param x, y: metres from the lower left corner, y upward.
+        :param theta: radians, counter-clockwise from the x axis.
         :param name: empty for an automatic name.
         :returns: the turtle, or None when the name is taken.
         """
@@ -59,7 +61,7 @@ class TurtleWorld:
         return turtle
 
     def kill(self, name: str) -> bool:
-        """Take a turtle away; its trail stays. False when there is none of that name."""
+        """Remove the turtle `name`; its trail stays. Return False for an unknown name."""
         turtle = self.find(name)
         if turtle is not None:
             self.turtles.remove(turtle)
@@ -77,7 +79,7 @@ class TurtleWorld:
         self._named = 0
 
     def update(self, now_ns: int) -> None:
-        """One tick of 16 ms for every turtle. `now_ns` only decides which commands are too old."""
+        """Simulate one tick of 16 ms for every turtle. `now_ns` only decides which commands are too old."""
         for turtle in self.turtles:
             turtle.update(now_ns)
 

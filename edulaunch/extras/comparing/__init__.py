@@ -1,4 +1,4 @@
-"""A launch file in simulation and for real, side by side.
+"""Compare a launch file in simulation and on real rclpy.
 
-`observation` is what can be seen of a run in either world; `simulated` and `for_real` make one; `differing` says what differs.
+`observation` describes a run in either world, `simulated` and `for_real` create one, and `differing` lists the differences.
 """

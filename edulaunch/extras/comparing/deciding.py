@@ -1,8 +1,8 @@
-"""Which differences decide, and which only inform since they depend on how fast the computer is.
+"""Decide which differences count, and which only inform because they depend on the speed of the computer.
 
-A busy computer starts programs late, repeats things less often, and has not done everything when the time is up. So these inform:
-rates, lines that only say that somebody waits or that a transform is not there yet, and what the real run lacks but may still
-have done later. What the real run lacks decides once it is overdue: see :func:`is_overdue`.
+A busy computer starts programs late, repeats actions less often, and may not have done everything in time. So these differences
+only inform: rates, lines about waiting or about a missing transform, and events that the real run may still reach later.
+An event that the real run lacks counts when it is overdue: see :func:`is_overdue`.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from edulaunch.extras.comparing.differing import MISSING, NOT_THERE, Difference
 from edulaunch.extras.comparing.observation import Observation, program_of
 
 SLOWNESS = 2.0
-"""A real run may need so many times as long as the simulation."""
+"""A real run may need this many times as long as the simulation."""
 SPARE_S = 5.0
-"""And so much more, beside the time that its programs needed to come up."""
+"""And this many seconds more, besides the time in which its programs started."""
 _WAITING = re.compile(r'\b(still )?wait(s|ing)?\b', re.IGNORECASE)
 _NOT_YET = re.compile(r'extrapolation|does not exist|not part of the same tree|[Cc]ould not (find a connection|transform)')
-"""What tf2 says before a transform has come."""
+"""What tf2 reports before a transform has arrived."""
 
 
 def is_pace(difference: Difference) -> bool:
-    """Whether it says how often something happened, or that somebody waited, and nothing else."""
+    """Return whether a line only reports how often something happened, or that a program waits."""
     kind, _, here, there, _ = difference
     if kind != 'output':
         return kind.startswith('rate of ')
@@ -31,9 +31,9 @@ def is_pace(difference: Difference) -> bool:
 
 
 def informs(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
-    """Whether a difference says only how fast the computer is.
+    """Return whether a difference depends only on the speed of the computer.
 
-    :param late_s: how much later than in simulation the last program came up for real, in seconds.
+    :param late_s: the extra seconds that the last program needed to start in the real run.
     """
     if is_pace(difference):
         return True
@@ -43,7 +43,7 @@ def informs(difference: Difference, simulated: Observation, real: Observation, l
 
 
 def is_overdue(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
-    """Whether the real run had time enough for what it lacks, or its program has gone past it."""
+    """Return whether the real run had enough time for what it lacks, or its program has continued past it."""
     if difference.kind == 'output' and _is_past(difference.name, difference.simulated, simulated, real):
         return True
     first_s = _first_s(difference, simulated)
@@ -51,7 +51,7 @@ def is_overdue(difference: Difference, simulated: Observation, real: Observation
 
 
 def _is_past(process: str, text: str, simulated: Observation, real: Observation) -> bool:
-    """Whether the program repeated something for real more often than it had done in simulation when it wrote that line."""
+    """Return whether the program repeated something more often in reality than in simulation before that line."""
     printed = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
     texts = [line.text for line in printed]
     if text not in texts:
@@ -64,7 +64,7 @@ def _is_past(process: str, text: str, simulated: Observation, real: Observation)
 
 
 def _has_as_many(difference: Difference, simulated: Observation, real: Observation) -> bool:
-    """Whether as many messages were heard for real as the simulation showed until Ctrl-C."""
+    """Return whether the real run had as many messages as the simulation until Ctrl-C."""
     topic = difference.name.rpartition(' ')[0]
     names = (f'tf {topic}', topic)
     here, there = (next((seen.flows[name].times for name in names if name in seen.flows), []) for seen in (simulated, real))
@@ -72,7 +72,7 @@ def _has_as_many(difference: Difference, simulated: Observation, real: Observati
 
 
 def _first_s(difference: Difference, simulated: Observation) -> float | None:
-    """When the simulation showed first what the real run lacks; None when nobody knows."""
+    """Return when the simulation first had what the real run lacks, or None if that is unknown."""
     kind, name, text, *_ = difference
     if kind == 'output':
         times = [line.time_s for line in simulated.lines if (line.process, line.text) == (name, text)]

@@ -1,8 +1,8 @@
-"""What differs between runs in simulation and a run for real, as far as it is no matter of chance.
+"""List the differences between runs in simulation and a real run, except those due to chance.
 
-Real programs take time to start and to find each other, and messages of a start may be lost. What was said in simulation before
-:data:`FOUND_S`, or before anybody heard it for real, need not be heard. Rates may differ by a quarter, and ranges of numbers by a
-quarter of their length.
+Real programs take time to start and to find each other, and messages during that time may be lost. The real run need not receive
+what the simulation published before :data:`FOUND_S`, or before the topic had a real subscription. Rates may differ by a quarter,
+and ranges of numbers by a quarter of their length.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 from edulaunch.extras.comparing.observation import BRIEFLY, Flow, Line, Observation, Range, Values, program_of
 
 FOUND_S = 3.0
-"""From then on everybody has found everybody."""
+"""From this time, all programs have found each other."""
 YOUNG_S = 1.0
 SHARE = 0.25
 FEWEST, SHORTEST_S = 5, 0.5
-"""So many messages in so long a time make a rate: fewer may be what a busy computer was late with."""
+"""This many messages in this time are enough for a rate: fewer may be delayed by a busy computer."""
 MISSING = 'missing'
 NOT_THERE = (MISSING, 'none', 'still running')
 _CHANCE = (
@@ -37,15 +37,15 @@ _CHANCE = (
     *(f'object {what:9}: ' for what in ('address', 'refcount', 'type', 'repr')),
     'object type name: ',
 )
-"""What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment."""
+"""What a program may print when Ctrl-C interrupts it, or its peers, at a bad moment."""
 _CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
-"""How it ends when that is in C++ code."""
+"""The exit codes of an interruption in C++ code."""
 
 
 class Difference(NamedTuple):
-    """One thing that is not the same: what kind of thing, which, and how it is in each world.
+    """A difference: its kind, its subject, and the state in each world.
 
-    :ivar lacks: whether it is reality that lacks values of messages, not the simulation.
+    :ivar lacks: whether the real run, not the simulation, lacks values of messages.
     """
 
     kind: str
@@ -56,26 +56,26 @@ class Difference(NamedTuple):
 
 
 def differences(simulated: Sequence[Observation], real: Observation) -> list[Difference]:
-    """Everything in which the real run differs from all of the simulated ones, in a fixed order; as it was in the last one."""
+    """Return every difference of the real run from all simulations, in a fixed order, with the state in the last one."""
     found = [_differences(one, real) for one in simulated]
     in_all = set.intersection(*({_about(each) for each in row} for row in found))
     return [each for each in found[-1] if _about(each) in in_all]
 
 
 def _about(difference: Difference) -> tuple[object, ...]:
-    """What makes it the same difference in two simulations."""
+    """Return the key under which two simulations have the same difference."""
     kind, name, simulated, real, lacks = difference
     return difference if kind == 'output' else (kind, name, lacks, simulated in NOT_THERE, real in NOT_THERE)
 
 
 def by_chance(simulated: Sequence[Observation]) -> set[tuple[str, ...]]:
-    """The subjects of what differs between simulations of different random numbers, be it by values or by being there."""
+    """Return the subjects that differ between simulations with different seeds, in values or in presence."""
     pairs = permutations(simulated, 2)
     return {subject(each) for one, other in pairs for each in _differences(one, other)}
 
 
 def subject(difference: Difference) -> tuple[str, ...]:
-    """What it is about; of output the line."""
+    """Return the subject; for output, the line."""
     kind, name, simulated, real, _ = difference
     return (kind, name, simulated if real == MISSING else real) if kind == 'output' else (kind, name)
 
@@ -105,7 +105,7 @@ def _ends(simulated: Observation, real: Observation) -> Iterator[Difference]:
         here = {end.type: rest for end, rest in simulated.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         there = {end.type: rest for end, rest in real.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         if node not in simulated.nodes or node not in real.nodes:
-            continue  # said of the node
+            continue  # reported for the node
         if not there and min(when for _, when in here.values()) > simulated.asked_s:
             continue
         what = f'{name} of {node}'
@@ -145,8 +145,10 @@ def _flows(simulated: Observation, real: Observation, late_s: float) -> Iterator
 
 
 def _values(kind: str, name: str, here: Flow, there: Flow, late_s: float) -> Iterator[Difference]:
-    """For real there is nothing that was never so in simulation, and everything that was so in simulation from when somebody
-    heard it for real."""
+    """Return whether every real value also occurred in simulation, and the real run had all values of the simulation.
+
+    Only values since the first real subscription count.
+    """
     for path in sorted({*here.fields, *there.fields}):
         one, other = (flow.fields.get(path) or Values() for flow in (here, there))
         needed = one.between(there.times[0], late_s)
@@ -160,7 +162,7 @@ def _holds(outer: Range, inner: Range) -> bool:
     if inner.texts:
         return inner.texts <= outer.texts
     if inner.low > inner.high:
-        return True  # of an array that was empty, or nothing was heard in that time
+        return True  # an empty array, or no message in that time
     spare = SHARE * (outer.high - outer.low) + 1e-6 * max(1.0, abs(outer.high), abs(outer.low))
     return outer.low - spare <= inner.low and inner.high <= outer.high + spare
 
@@ -175,8 +177,9 @@ def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference
 
 
 def not_up(simulated: Observation, real: Observation) -> set[str]:
-    """Programs that got a signal for real before they could be up: they had shown no life, or only just (:data:`YOUNG_S`). What
-    they did then is a matter of chance.
+    """Return programs that received a signal in the real run before they had started, or just after (:data:`YOUNG_S`).
+
+    Their behaviour after the signal is a matter of chance.
     """
     found = set()
     for name, program in real.programs.items():
@@ -200,7 +203,7 @@ def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
 
 
 def _unlucky(seen: Observation) -> set[str]:
-    """Programs that a signal found at a bad moment. What they said from then on is a matter of chance, and their exit code."""
+    """Return programs that a signal interrupted at a bad moment; later output and the exit code are a matter of chance."""
     crashed = {
         program_of(name) for name, each in seen.programs.items() if each.signalled_s < BRIEFLY and each.returncode in _CRASHES
     }
@@ -213,7 +216,7 @@ def _signalled_s(seen: Observation, process: str) -> float:
 
 
 def _is_last(seen: Observation, line: Line) -> bool:
-    """Whether its program had got a signal by then; in simulation, where nobody notes who gets one, whether it ended then."""
+    """Return whether its program had received a signal by then or, in simulation, whether it had ended by then."""
     ends = (each.ended_s for name, each in seen.programs.items() if program_of(name) == line.process)
     return line.time_s >= min([_signalled_s(seen, line.process), *(end_s for end_s in ends if end_s is not None)])
 

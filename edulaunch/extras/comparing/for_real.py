@@ -1,4 +1,4 @@
-"""A run for real, observed: by a node beside it, and by what its processes write."""
+"""Observe a real run: by a node beside it, and by the output of its processes."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ from edulaunch.ros.serialization.cdr import decode
 from edulaunch.runtime.session import Session
 
 END_S = 15.0
-"""After Ctrl-C: launch kills what has not ended by then."""
+"""Seconds after Ctrl-C until launch kills programs that still run."""
 LOOK_EVERY_S = 0.5
 DOMAINS = range(70, 100)
-"""ROS_DOMAIN_IDs that are safe on every system and that few people use."""
+"""ROS_DOMAIN_IDs that are safe on every system and rarely used."""
 FIRST_PORT, PORTS_OF_DOMAIN, MOST_PROGRAMS = 7400, 250, 100
-"""The ports of DDS: the first one of a domain is for multicast, and each program has two from the tenth on."""
+"""The ports of DDS: the first one of a domain is for multicast, and each program has two ports from the tenth."""
 _OBSERVER = Executable('entry_point', '', 'observer', 'observer', module='edulaunch.extras.native.observer', function='main')
 IsEnough = Callable[[Observation], bool]
 
@@ -63,13 +63,13 @@ def run_for_real(
     is_enough: IsEnough = lambda seen: True,
     patience_s: float = 0.0,
 ) -> Observation:
-    """Launch it in a domain of its own on this computer, press Ctrl-C, and say what was seen.
+    """Launch it in a separate domain of this computer, press Ctrl-C, and return the observation.
 
-    :param seconds: the run lasts so long, and up to `patience_s` longer until `is_enough` of what was seen.
-    :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
-    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
+    :param seconds: duration of the run, which is extended by up to `patience_s` until `is_enough` accepts the observation.
+    :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C before.
     """
-    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # of a shell's background job, and programs inherit it
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # in a shell's background job; programs inherit it
         signal.signal(signal.SIGINT, signal.default_int_handler)
     with _domain() as domain:
         env = {**os.environ, 'ROS_DOMAIN_ID': str(domain), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
@@ -92,7 +92,7 @@ def run_for_real(
 def _run(session: Session, seconds: float) -> None:
     """Let real time pass.
 
-    :raises KeyboardInterrupt: somebody pressed Ctrl-C; what was seen until then is no comparison.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C; the observation until then cannot be compared.
     """
     if session.run(seconds, speed=1.0):
         raise KeyboardInterrupt
@@ -100,7 +100,7 @@ def _run(session: Session, seconds: float) -> None:
 
 @contextmanager
 def _domain() -> Iterator[int]:
-    """A domain in which nobody is, and that no other comparison of this computer uses meanwhile."""
+    """Reserve an empty domain, which no other comparison on this computer uses at the same time."""
     for number in random.SystemRandom().sample(DOMAINS, len(DOMAINS)):
         with open(os.path.join(tempfile.gettempdir(), f'edulaunch-{os.getuid()}-domain-{number}'), 'w') as lock:
             try:
@@ -113,12 +113,12 @@ def _domain() -> Iterator[int]:
     first, last = DOMAINS[0], DOMAINS[-1]
     raise EdulaunchError(
         f'none of the domains {first} to {last} is empty on this computer.',
-        help='wait until other comparisons are through, or end the programs with such a ROS_DOMAIN_ID',
+        help='wait for the end of other comparisons, or end the programs with such a ROS_DOMAIN_ID',
     )
 
 
 def is_empty(domain: int) -> bool:
-    """Whether no program of this computer is in a domain: each of them has one of its ports."""
+    """Return whether no program of this computer is in a domain, in which each program would use a port."""
     first = FIRST_PORT + PORTS_OF_DOMAIN * domain
     return all(map(_is_free, (first, *range(first + 10, first + 10 + 2 * MOST_PROGRAMS))))
 
@@ -134,9 +134,9 @@ def _is_free(port: int) -> bool:
 
 @contextmanager
 def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
-    """A node that notes what it sees; it answers a word with what it knows, while the session goes on.
+    """A node that observes the run and reports when asked, while the session continues.
 
-    :raises EdulaunchError: it did not come up, or it died.
+    :raises EdulaunchError: when it did not start, or died.
     """
     assert isinstance(session.host, NativeHost)
     words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)
@@ -165,7 +165,7 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
 
         try:
             if next(lines, '') != 'ready\n':
-                raise EdulaunchError('nothing could be observed:\n' + ''.join(child.stderr.readlines()[-5:]))
+                raise EdulaunchError('the observer of the real run did not start:\n' + ''.join(child.stderr.readlines()[-5:]))
             threading.Thread(target=hear, daemon=True).start()
             yield ask
         finally:
@@ -173,7 +173,7 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
 
 
 class _Watch:
-    """What the observer of a run has told until now, and what its processes wrote; times count from here."""
+    """The reports of a run's observer until now, and the output of its processes; times count from here."""
 
     def __init__(self, session: Session) -> None:
         assert isinstance(session.host, NativeHost)
@@ -185,7 +185,7 @@ class _Watch:
         self._parameters: dict[str, dict[str, Any]] = {}
 
     def add(self, report: Any) -> None:
-        """What the observer told."""
+        """Return the reports of the observer."""
         self._nodes.update(
             {steady_name(node): when - self._began_s for node, when in report['nodes'].items() if is_compared(node)}
         )
@@ -201,11 +201,11 @@ class _Watch:
 
     @property
     def now_s(self) -> float:
-        """How long the run has lasted."""
+        """Return the duration of the run so far."""
         return time.time() - self._began_s
 
     def seen(self) -> Observation:
-        """What is known until now."""
+        """Return the observation until now."""
         lines: list[Line] = []
         programs: dict[str, Program] = {}
         began_s = self._began_s

@@ -1,5 +1,6 @@
-"""Each run of a comparison in a folder of its own: it finds what stands in the current one, and nothing that another run left
-there (the bag that both record); and nothing is left behind.
+"""Run each part of a comparison in its own folder, with access to the current folder but not to files of other runs.
+
+For example, both runs may record a bag. Nothing is left behind.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ Result = TypeVar('Result')
 
 
 def in_isolation(run: Callable[Args, Result], /, *args: Args.args, **kwargs: Args.kwargs) -> Result:
-    """Call it in a new folder with links to all that is in the current one and in the folder above; that goes afterwards."""
+    """Call a function in a new folder with links to the contents of the current and the parent folder, then delete it."""
     here = os.getcwd()
     with TemporaryDirectory(prefix='edulaunch-compare-') as above:
         place = os.path.join(above, os.path.basename(here) or 'root')

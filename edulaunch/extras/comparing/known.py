@@ -1,4 +1,4 @@
-"""Differences that are known, from a table in YAML: they are named with their reason, and do not count."""
+"""Known differences, from a table in YAML: they are listed with their reason, and do not count."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from edulaunch.extras.comparing.differing import Difference
 class Known(NamedTuple):
     """One row of the table; `file`, `kind`, `name`, `simulated` and `real` are patterns as in a shell.
 
-    :ivar file: the words of the comparison, with one blank between them.
-    :ivar why: the reason, in words.
-    :ivar sometimes: whether it depends on chance, so that nobody minds when it does not occur.
+    :ivar file: the words of the comparison, separated by one space.
+    :ivar why: the reason.
+    :ivar sometimes: whether it depends on chance, so that its absence is fine.
     """
 
     file: str
@@ -27,11 +27,11 @@ class Known(NamedTuple):
     sometimes: bool = False
 
     def is_about(self, words: Sequence[str]) -> bool:
-        """Whether it is about this comparison."""
+        """Return whether the row applies to this comparison."""
         return fnmatchcase(' '.join(words), self.file)
 
     def covers(self, words: Sequence[str], difference: Difference) -> bool:
-        """Whether it explains this difference."""
+        """Return whether the row explains this difference."""
         patterns = self.kind, self.name, self.simulated, self.real
         return self.is_about(words) and all(map(fnmatchcase, difference[:4], patterns))
 
@@ -39,7 +39,7 @@ class Known(NamedTuple):
 BY_DESIGN = [
     Known(
         '*',
-        'the planar Waffle hears Twist and TwistStamped; a real program can hear one type on a topic',
+        'the planar Waffle accepts Twist and TwistStamped; a real program can subscribe to only one type per topic',
         'subscription',
         '/cmd_vel of /turtlebot3_diff_drive',
         sometimes=True,
@@ -47,24 +47,24 @@ BY_DESIGN = [
     Known('*', 'the client was gone', 'output', real='*failed to send response (timeout)*', sometimes=True),
     Known('*', 'the client was gone', 'output', real='*self.__service.service_send_response(*', sometimes=True),
 ]
-"""What anybody may meet, and nobody can change."""
+"""Differences that any launch file may have, and that cannot be avoided."""
 
 
 def reason(known: Sequence[Known], words: Sequence[str], difference: Difference) -> Known | None:
-    """The first row that explains a difference, if any does."""
+    """Return the first row that explains a difference, or None."""
     return next((one for one in known if one.covers(words, difference)), None)
 
 
 def split(known: Sequence[Known], words: Sequence[str], found: Sequence[Difference]) -> tuple[list[Difference], list[Known]]:
-    """What nothing of the table explains, and the rows that explain the rest."""
+    """Return the differences that no row explains, and the rows that explain the others."""
     rows = {each: reason(known, words, each) for each in found}
     return [each for each in found if rows[each] is None], list(dict.fromkeys(row for row in rows.values() if row))
 
 
 def read_known(path: str) -> list[Known]:
-    """The table in a file: a list of mappings with the names of :class:`Known`.
+    """Read a table: a list of mappings with the names of :class:`Known`.
 
-    :raises UnusableInput: when it cannot be read, or a row is not such a row.
+    :raises UnusableInput: when it cannot be read, or a row is invalid.
     """
     import yaml
 
@@ -72,5 +72,5 @@ def read_known(path: str) -> list[Known]:
         with open(path, encoding='utf-8') as file:
             return [Known(**row) for row in yaml.safe_load(file) or ()]
     except (OSError, ValueError, TypeError, yaml.YAMLError) as error:
-        help = f'a list of mappings with {", ".join(Known._fields)}, of which file and why are needed'
-        raise UnusableInput(f'{path!r} is no table of known differences: {error}', help=help) from None
+        help = f'write a list of mappings with {", ".join(Known._fields)}; file and why are required'
+        raise UnusableInput(f'{path!r} is not a table of known differences: {error}', help=help) from None

@@ -1,4 +1,4 @@
-"""What can be seen of a run from outside, in the same words for both worlds. Times are seconds since launch began."""
+"""The observation of a run from outside, in the same terms for both worlds. Times are seconds since launch began."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.engine.interfaces.message import Message
 
 ClassOf = Callable[[str], type[Message]]
 NOT_COMPARED = ('/rosout', '/parameter_events')
-"""Topics whose messages are seen elsewhere: as output, and as parameters."""
+"""Topics whose messages appear elsewhere: as output, and as parameters."""
 BRIEFLY = float('inf')
 _HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
 _STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')
@@ -18,9 +18,9 @@ _NUMBER = re.compile(r'-?\d+(\.\d+)?(e[+-]?\d+)?')
 _ROW = re.compile(r'#(,? +#)+')
 _UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+|(?<=_)[A-Za-z0-9]{16}(?=\W|$)|(?<=edulaunch-compare-)\w+')
 _SOURCE = re.compile(r', at /\S+\.\w+:\d+')
-"""Where in its own source rcl found a mistake."""
+"""The place in rcl's own source where it found an error."""
 _NOISE = re.compile(r'\x1b\[[\d;]*m\[?\x1b|RTPS_TRANSPORT_SHM')
-"""What Fast DDS itself has to say of other processes of this computer."""
+"""Output of Fast DDS itself about other processes of this computer."""
 _TRANSFORMS = 'tf2_msgs/msg/TFMessage'
 
 
@@ -34,7 +34,7 @@ class End(NamedTuple):
 
 
 class Range(NamedTuple):
-    """What the values of a field were: the range of its numbers (low is above high when there are none), or its texts."""
+    """The values of a field: the range of its numbers (low is above high without numbers), or its strings."""
 
     low: float
     high: float
@@ -49,14 +49,14 @@ class Range(NamedTuple):
 
 
 class Values:
-    """What one field of a topic was over time: its numbers, and its texts with numbers masked."""
+    """One field of a topic over time: its numbers, and its strings with numbers masked."""
 
     def __init__(self) -> None:
         self._numbers: list[tuple[float, float]] = []
         self._texts: dict[str, float] = {}
 
     def add(self, time_s: float, value: Any) -> None:
-        """One more value."""
+        """Add a value."""
         if isinstance(value, str):
             self._texts.setdefault(masked(value), time_s)
         elif isinstance(value, (bool, int, float)):
@@ -69,14 +69,14 @@ class Values:
                 self.add(time_s, each)
 
     def between(self, begin_s: float, end_s: float) -> Range:
-        """What it was in a span of time."""
+        """Return the values in a span of time."""
         numbers = [value for time_s, value in self._numbers if begin_s <= time_s <= end_s]
         texts = frozenset(text for text, time_s in self._texts.items() if begin_s <= time_s <= end_s)
         return Range(min(numbers, default=float('inf')), max(numbers, default=float('-inf')), texts)
 
     @property
     def range(self) -> Range:
-        """What it was all the time."""
+        """Return the values of the whole run."""
         return self.between(float('-inf'), float('inf'))
 
 
@@ -88,7 +88,7 @@ class Flow(NamedTuple):
 
 
 class Line(NamedTuple):
-    """A line that a program wrote, with numbers masked."""
+    """A line of a program's output, with numbers masked."""
 
     process: str
     text: str
@@ -96,9 +96,7 @@ class Line(NamedTuple):
 
 
 class Program(NamedTuple):
-    """When a program was started and when it ended (None: it still runs), the nodes it made, as far as they are known, and when
-    it got its first signal and wrote its first line.
-    """
+    """A program's start and end (None if it still runs), its known nodes, and its first signal and line."""
 
     started_s: float
     ended_s: float | None = None
@@ -109,14 +107,14 @@ class Program(NamedTuple):
 
 
 class Observation(NamedTuple):
-    """Everything that was seen.
+    """Everything in an observation.
 
-    :ivar nodes: when each was there first; :data:`BRIEFLY` for one that was gone before everybody can have found it.
-    :ivar ends: their QoS (reliability and durability) and when they were there first, as for nodes.
-    :ivar parameters: at the end, by node.
-    :ivar flows: by topic, or 'tf a -> b'.
-    :ivar lines: what programs wrote.
-    :ivar programs: by launch name.
+    :ivar nodes: when each node first existed; :data:`BRIEFLY` for one that ended before all programs can have found it.
+    :ivar ends: QoS (reliability and durability) and first appearance of endpoints, as for nodes.
+    :ivar parameters: parameters at the end, by node.
+    :ivar flows: messages by topic, or 'tf a -> b'.
+    :ivar lines: the output of programs.
+    :ivar programs: programs by launch name.
     :ivar asked_s: when Ctrl-C was pressed.
     :ivar start_s: when launch began, in seconds since 1970.
     """
@@ -132,7 +130,7 @@ class Observation(NamedTuple):
 
     @property
     def codes(self) -> dict[str, list[int]]:
-        """The exit codes of each program that has ended, by launch name without its number."""
+        """Return the exit codes of each program that has ended, by launch name without its number."""
         codes: dict[str, list[int]] = {}
         for name, program in self.programs.items():
             if program.returncode is not None:
@@ -140,7 +138,7 @@ class Observation(NamedTuple):
         return codes
 
     def until_asked(self) -> Observation:
-        """Without what came of Ctrl-C."""
+        """Return the observation without the effects of Ctrl-C."""
         lines = [line for line in self.lines if line.time_s < self.asked_s]
         programs = {
             name: program._replace(ended_s=None, returncode=None) if (program.ended_s or 0.0) >= self.asked_s else program
@@ -150,23 +148,23 @@ class Observation(NamedTuple):
 
 
 def is_compared(node: str) -> bool:
-    """Whether a node is one of the launch file's: not of a command, an observer or launch itself."""
+    """Return whether a node belongs to the launch file, not to a command, an observer or launch itself."""
     return _HIDDEN_NODE.search(node) is None
 
 
 def masked(text: str) -> str:
-    """A line of output without what differs from run to run: times, identities, numbers and how many."""
+    """Return a line of output without parts that vary between runs: times, identities, numbers and counts."""
     text = _UNIQUE.sub('#', _STAMPED_LOG.sub('[#]', _SOURCE.sub('', text)))
     return _ROW.sub('#', _NUMBER.sub('#', text)).rstrip()
 
 
 def steady_name(node: str) -> str:
-    """The name of a node without letters by chance (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
+    """Return the name of a node without random letters (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
     return _UNIQUE.sub('#', node)
 
 
 def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line]:
-    """The lines in what a program wrote piece by piece; of a traceback only the error: its frames are those of one world."""
+    """Return the lines of a program's output; a traceback is reduced to its error, because its frames differ between worlds."""
     rest, in_traceback, last_s = '', False, 0.0
     for time_s, piece in (*pieces, (None, '\n')):
         last_s = last_s if time_s is None else time_s
@@ -178,7 +176,7 @@ def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line
 
 
 def program_of(name: str) -> str:
-    """A launch name without its number: 'talker-1' -> 'talker'."""
+    """Return a launch name without its number: 'talker-1' -> 'talker'."""
     return name.rpartition('-')[0] or name
 
 

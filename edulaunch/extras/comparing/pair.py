@@ -1,4 +1,4 @@
-"""One launch file in both worlds."""
+"""Run one launch file in both worlds."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.extras.comparing.observation import Observation
 from edulaunch.extras.comparing.simulated import simulate
 
 PATIENCE_S = 10.0
-"""So much longer a real run may take, until everything has been seen that the simulation showed."""
+"""Extra seconds for the real run, until it has shown everything that the simulation showed."""
 
 LATE_S = 1.0
 MOST_ORDERS = 8
@@ -22,8 +22,10 @@ OTHER_SEEDS = (1, 2)
 
 
 class Pair(NamedTuple):
-    """What differs between the two worlds, what differs only by how fast the computer is, what may be left out since it depends
-    on random numbers, who is left out since Ctrl-C came before they were up, and what was seen in each.
+    """The result of a comparison: the differences, and which of them do not count.
+
+    Differences that depend on the computer's speed do not count. Neither do subjects that depend on random numbers, and
+    programs that had not started before Ctrl-C. It also has both observations.
     """
 
     found: list[Difference]
@@ -42,13 +44,14 @@ def compare(
     workspaces: Sequence[str] = (),
     is_known: Callable[[Difference], bool] = lambda difference: False,
 ) -> Pair:
-    """Run it in simulation, for `seconds` and for as long as the real run may become, and for real. What differs from both may
-    still be a matter of who comes up when: in further simulations programs come up as late as they did for real, at the same
-    time of day. Or of random numbers: see :func:`by_chance`. What differs from all simulations differs.
+    """Run it in simulation, as long as the real run may take, and then in reality.
 
-    :param seconds: until Ctrl-C in simulation.
-    :param is_known: what nobody waits for.
-    :raises UnusableInput: when it cannot be launched at all, or the real rclpy is not installed.
+    Some differences depend on the order in which programs start. So in further simulations, programs start as late as in reality,
+    at the same time of day. Other differences depend on random numbers, see :func:`by_chance`. The rest is the result.
+
+    :param seconds: simulated seconds until Ctrl-C.
+    :param is_known: recognises known differences, for which the run does not wait.
+    :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
     """
     what = os.path.abspath(path) if not file and os.path.exists(path) else path, file, arguments
     workspaces = [os.path.abspath(folder) for folder in workspaces]
@@ -77,7 +80,7 @@ def compare(
 
 
 def _lates(simulated: Observation, late: dict[str, float]) -> Iterator[dict[str, float]]:
-    """Who may have been how late: all programs; those with nodes alone, where a command waited for them; or any one alone."""
+    """Yield possible delays: of all programs, of only the programs with nodes (a command waited for them), or of one program."""
     yield late
     yield {name: late_s for name, late_s in late.items() if simulated.programs[name].nodes}
     for name in sorted(late)[:MOST_ORDERS]:
@@ -85,8 +88,9 @@ def _lates(simulated: Observation, late: dict[str, float]) -> Iterator[dict[str,
 
 
 def delays(simulated: Observation, real: Observation) -> dict[str, float]:
-    """How much later than in simulation each program came up for real, in seconds: until its first node was there, or until it
-    ended by itself; for one that a signal ended first, until everything was over.
+    """Return how many seconds later than in simulation each program started in the real run.
+
+    A program has started when its first node exists or it ends by itself. If a signal ended it before, the end of the run counts.
     """
     late: dict[str, float] = {}
     for name, here in simulated.programs.items():

@@ -1,4 +1,4 @@
-"""What comparing adds: the verb `edulaunch compare`."""
+"""The plug-in for comparing: it adds the verb `edulaunch compare`."""
 
 from __future__ import annotations
 

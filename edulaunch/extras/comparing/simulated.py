@@ -1,4 +1,4 @@
-"""A run in simulation, observed: everything is read from its recording."""
+"""Observe a run in simulation: everything comes from its recording."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ from edulaunch.extras.comparing.observation import (
 from edulaunch.runtime.session import Session
 
 FOUND_S = 3.0
-"""A node or an end of one that lasts longer is found by everybody for real."""
+"""In reality, all programs find a node or endpoint that exists longer than this."""
 END_S = 15.0
-"""After Ctrl-C."""
+"""Seconds after Ctrl-C."""
 
 
 class RealProgram:
-    """A program of this computer that a simulation started: what it wrote and when it ended, in simulated seconds.
+    """A real program of this computer that a simulation started: its output and its end, in simulated seconds.
 
     :ivar written: by stream, (when, text).
     """
@@ -58,28 +58,29 @@ class RealProgram:
         return (self._host.sim.now_ns - self._host.sim.start_ns) / 1e9
 
     def hear(self, stream: str, text: str) -> None:
-        """It wrote something."""
+        """Record output."""
         self.written.setdefault(stream, []).append((self._now_s(), text))
         if self._on_output is not None:
             self._on_output(stream, text)
 
     def end(self, returncode: int) -> None:
-        """It ended."""
+        """Record the end."""
         self.returncode, self.ended_s = returncode, self._now_s()
         if self._on_exit is not None:
             self._on_exit(returncode)
 
 
 class LateHost(Host):
-    """A host whose programs take their time to come up: `delays_s`, by launch name, as it was for real. It notes what programs of
-    this computer do, which stand in no recording.
+    """A host whose programs start as late as in the real run: `delays_s`, by launch name.
+
+    It records the programs of this computer, which are in no recording.
     """
 
     delays_s: Mapping[str, float] = {}
 
     @cached_property
     def of_computer(self) -> list[RealProgram]:
-        """The programs of this computer that were started, in order."""
+        """Return the programs of this computer that were started, in order."""
         return []
 
     def start(
@@ -103,9 +104,9 @@ class LateHost(Host):
 
 
 class EndsRecorder(Recorder):
-    """A recorder that notes when publishers, subscriptions, services and clients have gone.
+    """A recorder that notes when publishers, subscriptions, services and clients are removed.
 
-    :ivar gone_s: by their number.
+    :ivar gone_s: times of removal by number.
     """
 
     def __init__(self, sim: Simulation) -> None:
@@ -135,13 +136,13 @@ def simulate(
     start_s: float = EPOCH_NS / 1e9,
     seed: int = 0,
 ) -> Observation:
-    """Run it, press Ctrl-C after `seconds`, and say what was seen.
+    """Run it, press Ctrl-C after `seconds`, and return the observation.
 
-    :param delays_s: how long programs take to come up, by launch name.
+    :param delays_s: delays before programs start, by launch name.
     :param start_s: the time of day at which it begins, in seconds since 1970.
-    :param seed: of its random numbers.
-    :raises UnusableInput: when it cannot be launched at all.
-    :raises KeyboardInterrupt: somebody else pressed Ctrl-C before.
+    :param seed: the seed of its random numbers.
+    :raises UnusableInput: when it cannot be launched.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C before.
     """
     with LateSession(workspaces=workspaces, start_ns=round(start_s * 1e9), seed=seed) as session:
         assert isinstance(session.host, LateHost) and isinstance(session.recorder, EndsRecorder)
@@ -159,14 +160,14 @@ def simulate(
 
 
 def with_programs(seen: Observation, programs: Sequence[RealProgram]) -> Observation:
-    """The same, and what programs of this computer did."""
+    """Return the recording, and the records of programs of this computer."""
     lines = [line for each in programs for pieces in each.written.values() for line in lines_of(program_of(each.name), pieces)]
     known = {each.name: Program(each.started_s, each.ended_s, each.returncode) for each in programs}
     return seen._replace(lines=[*seen.lines, *lines], programs={**seen.programs, **known})
 
 
 def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class_of: ClassOf) -> Observation:
-    """What a recording shows; Ctrl-C was pressed at `asked_s`, and each of its ends was gone at `gone_s`."""
+    """Return the observation of a recording; Ctrl-C was pressed at `asked_s`, and each endpoint was removed at `gone_s`."""
     nodes: dict[str, float] = {}
     for node in recording.nodes:
         if is_compared(node.name):

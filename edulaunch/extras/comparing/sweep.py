@@ -1,4 +1,4 @@
-"""Many launch files in both worlds, several side by side, each comparison a program of its own."""
+"""Compare many launch files in both worlds, several at once, each in its own process."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.extras.comparing.differing import Difference
 from edulaunch.extras.comparing.known import Known
 
 LONGEST_S = 240.0
-"""So much longer than `--for` a comparison may take: on the busiest computer less, so that one which hangs is found."""
+"""Extra seconds beyond `--for` for a comparison, more than the busiest computer needs, so that one that hangs is found."""
 LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 
@@ -22,8 +22,8 @@ class Row(NamedTuple):
     """One launch file.
 
     :ivar words: as for `edulaunch compare`.
-    :ivar found: what differs and is not known.
-    :ivar known: what explains the rest.
+    :ivar found: differences that are not known.
+    :ivar known: the rows that explain the other differences.
     :ivar trouble: why there is no result.
     """
 
@@ -34,19 +34,19 @@ class Row(NamedTuple):
 
     @property
     def verdict(self) -> str:
-        """In a word or two."""
+        """Return the result in a word or two."""
         if self.trouble:
             return 'not compared'
         return 'differs' if self.found else 'known' if self.known else 'equal'
 
     @property
     def is_well(self) -> bool:
-        """Whether nothing differs that is not known."""
+        """Return whether there is no unknown difference."""
         return not self.trouble and not self.found
 
 
 def launch_files(folder: str) -> Iterator[str]:
-    """The launch files in a folder and those below, without hidden ones and what was built."""
+    """Return the launch files below a folder, without hidden and built ones."""
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name[0] not in '._' and name not in ('build', 'install', 'log'))
         yield from (os.path.join(place, name) for name in sorted(names) if name.endswith(LAUNCH_ENDINGS))
@@ -60,13 +60,13 @@ def sweep(
     folder_of: Callable[[Sequence[str]], str | None] = lambda words: None,
     progress: Callable[[Row], object] = lambda row: None,
 ) -> list[Row]:
-    """Compare each, `jobs` at a time; rows in the order of the items.
+    """Compare each item, `jobs` at a time; return rows in the order of the items.
 
-    :param items: each the words of one comparison: a path, or a package and a file, and launch arguments.
-    :param options: further ones of each comparison.
-    :param folder_of: where each is launched, if not here.
-    :param progress: told of each row when it is there.
-    :raises KeyboardInterrupt: after Ctrl-C, when those that ran have ended.
+    :param items: the words of each comparison: a path, or a package and a file, and launch arguments.
+    :param options: further options of each comparison.
+    :param folder_of: the folder in which each is launched, if not here.
+    :param progress: called with each finished row.
+    :raises KeyboardInterrupt: after Ctrl-C, when the running comparisons have ended.
     """
     rows: dict[int, Row] = {}
     running: list[subprocess.Popen[str]] = []
@@ -98,8 +98,8 @@ def _row(
         try:
             output, complaint = child.communicate(timeout=seconds + LONGEST_S)
         except subprocess.TimeoutExpired:
-            child.kill()  # which ends what it has started, too
-            return Row(words, trouble=f'took more than {seconds + LONGEST_S:g} s')
+            child.kill()  # this also ends the programs that it has started
+            return Row(words, trouble=f'it took more than {seconds + LONGEST_S:g} s')
         finally:
             running.remove(child)
     if child.returncode not in (0, 1) or not output:
@@ -110,7 +110,7 @@ def _row(
 
 
 def gone(known: Sequence[Known], rows: Sequence[Row]) -> list[Known]:
-    """What is known of these launch files and did not occur, apart from what depends on chance."""
+    """Return known differences of these launch files that did not occur, except differences that depend on chance."""
     compared = [row for row in rows if not row.trouble]
     return [
         each

@@ -1,4 +1,4 @@
-"""`edulaunch compare`: launch files in simulation and on the real rclpy, and what differs."""
+"""`edulaunch compare`: run launch files in simulation and on real rclpy, and list the differences."""
 
 from __future__ import annotations
 
@@ -26,47 +26,52 @@ EXAMPLES = """examples:
   edulaunch compare src/my_package                       all launch files in a folder
   edulaunch compare demo_nodes_cpp other.launch.py --jobs 4
 
-exit codes: 0 nothing differs, 1 something does, 2 the comparison is not possible, 130 it was stopped by Ctrl-C"""
+exit codes: 0 no differences, 1 some differences, 2 the comparison is not possible, 130 stopped by Ctrl-C"""
 WIDEST = 60
-"""Letters of a cell of the table; --json has all of them."""
+"""The maximum length of a table cell; --json has everything."""
 
 
 def compare_arguments(parser: argparse.ArgumentParser) -> None:
-    """The launch files, how long, and how to say it."""
+    """Add the launch files, the duration, and the form of the output."""
     parser.epilog = EXAMPLES
     parser.add_argument('target', metavar='PACKAGE | PATH', help='package of the launch file, its path, or a folder of them')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths')
     parser.add_argument(
-        '--for', dest='seconds', type=float, default=10.0, metavar='SECONDS', help='until Ctrl-C, in both worlds (default: 10)'
+        '--for',
+        dest='seconds',
+        type=float,
+        default=10.0,
+        metavar='SECONDS',
+        help='press Ctrl-C after this time, in both worlds (default: 10)',
     )
-    parser.add_argument('--json', action='store_true', help='as plain data')
+    parser.add_argument('--json', action='store_true', help='print JSON')
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
+    parser.add_argument('--jobs', type=int, metavar='N', help='compare this many files at once (default: one for each processor)')
     parser.add_argument(
-        '--jobs', type=int, metavar='N', help='of several files so many at a time (default: one for each processor)'
-    )
-    parser.add_argument(
-        '--known', metavar='FILE', help='YAML list of differences that are known and do not count (file, why, kind, name ...)'
+        '--known', metavar='FILE', help='YAML list of known differences, which do not count (file, why, kind, name ...)'
     )
 
 
 def compare_verb(arguments: argparse.Namespace) -> int:
-    """Run all in both worlds, and say what differs."""
+    """Run everything in both worlds, and print the differences."""
     from edulaunch.extras.comparing.known import BY_DESIGN, read_known
     from edulaunch.extras.native.environment import needed
 
     needed()
     known = [*(read_known(arguments.known) if arguments.known else []), *BY_DESIGN]
     items = _items(arguments)
-    signal.signal(signal.SIGTERM, lambda *_: os.kill(os.getpid(), signal.SIGINT))  # it ends in order, and all that it has started
+    signal.signal(
+        signal.SIGTERM, lambda *_: os.kill(os.getpid(), signal.SIGINT)
+    )  # end in order, together with all started programs
     try:
         return _many(arguments, items, known) if len(items) != 1 else _one(arguments, items[0], known)
     except KeyboardInterrupt:
-        print('stopped before the comparison was through; what it had started has ended', file=sys.stderr)
+        print('stopped before the end of the comparison; all its programs have ended', file=sys.stderr)
         return 130
 
 
 def _items(arguments: argparse.Namespace) -> list[tuple[str, ...]]:
-    """The words of each comparison.
+    """Return the words of each comparison.
 
     :raises UnusableInput: for a folder or package without launch files.
     """
@@ -82,7 +87,7 @@ def _items(arguments: argparse.Namespace) -> list[tuple[str, ...]]:
         return [(target, *rest)]
     found = [file for path in paths for file in (launch_files(path) if os.path.isdir(path) else (path,))]
     if not found:
-        raise UnusableInput(f'there are no launch files in {target!r}.', help='name a launch file, or a folder with some')
+        raise UnusableInput(f'there are no launch files in {target!r}.', help='name a launch file, or a folder with launch files')
     return [(path, *given) for path in found]
 
 
@@ -92,7 +97,9 @@ def _one(arguments: argparse.Namespace, words: Sequence[str], known: Sequence[Kn
 
     path, file, given = split_words(words[0], list(words[1:]))
     workspaces = list(workspaces_of_command(arguments.workspace, path))
-    print(f'{" ".join(words)}: in simulation, then for real, {arguments.seconds:g} s or more ...', file=sys.stderr)
+    print(
+        f'{" ".join(words)}: running in simulation, then on real rclpy, for at least {arguments.seconds:g} s ...', file=sys.stderr
+    )
     found, slow, chance, not_up, simulated, real = compare(
         path, file, given, arguments.seconds, workspaces, lambda each: reason(known, words, each) is not None
     )
@@ -118,17 +125,17 @@ def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: 
     else:
         print(table(rows))
     for each in gone(known, rows):
-        print(f'known, and it did not occur: {each.file}: {each.why}', file=sys.stderr)
+        print(f'a known difference did not occur: {each.file}: {each.why}', file=sys.stderr)
     return 0 if all(row.is_well for row in rows) else 1
 
 
 def row_line(row: Row) -> str:
-    """One comparison in a line."""
+    """Return one comparison in a line."""
     return f'{row.verdict}: {" ".join(row.words)}'
 
 
 def table(rows: Sequence[Row]) -> str:
-    """All that is not equal, and how many of each there are."""
+    """Return everything that differs, and the number of each kind."""
     from edulaunch.canvas.table import TextTable
 
     lines: list[tuple[str, ...]] = []
@@ -164,7 +171,7 @@ def _narrow(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 
 def _subjects(found: Sequence[Difference]) -> str:
-    """What differs, without how."""
+    """Return the subjects of differences, without their states."""
     return ', '.join(dict.fromkeys(f'{each.kind} {each.name}' for each in found))
 
 
@@ -189,10 +196,10 @@ def report(
     chance: Sequence[Difference],
     not_up: set[str],
 ) -> str:
-    """What one comparison found: the verdict first, then what differs, then what does not count and why."""
+    """Return the lines on one comparison: the outcome, then the differences, then ignored differences with reasons."""
     from edulaunch.canvas.table import TextTable
 
-    lines = ['The real run shows nothing that differs from the simulation.']
+    lines = ['The real run does not differ from the simulation.']
     if found:
         heads = ('differs', 'of', 'in simulation', 'for real')
         things = '1 thing' if len(found) == 1 else f'{len(found)} things'
@@ -201,18 +208,18 @@ def report(
             str(TextTable('differences', heads, _narrow([each[:4] for each in found]))),
         ]
     if slow:
-        lines.append('These depend on how fast this computer is, and do not count:')
+        lines.append('These differences depend on the speed of this computer, and do not count:')
         lines += [f'  {kind} {name}: {here} in simulation, {there} for real' for kind, name, here, there, _ in slow]
     if explained:
         lines += ['These differences are known:', *(f'  {each.why}' for each in explained)]
     if chance:
-        lines.append(f'These differ between simulations of other random numbers, too: {_subjects(chance)}.')
-    lines += [f'{name} was stopped before it was up: its output and exit code do not count.' for name in sorted(not_up)]
+        lines.append(f'These also differ between simulations with other random numbers: {_subjects(chance)}.')
+    lines += [f'{name} was stopped before it had started: its output and exit code do not count.' for name in sorted(not_up)]
     return '\n'.join(lines)
 
 
 def counts(simulated: Observation, real: Observation) -> str:
-    """How much there was to compare, in words; of each the number in simulation and for real."""
+    """Return how much was compared; each count has the number in simulation and in reality."""
     here, there = _sizes(simulated), _sizes(real)
     return ', '.join(f'{what} {here[what]}/{there[what]}' for what in here)
 

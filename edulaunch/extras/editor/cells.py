@@ -8,9 +8,9 @@ _FIRST = re.compile(r'%%(?:writefile|file)\s+(?:-a\s+)?(?P<name>[^\n]+?)\s*(?:\n
 
 
 def written_file(cell: str) -> tuple[str, str] | None:
-    """The name of the file that a cell writes, and the content with as many lines as the cell; None for any other cell.
+    """Return the name of the file that a cell writes, and its content with as many lines as the cell; None for other cells.
 
-    The magic line becomes a comment or an empty line, so that all places stay the same.
+    The magic line becomes a comment or an empty line, so that line numbers stay the same.
     """
     match = _FIRST.match(cell)
     if match is None:

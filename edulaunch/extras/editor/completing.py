@@ -1,4 +1,4 @@
-"""What can be written at the cursor."""
+"""Completions at the cursor."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from edulaunch.extras.editor.subjects import Subject, subject_at
 
 
 class Choice(NamedTuple):
-    """One thing that can be written, and a word on it."""
+    """A completion with a short description."""
 
     label: str
     detail: str = ''
 
 
 def choices(text: Text, offset: int, around: Around) -> tuple[list[Choice], Span] | None:
-    """The choices at an offset, and what they replace; None where we know of none."""
+    """Return the completions at an offset, and the text that they replace; None if there are no known ones."""
     subject = subject_at(text, offset)
     if subject is None:
         return None

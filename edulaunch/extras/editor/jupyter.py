@@ -1,4 +1,4 @@
-"""The language server, described for jupyter-lsp (entry point `jupyter_lsp_spec_v1`)."""
+"""The description of the language server for jupyter-lsp (entry point `jupyter_lsp_spec_v1`)."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from importlib.util import find_spec
 from typing import Any
 
 CELLS = 'launch-python'
-"""The language of notebook cells that write a launch file, as the lab extension names it."""
+"""The language of notebook cells that write a launch file, under the name of the lab extension."""
 START = 'import sys; sys.path.pop(0); from edulaunch.desk.commands import edulaunch; sys.exit(edulaunch())'
-"""As `python -m edulaunch`, without the current folder: a student's `json.py` there must not be imported."""
+"""Like `python -m edulaunch`, but without the current folder, so that a student's `json.py` is not imported."""
 
 
 def spec(manager: Any) -> dict[str, Any]:
-    """How JupyterLab starts the server, and for which languages. Python files go to pylsp where it is installed."""
+    """Return how JupyterLab starts the server, and for which languages. pylsp serves Python files if it is installed."""
     if find_spec('pygls') is None:
         return {}
     languages = ['xml', 'yaml', CELLS, *([] if find_spec('pylsp') is not None else ['python'])]

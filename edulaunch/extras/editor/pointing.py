@@ -1,4 +1,4 @@
-"""Where the things under the cursor are: definitions, all uses of a launch argument, and what a hover shows."""
+"""Find the objects under the cursor: definitions, all uses of a launch argument, and the content of a hover."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.extras.editor.programs import file_of, interface_of, launch_files
 from edulaunch.extras.editor.subjects import Subject, subject_at
 
 Values = dict[str, Any]
-"""What the last dry run knew: launch argument -> steps as `edulaunch.advice.plan.why` has them."""
+"""Values from the last dry run: launch argument -> steps in the form of `edulaunch.advice.plan.why`."""
 _DECLARED = re.compile(
     r"""DeclareLaunchArgument\(\s*(?:name\s*=\s*)?['"](?P<python>[\w.-]+)['"]"""
     r"""(?:\s*,\s*default_value\s*=\s*(?P<value>['"][^'"]*['"]|\w+|\[[^\]]*\]))?"""
@@ -24,7 +24,7 @@ _PASSED = r"""(?:['"]{name}['"]\s*:|\(\s*['"]{name}['"]\s*,|<(?:arg|let)\b[^>]*?
 
 
 class Declaration(NamedTuple):
-    """A launch argument in the file: its name, its default as it is written, and where its name is."""
+    """A launch argument in the file: its name, its default as written, and the place of its name."""
 
     name: str
     default: str
@@ -41,7 +41,7 @@ class Target(NamedTuple):
 
 
 def declarations(text: Text) -> list[Declaration]:
-    """The launch arguments that the file declares; it may be unfinished."""
+    """Return the launch arguments that the file declares; the file may be unfinished."""
     found = []
     for match in _DECLARED.finditer(text.text):
         kind = next(name for name in ('python', 'xml', 'yaml') if match[name])
@@ -51,7 +51,7 @@ def declarations(text: Text) -> list[Declaration]:
 
 
 def definition(text: Text, offset: int, around: Around) -> Target | None:
-    """Where the thing at an offset is made."""
+    """Return the definition of the object at an offset."""
     subject = subject_at(text, offset)
     if subject is None:
         return _relative_file(text, offset)
@@ -85,7 +85,7 @@ def _interface(around: Around, subject: Subject) -> Target | None:
 
 
 def _relative_file(text: Text, offset: int) -> Target | None:
-    """A file that a string names, from the folder of the file."""
+    """Return the path of a file that a string names, relative to the folder of the file."""
     line = text.whole_line(text.place(offset).line)
     for match in re.finditer(r"""['"]([\w./-]+\.(?:py|xml|ya?ml|urdf|xacro|rviz))['"]""", text.text[line.start : line.end]):
         if line.start + match.start() <= offset <= line.start + match.end():
@@ -95,7 +95,7 @@ def _relative_file(text: Text, offset: int) -> Target | None:
 
 
 def references(text: Text, offset: int, around: Around) -> list[Target]:
-    """All uses of the launch argument at an offset: in this file, and in launch files that name this one and set it."""
+    """Return all uses of the launch argument at an offset: in this file, and in launch files that include this one and set it."""
     subject = subject_at(text, offset)
     if subject is None or subject.kind != 'argument':
         return []
@@ -130,9 +130,9 @@ def _target(text: Text, span: Span) -> Target:
 
 
 def hover(text: Text, offset: int, around: Around, values: Values) -> tuple[str, Span] | None:
-    """What is known of the thing at an offset, as Markdown, and where it is.
+    """Return a description of the object at an offset, as Markdown, and its place.
 
-    :param values: what the last dry run of the file knew.
+    :param values: values from the last dry run of the file.
     """
     subject = subject_at(text, offset)
     if subject is None or not subject.name:

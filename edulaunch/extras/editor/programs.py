@@ -1,4 +1,4 @@
-"""What programs have: their file, parameters and topics. Programs of students are read; built-in ones run for half a second."""
+"""The file, parameters and topics of programs. Student programs are only read; built-in ones run for half a second."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ HIDDEN = ('qos_overrides.', 'start_type_description_service')
 
 
 class Interface(NamedTuple):
-    """The parameters of a program with their defaults, and the types of its topics, by name."""
+    """Return the parameters of a program with their defaults, and the types of its topics, by name."""
 
     parameters: dict[str, str]
     topics: dict[str, str]
 
 
 def file_of(around: Around, package: str, executable: str) -> tuple[str, int] | None:
-    """The file and line of a student's program."""
+    """Return the file and line of a student's program."""
     found = source_package(around.index, package)
     entry = None if found is None else found.contents.entry_points.get(f'lib/{package}/{executable}')
     if found is not None and entry is not None:
@@ -44,7 +44,7 @@ def file_of(around: Around, package: str, executable: str) -> tuple[str, int] | 
 
 
 def interface_of(around: Around, package: str, executable: str) -> Interface:
-    """What a program declares; a student's program is read and not run."""
+    """Return the declarations of a program; a student's program is read and not run."""
     place = file_of(around, package, executable)
     if place is not None:
         return _read(place[0])
@@ -68,7 +68,7 @@ def _read(path: str) -> Interface:
 
 @lru_cache(maxsize=64)
 def _of_built_in(package: str, executable: str) -> Interface:
-    """By a run of a built-in program, which is not a student's code."""
+    """Return the declarations from a run of a built-in program, which is not a student's code."""
     from edulaunch.engine.processes.spec import ProcessSpec
     from edulaunch.runtime.session import Session
 
@@ -88,7 +88,7 @@ def _of_built_in(package: str, executable: str) -> Interface:
 
 
 def frames(around: Around, text: str) -> list[str]:
-    """Names of frames in the file and in the Python files of the workspace."""
+    """Return the names of frames in the file and in the Python files of the workspace."""
     found = set(_FRAME.findall(text))
     for path in _python_files(around)[:MOST_FILES]:
         try:
@@ -100,7 +100,7 @@ def frames(around: Around, text: str) -> list[str]:
 
 
 def launch_files_around(around: Around) -> list[str]:
-    """The launch files of the student's packages, and the ones beside the file."""
+    """Return the launch files of the student's packages, and the launch files beside the file."""
     files = [path for path in _files(around) if path.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml'))]
     return sorted(set(files))[:MOST_FILES]
 

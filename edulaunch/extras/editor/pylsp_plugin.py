@@ -1,6 +1,6 @@
-"""A plug-in of python-lsp-server: where that serves Python files, our diagnostics, completion and hover come with it.
+"""A plug-in of python-lsp-server that adds our diagnostics, completion and hover to its Python files.
 
-JupyterLab asks one server for each language. pylsp calls the functions here by their names and parameters.
+JupyterLab asks one server for each language. pylsp calls these functions by their names and parameters.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ VALUE = 12
 
 
 def _text(document: Any) -> Text | None:
-    """The document, or None for a Python file that has nothing to do with ROS 2."""
+    """Return the document, or None for a Python file without ROS 2."""
     path = os.path.abspath(path_of(document.uri))
     return Text(document.source, path) if kind_of(path, document.source) is not None else None
 
 
 @hookimpl
 def pylsp_settings(config: Any) -> dict[str, Any]:
-    """The plug-in is on."""
+    """Enable the plug-in."""
     return {'plugins': {'edulaunch': {'enabled': True}}}
 
 
 @hookimpl
 def pylsp_lint(config: Any, workspace: Any, document: Any, is_saved: bool = False) -> list[dict[str, Any]]:
-    """What is wrong in the file; nothing of it is executed."""
+    """Return the mistakes in the file, without executing it."""
     text = _text(document)
     if text is None:
         return []
@@ -50,7 +50,7 @@ def pylsp_lint(config: Any, workspace: Any, document: Any, is_saved: bool = Fals
 
 @hookimpl
 def pylsp_completions(config: Any, workspace: Any, document: Any, position: dict[str, int]) -> list[dict[str, Any]]:
-    """What can be written at the cursor."""
+    """Return the completions at the cursor."""
     text = _text(document)
     found = None if text is None else choices(text, offset_of(text, position['line'], position['character']), Around(text.path))
     if found is None or text is None:
@@ -64,7 +64,7 @@ def pylsp_completions(config: Any, workspace: Any, document: Any, position: dict
 
 @hookimpl
 def pylsp_hover(config: Any, workspace: Any, document: Any, position: dict[str, int]) -> dict[str, Any] | None:
-    """What is known of the thing at the cursor."""
+    """Return a description of the object at the cursor."""
     text = _text(document)
     found = None if text is None else hover(text, offset_of(text, position['line'], position['character']), Around(text.path), {})
     if found is None or text is None:
@@ -74,7 +74,7 @@ def pylsp_hover(config: Any, workspace: Any, document: Any, position: dict[str, 
 
 @hookimpl
 def pylsp_definitions(config: Any, workspace: Any, document: Any, position: dict[str, int]) -> list[dict[str, Any]]:
-    """Where the thing at the cursor is made."""
+    """Return the definition of the object at the cursor."""
     text = _text(document)
     target = (
         None if text is None else definition(text, offset_of(text, position['line'], position['character']), Around(text.path))
@@ -84,7 +84,7 @@ def pylsp_definitions(config: Any, workspace: Any, document: Any, position: dict
 
 @hookimpl
 def pylsp_references(document: Any, position: dict[str, int], exclude_declaration: bool = False) -> list[dict[str, Any]]:
-    """All uses of the launch argument at the cursor."""
+    """Return all uses of the launch argument at the cursor."""
     text = _text(document)
     if text is None:
         return []

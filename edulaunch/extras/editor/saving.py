@@ -1,4 +1,4 @@
-"""The check of a saved launch file that executes it: a dry run in a child process, confined, and stopped at a deadline."""
+"""Check a saved launch file by executing it: a dry run in a confined child process, with a deadline."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Outcome = dict[str, Any]
 
 
 def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLINE_S) -> Outcome | None:
-    """Return what a dry run of a launch file finds: `findings`, and the steps of each launch argument as `values`.
+    """Return the findings of a launch file's dry run: `findings`, and the steps of each launch argument as `values`.
 
-    A dry run that did not end gives None. The file runs in another process. Where the system allows that, the process can
+    If the dry run did not end, return None. The file runs in another process. Where the system allows it, the process can
     write only in a temporary folder, and opens no socket.
     """
     with TemporaryDirectory(prefix='edulaunch-editor-') as home:
@@ -49,7 +49,7 @@ def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLI
 
 
 def confined(home: str, readable: Sequence[str]) -> dict[str, str]:
-    """Confine this process for good, as far as this system can: layer -> 'held', or why it does not hold."""
+    """Confine this process permanently, as far as the system can: layer -> 'held', or why it does not hold."""
     import resource
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
@@ -63,7 +63,7 @@ def confined(home: str, readable: Sequence[str]) -> dict[str, str]:
 
 
 def outcome_of(path: str, workspaces: Sequence[str]) -> Outcome:
-    """The findings of a dry run of a launch file, and the steps of its launch arguments."""
+    """Return the findings of a dry run of a launch file, and the steps of its launch arguments."""
     from edulaunch.advice.judging import judge_plan
     from edulaunch.advice.plan import rehearse
     from edulaunch.advice.plan.why import argument_chain
@@ -80,10 +80,10 @@ def outcome_of(path: str, workspaces: Sequence[str]) -> Outcome:
 
 
 def main() -> None:
-    """The child: read the job, be confined, run it, and write the outcome."""
+    """Run the child: read the job, confine the process, run the file, and write the outcome."""
     job = json.load(sys.stdin)
     out = os.fdopen(os.dup(1), 'w', encoding='utf-8')
-    os.dup2(2, 1)  # what the launch file prints goes nowhere
+    os.dup2(2, 1)  # discard the output of the launch file
     folders = [os.path.dirname(job['path']), *job['workspaces']]
     import tempfile
 

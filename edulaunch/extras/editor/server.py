@@ -1,7 +1,7 @@
 """The language server (pygls): diagnostics, quick fixes, completion, hover, definitions and uses of launch arguments.
 
-While the student types only `check` runs, which executes nothing. A saved launch file gets a dry run in a child process
-(`saving.py`), unless that is switched off.
+While the student types, only `check` runs, which executes nothing. A saved launch file gets a dry run in a child process
+(`saving.py`), unless an option disables it.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ KINDS = {
 
 
 class Documents:
-    """What the server knows of each open document, beside its content.
+    """The server's data on each open document, besides its content.
 
     :param runs: whether a saved launch file may be executed.
     """
@@ -49,24 +49,24 @@ class Documents:
         self.values: dict[str, Values] = {}
 
     def around(self, path: str) -> Around:
-        """The packages around a file; read again after something was saved."""
+        """Return the packages around a file; they are read again after a file was saved."""
         folder = os.path.dirname(path)
         if folder not in self._around:
             self._around[folder] = Around(path, self.workspaces)
         return self._around[folder]
 
     def forget(self) -> None:
-        """Read packages again when they are needed next."""
+        """Read packages again at the next use."""
         self._around.clear()
 
     def executed(self, text: Text, findings: list[Finding], values: Values) -> None:
-        """Keep what the dry run of a saved file found."""
+        """Keep the findings of a saved file's dry run."""
         self._executed[text.path] = text.text, findings
         if values:
             self.values[text.path] = values
 
     def marks(self, text: Text) -> list[Marked]:
-        """What is wrong in a document: while it is as it was saved, what its dry run found, too."""
+        """Return the mistakes in a document; if it has not changed since it was saved, include the findings of its dry run."""
         found = check(text.text, text.path, self.around(text.path))
         saved, findings = self._executed.get(text.path, ('', []))
         if saved != text.text:
@@ -82,7 +82,7 @@ class Documents:
 
 
 def make_server(documents: Documents) -> LanguageServer:
-    """The server with its features."""
+    """Return the server with its features."""
     server = LanguageServer('edulaunch', __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
     _follow_documents(server, documents)
     _answer_questions(server, documents)
@@ -90,7 +90,7 @@ def make_server(documents: Documents) -> LanguageServer:
 
 
 def _text_of(server: LanguageServer, uri: str) -> Text:
-    """The content of a document; of a cell that writes a file as the content of that file."""
+    """Return the content of a document; a cell that writes a file has the content of that file."""
     content = server.workspace.get_text_document(uri).source
     written = written_file(content)
     path = path_of(uri)
@@ -101,7 +101,7 @@ def _text_of(server: LanguageServer, uri: str) -> Text:
 
 
 def _follow_documents(server: LanguageServer, documents: Documents) -> None:
-    """What the server does when a document is opened, changed, saved or closed."""
+    """Handle a document that is opened, changed, saved or closed."""
 
     def show(uri: str) -> None:
         text = _text_of(server, uri)
@@ -144,7 +144,7 @@ def _follow_documents(server: LanguageServer, documents: Documents) -> None:
 
 
 def _answer_questions(server: LanguageServer, documents: Documents) -> None:
-    """What the server answers about a place in a document."""
+    """Answer requests about a place in a document."""
 
     @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix]))
     def code_action(params: types.CodeActionParams) -> list[types.CodeAction]:
@@ -212,7 +212,7 @@ def _diagnostic(data: dict[str, Any]) -> types.Diagnostic:
 
 
 def _fix_of(diagnostic: types.Diagnostic) -> Any:
-    """The edits that a diagnostic of edulaunch carries. pygls makes an object of them."""
+    """Return the edits of a diagnostic of edulaunch, which pygls has converted to an object."""
     return diagnostic.data if diagnostic.source == 'edulaunch' else None
 
 
@@ -229,7 +229,7 @@ def _action(uri: str, diagnostic: types.Diagnostic) -> types.CodeAction:
 
 
 def _plain(data: Any) -> Any:
-    """Plain data of what came with a message."""
+    """Convert the data of a message to plain data."""
     if isinstance(data, (list, tuple)) and not hasattr(data, '_asdict'):
         return [_plain(one) for one in data]
     if hasattr(data, '_asdict'):
@@ -243,7 +243,7 @@ def _item(label: str, detail: str, place: types.Range) -> types.CompletionItem:
 
 
 def _location(target: Target, text: Text, uri: str) -> types.Location:
-    """A place of a file; of the document itself by its own address."""
+    """Return a place of a file; a place in the document itself has the document's address."""
     is_own = target.path == os.path.realpath(text.path)
     start = types.Position(line=target.line - 1, character=target.column)
     end = types.Position(line=target.line - 1, character=target.end or target.column)
@@ -253,6 +253,6 @@ def _location(target: Target, text: Text, uri: str) -> types.Location:
 def serve(runs: bool = True, workspaces: Sequence[str] = ()) -> None:
     """Serve the editor that started this process, over standard input and output."""
     documents = Documents(runs, workspaces)
-    with suppress(EdulaunchError):  # each document will say so
+    with suppress(EdulaunchError):  # each document will show the error
         check('from launch.actions import LogInfo\nLogInfo(msg="warm")\n', os.path.abspath('warm.launch.py'))
     make_server(documents).start_io()

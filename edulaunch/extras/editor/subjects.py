@@ -1,4 +1,4 @@
-"""What the cursor is on, such as a package, an executable, a launch argument, a launch file, a topic or a frame."""
+"""Find the subject at the cursor, such as a package, an executable, a launch argument, a launch file, a topic or a frame."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from typing import NamedTuple
 from edulaunch.advice.texts import Span, Text
 
 REACH = 1500
-"""Characters before the cursor that are looked at."""
+"""The number of characters before the cursor that are examined."""
 
 
 class Subject(NamedTuple):
-    """What the cursor is on.
+    """The subject at the cursor.
 
     :ivar kind: 'package', 'executable', 'argument', 'launch file', 'parameter', 'topic', 'frame', 'interface', 'interface
         module', 'element' or 'keyword'.
-    :ivar name: its whole name; up to the cursor, of a name that is being completed, `text[span.start:cursor]`.
-    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. An interface has
-        its module here, and a keyword its action.
+    :ivar name: its whole name; for an unfinished name, the part up to the cursor is `text[span.start:cursor]`.
+    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. For an interface it
+        is the module, and for a keyword the action.
     """
 
     kind: str
@@ -40,7 +40,7 @@ _BEFORE = [
     (re.compile(r'\bframe_id\s*=\s*$'), 'frame'),
     (re.compile(_SHARE + r'\(\s*["\'](?P<owner>[\w-]+)["\']\s*\)\s*,\s*(?:["\']launch["\']\s*,\s*)?$'), 'launch file'),
 ]  # fmt: skip
-"""By what is in front of the string under the cursor."""
+"""Kinds by the text before the string under the cursor."""
 _MARKUP = [
     (re.compile(r'\$\(var\s+(?P<name>[\w.-]*)$'), 'argument'),
     (re.compile(r'\$\(find-pkg-(?:share|prefix)\s+(?P<name>[\w-]*)$'), 'package'),
@@ -54,7 +54,7 @@ _MARKUP = [
     (re.compile(r'<(?P<name>[\w-]*)$'), 'element'),
     (re.compile(r'^\s*-\s*(?P<name>[\w-]*)$', re.MULTILINE), 'element'),
 ]
-"""In XML and YAML, by what is in front of the cursor, the beginning of the name included."""
+"""Kinds in XML and YAML, by the text before the cursor, including the beginning of the name."""
 _MODULE = re.compile(r'^from\s+(?P<name>[\w.]*)$', re.MULTILINE)
 _IMPORT = re.compile(
     r'^from\s+(?P<owner>\w+\.(?:msg|srv|action))\s+import\s+(?:\(?[\w\s,]*,\s*|\(\s*)?(?P<name>\w*)$', re.MULTILINE
@@ -63,7 +63,7 @@ _CALL = re.compile(r'\b(?P<owner>[A-Z]\w+)\((?P<inner>(?:[^()]|\([^()]*\))*)$')
 
 
 def subject_at(text: Text, offset: int) -> Subject | None:
-    """What is at an offset of the file; None when it is nothing that we know."""
+    """Return the subject at an offset of the file; None for an unknown one."""
     found = _in_python(text, offset) if text.path.endswith('.py') else _in_markup(text, offset)
     if found is None:
         return None
@@ -107,14 +107,15 @@ def _in_python(text: Text, offset: int) -> Subject | None:
 
 
 def _whole(text: Text, start: int, pattern: str) -> tuple[str, Span]:
-    """The whole name that begins at an offset, and where it is."""
+    """Return the whole name that begins at an offset, and its place."""
     match = re.compile(pattern).match(text.text, start)
     end = start if match is None else match.end()
     return text.text[start:end], Span(start, end)
 
 
 def _string_start(text: Text, offset: int) -> int | None:
-    """Where the string around an offset begins, behind its quote; None outside of strings. Strings end with their line."""
+    """Return where the string around an offset begins, after its quotation mark; None outside strings. Strings end with a
+    line."""
     start = text.whole_line(text.place(offset).line).start
     quote, begin = '', 0
     for place in range(start, offset):
@@ -129,7 +130,8 @@ def _string_start(text: Text, offset: int) -> int | None:
 
 
 def owner_of(text: Text, subject: Subject) -> str:
-    """The package of an executable, or 'package/executable' of a parameter or topic: of the call or element around it."""
+    """Return the package of an executable, or 'package/executable' of a parameter or topic, from the call or element around
+    it."""
     start = max(text.text.rfind(opening, 0, subject.span.start) for opening in ('Node(', '<node', 'node:', 'ComposableNode('))
     if start < 0:
         return ''

@@ -11,16 +11,16 @@ from edulaunch.errors import MissingExtra
 
 
 def lsp_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of the verb."""
-    parser.add_argument('--stdio', action='store_true', help='use standard input and output, which is the only way')
+    """Add the options of the verb."""
+    parser.add_argument('--stdio', action='store_true', help='use standard input and output (the only way)')
     parser.add_argument(
-        '--no-run', action='store_true', help='never execute a file; by default a saved launch file is tried out, confined'
+        '--no-run', action='store_true', help='never execute a file (default: run each saved launch file in a sandbox)'
     )
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
 def lsp_verb(arguments: argparse.Namespace) -> int:
-    """Serve one editor until it goes away.
+    """Serve one editor until it disconnects.
 
     :raises UnusableInput: when pygls is not installed.
     """

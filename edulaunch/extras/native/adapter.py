@@ -1,4 +1,4 @@
-"""The few names that our rclpy has besides ROS 2's, for programs of ours on the real one; each by means of its public names."""
+"""The few names that our rclpy has in addition to ROS 2's, for our programs on the real rclpy, built from public names."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from edulaunch.ros import node_facts
 from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
-"""So many callbacks are run in one go by `spin_ready`, before what comes later has its turn."""
+"""`spin_ready` runs this many callbacks at once before it checks for later events."""
 _ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'rosidl_pycommon'))
 
 
 class Faces:
-    """Finds our packages of Python modules before any others of those names; rclpy and what belongs to it are the real ones."""
+    """Finds our Python packages before others of the same name; rclpy and its parts are the real ones."""
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Part of the import protocol."""
+        """Implement the import protocol."""
         if path is not None or name in _ITS_OWN or not os.path.isdir(os.path.join(self._folder, name)):
             return None
         return PathFinder.find_spec(name, [self._folder])
 
 
 def install(faces: str) -> None:
-    """Let our programs find what they need in the real rclpy.
+    """Provide our programs with the modules that they need in the real rclpy.
 
     :param faces: the folder of our Python packages.
     """
@@ -44,7 +44,7 @@ def install(faces: str) -> None:
 
 
 def _messages() -> None:
-    """Wire tuples instead of messages, which saves making one."""
+    """Return wire tuples instead of messages, to avoid creating messages."""
     from rclpy.context import Context
     from rclpy.publisher import Publisher
     from rclpy.subscription import Subscription
@@ -66,29 +66,29 @@ def _messages() -> None:
 
 
 def _park(context: Any, deadline_ns: int | None) -> None:
-    """Wait a moment, at the longest until the deadline: with what `waits` has, if anything."""
+    """Wait a moment, at most until the deadline, with the function of `waits`, if any."""
     left_s = 0.05 if deadline_ns is None else (deadline_ns - time.time_ns()) / 1e9
     for wait in context.waits or (time.sleep,):
         wait(max(0.0, min(left_s, 0.05)))
 
 
 class _NodeFacts:
-    """What a node of ours knows of itself: its names, and the parameter values given from outside."""
+    """What one of our nodes knows about itself: its names, and the parameter values from outside."""
 
-    destroyed = True  # to those that ask whether there is anything to tell of it
+    destroyed = True  # so that no facts are collected from it
 
     def __init__(self, node: Any) -> None:
         self._node = node
 
     @classmethod
     def of(cls, node: Any) -> _NodeFacts:
-        """Those of a node, made once."""
+        """Return the data of a node, created once."""
         found: _NodeFacts = node.__dict__.setdefault('_edulaunch_facts', cls(node))
         return found
 
     @property
     def takes_any_type(self) -> bool:
-        """Whether it may hear several types on a topic: never for real, whatever is asked for."""
+        """Return False: a real subscription cannot accept several types."""
         return False
 
     @takes_any_type.setter
@@ -96,13 +96,13 @@ class _NodeFacts:
         pass
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
-        """The absolute name; unless it is only expanded, remapped."""
+        """Return the absolute name: remapped, or only expanded on request."""
         resolve = self._node.resolve_topic_name if kind == 'topic' else self._node.resolve_service_name
         return str(resolve(name, only_expand=only_expand))
 
     @cached_property
     def graph(self) -> Any:
-        """What can be recorded."""
+        """Return the topics that can be recorded."""
         from edulaunch.engine.processes.current import current_process
         from edulaunch.extras.native.bag_topics import BagTopics
 
@@ -110,12 +110,12 @@ class _NodeFacts:
 
     @property
     def entry(self) -> Any:
-        """Stands for the node there."""
+        """Represents the node there."""
         return self.graph.entry
 
     @property
     def overrides(self) -> Any:
-        """The values of the command line and its parameter files."""
+        """Return the parameter values of the command line and its parameter files."""
         from edulaunch.engine.graph.ros_arguments import parse_ros_arguments
 
         return parse_ros_arguments(sys.argv).overrides_for(self._node.get_fully_qualified_name())

@@ -1,4 +1,4 @@
-"""The topics of a real network in the place of a graph's, for `ros2 bag record`: their messages as they come, in bytes."""
+"""The topics of a real network for `ros2 bag record`, in place of a graph: the bytes of messages as they arrive."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from edulaunch.errors import InterfaceError
 from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 
 AT_ONCE = 100
-"""How many messages of one topic are taken in one turn of the executor, which takes longer than they do."""
+"""The number of messages of one topic that one turn of the executor takes; the turn costs more than they do."""
 
 
 class BagTopics:
-    """What others publish, as the node `node` sees it.
+    """The publishers that the node `node` sees.
 
-    :ivar entry: stands for the node.
+    :ivar entry: represents the node.
     """
 
     def __init__(self, node: Any, process: Any) -> None:
@@ -35,7 +35,7 @@ class BagTopics:
 
     @property
     def publishers(self) -> BagTopics:
-        """What can be recorded: `in` and `[]` by the name of a topic."""
+        """Return the topics that can be recorded, for `in` and `[]` by the name of a topic."""
         return self
 
     def __contains__(self, topic: str) -> bool:
@@ -60,7 +60,7 @@ class BagTopics:
             return None
 
     def create_subscription(self, entry: Any, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> Any:
-        """A subscription whose `queue` has the bytes of each message, once `on_ready` is called."""
+        """A subscription whose `queue` has the bytes of each message after `on_ready` is called."""
         queue: deque[tuple[bytes]] = deque()
         kind = self._class(topic, cls.TYPE)
 

@@ -1,4 +1,4 @@
-"""The words that run a program in the environment of the real rclpy."""
+"""The command line that runs a program in the environment of the real rclpy."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HOME = os.path.dirname(engine_folder())
 
 
 def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
-    """The share folders of a registry and those below it, and what each leaves to those before it; lowest first."""
+    """Return the share folders of a registry and those below it, with the packages that each leaves to others; lowest first."""
     layers: list[tuple[list[str], list[str]]] = []
     below: Registry | None = registry
     while below is not None:
@@ -30,16 +30,16 @@ def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
 def command(
     environment: Environment, program: Program, spec: ProcessSpec, index: Index, *, parent: int | str | None = None
 ) -> tuple[str, ...]:
-    """The words that run a program in the environment of the real rclpy; the program's own words follow.
+    """Return the words that run a program in the environment of the real rclpy; the program's own words follow.
 
-    :param parent: the process with which it ends: this one, unless another is named; or a file that it keeps locked.
+    :param parent: the process with which it ends (default: this one), or a file that is locked while that process lives.
     """
     known = description(program, spec, index, os.getpid() if parent is None else parent)
     return environment.python, os.path.join(HOME, 'edulaunch', 'extras', 'native', 'program.py'), known
 
 
 def description(program: Program, spec: ProcessSpec, index: Index, parent: int | str) -> str:
-    """What :mod:`edulaunch.extras.native.program` has to know, as JSON."""
+    """Return the input of :mod:`edulaunch.extras.native.program`, as JSON."""
     what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
     return json.dumps(
         {

@@ -1,4 +1,4 @@
-"""A process that ends when the launch that it belongs to ends in whatever way, be it by SIGKILL."""
+"""Make a process end together with its launch, even if SIGKILL ends the launch."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ import sys
 import threading
 
 _PR_SET_PDEATHSIG = 1
-"""Of Linux's prctl(2)."""
+"""A constant of Linux's prctl(2)."""
 
 
 def end_with(parent: int | str) -> None:
-    """Let this process be killed when another one ends.
+    """Kill this process when another one ends.
 
-    :param parent: the number of the process that has started this one; 0: none. Or, for one that others started, a file that is
-        locked as long as the other lives.
+    :param parent: the number of the process that has started this one; 0 for none. If other processes start this one, it is a
+        file that is locked while the parent lives.
     """
     if isinstance(parent, str):
         threading.Thread(target=_wait_for, args=(parent,), daemon=True).start()
@@ -25,7 +25,7 @@ def end_with(parent: int | str) -> None:
     if not parent:
         return
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:  # it has ended before
+    if os.getppid() != parent:  # the parent has already ended
         sys.exit(1)
 
 
@@ -34,5 +34,5 @@ def _wait_for(path: str) -> None:
         with open(path) as file:
             fcntl.flock(file, fcntl.LOCK_SH)
     except FileNotFoundError:
-        pass  # it has ended, and cleaned up
+        pass  # the parent has ended and cleaned up
     os.kill(os.getpid(), signal.SIGKILL)

@@ -1,6 +1,6 @@
-"""What programs of ours ask the engine for, in a process of its own: real time, real threads, this process.
+"""The parts of the engine that our programs need in a separate process: real time, real threads, this process.
 
-Registered under the names of the engine's modules that they import; the engine itself is not loaded.
+They are registered under the names of the engine's modules; the engine itself is not loaded.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
 
 DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
-"""Who misses the first announcements of a node hears the next one after three seconds."""
+"""A program that misses the first announcements of a node receives the next one after three seconds."""
 
 
 class RealTime:
-    """Time in place of a simulation's."""
+    """Real time in place of simulated time."""
 
     def __init__(self) -> None:
         self.start_ns = time.time_ns()
 
     @property
     def now_ns(self) -> int:
-        """The time, in ns since 1970."""
+        """Return the time, in ns since 1970."""
         return time.time_ns()
 
     def random(self, name: str) -> random.Random:
-        """Chance, which does not repeat here."""
+        """Return random numbers, which differ in each run here."""
         return random.Random()
 
 
@@ -54,11 +54,11 @@ class RealTask:
         time.sleep(max(0, at_ns - time.time_ns()) / 1e9)
 
     def poll(self) -> None:
-        """A program that looks at the clock in a loop waits by doing so."""
+        """Wait, because a program that reads the clock in a loop waits in this way."""
 
 
 class _Loader:
-    """Modules of this process are Python's own."""
+    """The modules of this process are Python's own."""
 
     modules = sys.modules
 
@@ -72,16 +72,16 @@ class RealHost:
     is_real = True
 
     def where_on_network(self) -> str:
-        """Which network its programs are on, and by what."""
+        """Describe the network of its programs, and the library that connects to it."""
         from rclpy import get_rmw_implementation_identifier
 
         domain = os.environ.get('ROS_DOMAIN_ID') or '0'
         return f'domain {domain}, by {get_rmw_implementation_identifier()}'
 
     def discover(self, node: Any) -> None:
-        """Wait until it is known who is there: for so long, and on until nothing new has come for a moment.
+        """Wait until discovery is complete: for this time, and longer until no news has arrived for a moment.
 
-        A computer that is busy answers late.
+        A busy computer answers late.
         """
         began_s = changed_s = time.monotonic()
         known: object = None
@@ -99,19 +99,19 @@ class RealStreams:
 
     @property
     def stdin(self) -> Any:
-        """What it reads."""
+        """Return standard input."""
         stdin: Any = sys.stdin
         stdin.is_ready = lambda: bool(select([stdin], (), (), 0)[0])
         return stdin
 
     @property
     def stdout(self) -> Any:
-        """Where it writes."""
+        """Return standard output."""
         return sys.stdout
 
     @property
     def stderr(self) -> Any:
-        """Where it complains."""
+        """Return standard error."""
         return sys.stderr
 
 
@@ -119,7 +119,7 @@ class RealLifecycle:
     """The end of this process."""
 
     def exit_now(self, code: int) -> NoReturn:
-        """End at once: with a code, or by the signal that a negative one names."""
+        """End immediately: with a code, or by the signal that a negative code names."""
         if code < 0:
             signal.signal(-code, signal.SIG_DFL)
             os.kill(os.getpid(), -code)
@@ -127,7 +127,7 @@ class RealLifecycle:
 
 
 class ThisProcess:
-    """This process in place of a simulated one. What advice is made of is nobody's here."""
+    """This process in place of a simulated one. It collects no facts for advice."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -145,34 +145,34 @@ class ThisProcess:
 
     @property
     def argv(self) -> list[str]:
-        """Its command line."""
+        """Return its command line."""
         return sys.argv
 
     @cached_property
     def index(self) -> Index:
-        """The packages that it finds."""
+        """Return the packages that it finds."""
         from edulaunch.engine.packages import Index
 
         return Index([path for path in self.sourced_path.split(os.pathsep) if path])
 
     def write(self, stream: str, text: str) -> None:
-        """Write on 'stdout' or 'stderr'."""
+        """Write to 'stdout' or 'stderr'."""
         getattr(sys, stream).write(text)
         getattr(sys, stream).flush()
 
     def has_imported(self, package: str) -> bool:
-        """Whether a package is imported; the process is this program's alone."""
+        """Return whether a package is imported; the process belongs to this program alone."""
         return package in sys.modules
 
     def fact(self, kind: str, key: object, data: object) -> None:
-        """Nobody keeps it."""
+        """Do nothing, because nothing keeps it."""
 
     def fact_over(self, kind: str, key: object) -> None:
-        """Nobody kept it."""
+        """Return nothing, because nothing kept it."""
 
 
 def install(name: str) -> ThisProcess:
-    """Stand in for the engine in this process."""
+    """Replace the engine in this process."""
     process = ThisProcess(name)
     task = RealTask(process.sim, process)
     _module('edulaunch.engine.sim.task', current_task=lambda: task, running_task=lambda: task)

@@ -1,7 +1,7 @@
-"""The environment of the real rclpy: a virtual environment of its own in the user's cache, made by `edulaunch network install`.
+"""The environment of the real rclpy: a virtual environment in the user's cache, made by `edulaunch network install`.
 
-It has to be one of its own: its wheels start every Python of their environment twice, and a simulation shares no interpreter with
-a real rclpy.
+It must be a separate one. Its wheels start every Python of their environment twice, and a simulation cannot share an interpreter
+with a real rclpy.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 REQUIREMENT = 'ros-jazzy-rclpy[fastrtps]'
 PLACE_VARIABLE = 'EDULAUNCH_REAL_RCLPY'
 MARK = 'edulaunch.json'
-"""Stands in a finished environment, and says what is in it."""
+"""A file in a finished environment that describes its content."""
 NEEDED_MB = 220
 _PROBE = "import json, rclpy; from importlib.metadata import version; print(json.dumps({'rclpy': version('ros-jazzy-rclpy')}))"
 _OFFLINE_SIGNS = ('Temporary failure in name resolution', 'NewConnectionError', 'Connection refused', 'Network is unreachable')
@@ -32,7 +32,7 @@ class Environment(NamedTuple):
     """A finished environment.
 
     :ivar place: its folder.
-    :ivar version: of the real rclpy in it.
+    :ivar version: the version of the real rclpy in it.
     """
 
     place: str
@@ -40,12 +40,12 @@ class Environment(NamedTuple):
 
     @property
     def python(self) -> str:
-        """Its Python."""
+        """Return the path of its Python."""
         return os.path.join(self.place, 'bin', 'python')
 
 
 def place() -> str:
-    """Its folder, there or not: what $EDULAUNCH_REAL_RCLPY names, else one for this Python in the user's cache."""
+    """Return its folder, existing or not: $EDULAUNCH_REAL_RCLPY, or a folder for this Python in the user's cache."""
     given = os.environ.get(PLACE_VARIABLE)
     if given:
         return os.path.abspath(given)
@@ -54,7 +54,7 @@ def place() -> str:
 
 
 def found() -> Environment | None:
-    """The environment, if it was made."""
+    """Return the environment, if it was created."""
     folder = place()
     try:
         with open(os.path.join(folder, MARK), encoding='utf-8') as file:
@@ -64,18 +64,20 @@ def found() -> Environment | None:
 
 
 def needed() -> Environment:
-    """The environment, for those that cannot do without.
+    """Return the environment, for code that requires it.
 
-    :raises UnusableInput: when there is none.
+    :raises UnusableInput: when there is no environment.
     """
     environment = found()
     if environment is None:
-        raise UnusableInput('the real rclpy is not installed.', help=unsuited() or f'edulaunch network install ({NEEDED_MB} MB)')
+        raise UnusableInput(
+            'the real rclpy is not installed.', help=unsuited() or f'type: edulaunch network install ({NEEDED_MB} MB)'
+        )
     return environment
 
 
 def unsuited() -> str | None:
-    """Why there are no wheels for this machine; None when there are."""
+    """Return why this machine has no wheels, or None."""
     system, machine, version = platform.system(), platform.machine(), sys.version_info[:2]
     if (system, machine) != ('Linux', 'x86_64'):
         return f'its wheels are for Linux on x86-64, and this is {system} on {machine}'
@@ -85,27 +87,30 @@ def unsuited() -> str | None:
 
 
 def install(say: Callable[[str], object]) -> Environment:
-    """Make the environment anew.
+    """Create the environment again.
 
-    :param say: told what is being done, one line at a time.
-    :raises UnusableInput: there are no wheels for this machine or this Python.
-    :raises EdulaunchError: they could not be fetched, or do not run.
+    :param say: called with each step, one line at a time.
+    :raises UnusableInput: when there are no wheels for this machine or this Python.
+    :raises EdulaunchError: when they could not be downloaded, or do not run.
     """
     reason = unsuited()
     if reason:
         raise UnusableInput(
-            f'the real rclpy cannot be installed here: {reason}.', help='use the default link, which the extra network brings'
+            f'the real rclpy cannot be installed here: {reason}.', help='use the default link, which is in the extra network'
         )
     folder = place()
     if os.path.exists(folder) and not os.path.exists(os.path.join(folder, 'pyvenv.cfg')):
-        raise UnusableInput(f'{folder} is there, and is no environment of Python.', help='move it away, and try again')
+        raise UnusableInput(f'{folder} exists and is not a Python environment.', help='move it away, and try again')
     with _alone(folder):
         shutil.rmtree(folder, ignore_errors=True)
         pip = _pip()
         say(f'making {folder}')
-        _run([sys.executable, '-m', 'venv', *([] if pip is None else ['--without-pip']), folder], 'the environment was not made')
+        _run(
+            [sys.executable, '-m', 'venv', *([] if pip is None else ['--without-pip']), folder],
+            'the environment could not be created',
+        )
         python = os.path.join(folder, 'bin', 'python')
-        say(f'fetching {REQUIREMENT} ({NEEDED_MB} MB with what it needs)')
+        say(f'downloading {REQUIREMENT} ({NEEDED_MB} MB with its dependencies)')
         _fetch([*(pip or [python, '-m', 'pip']), *_pip_words(pip, python), REQUIREMENT], say)
         say('trying it')
         probed = _run([python, '-c', _PROBE], 'the real rclpy was installed, but cannot be imported')
@@ -116,7 +121,7 @@ def install(say: Callable[[str], object]) -> Environment:
 
 @contextmanager
 def _alone(folder: str) -> Iterator[None]:
-    """Wait for another installation into the same folder."""
+    """Wait for another installation to the same folder."""
     import fcntl
 
     os.makedirs(os.path.dirname(folder), exist_ok=True)
@@ -126,7 +131,7 @@ def _alone(folder: str) -> Iterator[None]:
 
 
 def _pip() -> list[str] | None:
-    """What installs into another environment here, None when nothing does: that environment gets a pip of its own then."""
+    """Return an installer for other environments, or None: then that environment gets its own pip."""
     from importlib.util import find_spec
 
     if find_spec('pip') is not None:
@@ -142,7 +147,7 @@ def _pip_words(pip: list[str] | None, python: str) -> list[str]:
 
 
 def _fetch(command: list[str], say: Callable[[str], object]) -> None:
-    """Run an installer, and hand on which packages it is at."""
+    """Run an installer, and report the current package."""
     lines: list[str] = []
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors='replace') as child:
         assert child.stdout is not None
@@ -157,7 +162,7 @@ def _fetch(command: list[str], say: Callable[[str], object]) -> None:
 def _failure(text: str) -> EdulaunchError:
     if any(sign in text for sign in _OFFLINE_SIGNS):
         return EdulaunchError(
-            'the wheels of the real rclpy could not be fetched: no connection.', help='try again with a connection'
+            'the wheels of the real rclpy could not be downloaded: no connection.', help='connect to the internet, and try again'
         )
     if any(sign in text for sign in _NO_WHEEL_SIGNS):
         version = '.'.join(map(str, sys.version_info[:2]))

@@ -1,4 +1,4 @@
-"""Starts the programs of a launch as real processes on the real rclpy; launch itself stays what it is."""
+"""Starts the programs of a launch as real processes on the real rclpy; launch itself does not change."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from edulaunch.extras.native.loopback import confined
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 ROS2 = Program('ros2', '', 'ros2', 'ros2')
 HERE_COMMANDS = ('launch', 'run', 'component standalone')
-"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, as launch itself does."""
+"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, like launch itself."""
 _ROS2_FILE = """#!/bin/sh
 case "$1 $2 " in
 {here}) PYTHONPATH={home} exec {python} -m edulaunch.extras.network.real_command {lock} "$@";;
@@ -36,7 +36,7 @@ exec {real} ros2 "$@"
 class NativeHost(Host):
     """A host whose programs are real processes.
 
-    What only says why it cannot run (a C++ program of a workspace, one of an absent package) says so as in the simulation.
+    A program that only explains why it cannot run (C++ in a workspace, an absent package) does so as in the simulation.
     """
 
     _commands: TemporaryDirectory[str] | None = None
@@ -44,12 +44,12 @@ class NativeHost(Host):
 
     @cached_property
     def runs(self) -> list[NativeRun]:
-        """The programs that were started, in order."""
+        """Return the programs that were started, in order."""
         return []
 
     @cached_property
     def environment(self) -> Environment:
-        """The real rclpy's.
+        """Return the environment of the real rclpy.
 
         :raises UnusableInput: when it is not installed.
         """
@@ -101,9 +101,9 @@ class NativeHost(Host):
         return environment
 
     def commands(self, spec: ProcessSpec, index: Index) -> str:
-        """A folder with the `ros2` that programs start themselves, made at first use.
+        """Return a folder with the `ros2` that programs themselves start, created at first use.
 
-        Those that they leave in the background end with this process in whatever way, be it by SIGKILL: they wait for its lock.
+        Background programs of this `ros2` end with this process, even after SIGKILL: they wait for its lock.
         """
         if self._commands is None:
             self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
@@ -124,7 +124,7 @@ class NativeHost(Host):
         return self._commands.name
 
     def close(self) -> None:
-        """See `Host.close`. The commands of ros2 that programs left running in the background end, too."""
+        """See `Host.close`. Background commands of ros2 end, too."""
         super().close()
         if self._commands is not None:
             self._lock.close()
@@ -138,7 +138,7 @@ class NativeHost(Host):
 class NativeProcess(RealProcess):
     """A program on the real rclpy.
 
-    :ivar run: what is noted of it.
+    :ivar run: its records.
     """
 
     run: NativeRun
@@ -150,11 +150,11 @@ class NativeProcess(RealProcess):
 
 
 class NativeRun:
-    """What one program wrote, and how it ended.
+    """The output and the end of one program.
 
     :ivar written: (when, stream, text); times are seconds since 1970.
     :ivar started_s, ended_s: None for one that still runs.
-    :ivar signalled_s: when it got its first signal; infinite for one that got none.
+    :ivar signalled_s: when it got its first signal; infinite without a signal.
     """
 
     def __init__(self, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
@@ -167,13 +167,13 @@ class NativeRun:
         self._on_output, self._on_exit = on_output, on_exit
 
     def hear(self, stream: str, text: str) -> None:
-        """It wrote something."""
+        """Record output."""
         self.written.append((time.time(), stream, text))
         if self._on_output is not None:
             self._on_output(stream, text)
 
     def end(self, returncode: int) -> None:
-        """It ended."""
+        """Record the end."""
         self.returncode, self.ended_s = returncode, time.time()
         if self._on_exit is not None:
             self._on_exit(returncode)

@@ -1,7 +1,7 @@
-"""A node on the real rclpy that notes who is there and what is said, for `edulaunch compare`.
+"""A node on the real rclpy that records nodes and messages, for `edulaunch compare`.
 
-It prints a line when it is ready. To each line on its standard input it answers with one line of JSON: who was there until now,
-and what was said since the last answer. After 'end', or the end of its input, it asks all nodes for their parameters before.
+It prints a line when it is ready. It answers each line on its standard input with one line of JSON: the nodes until now,
+and the messages since the last answer. After 'end', or the end of its input, it first asks all nodes for their parameters.
 """
 
 from __future__ import annotations
@@ -27,19 +27,19 @@ from edulaunch.errors import InterfaceError
 
 NAME = '_edulaunch_observer'
 UNCLAIMED = '_NODE_NAME_UNKNOWN_'
-"""What ROS 2 calls the node of an endpoint until that node has made itself known."""
+"""ROS 2's name for the node of an endpoint until that node is known."""
 LOOK_EVERY_S = 0.25
 LOOK_AT_ALL_EVERY_S = 1.0
-"""So often also the ends of nodes are asked for when no node and no topic has come: asking costs."""
+"""After this many rounds, it asks for the endpoints of nodes even without a new node or topic, because asking is slow."""
 TAKE_EVERY_S = 0.05
 MOST_MESSAGES = 20_000
-"""Of one topic; what comes after that is left out."""
+"""The maximum number of messages of one topic; later ones are left out."""
 PATIENCE_S = 10.0
-"""So long nodes may take to tell their parameters."""
+"""Nodes have this many seconds to report their parameters."""
 
 
 class Observer:
-    """What was seen; times are seconds since 1970."""
+    """The observation; times are seconds since 1970."""
 
     def __init__(self) -> None:
         self.node = rclpy.create_node(NAME, start_parameter_services=False, enable_rosout=False)
@@ -54,7 +54,7 @@ class Observer:
         self._looked_s = 0.0
 
     def look(self) -> None:
-        """Note who is there now, and listen to topics that are new."""
+        """Record the current nodes, and subscribe to new topics."""
         now = time.time()
         names, topics = self.node.get_node_names_and_namespaces(), self.node.get_topic_names_and_types()
         if (names, topics) == self._known and now < self._looked_s + LOOK_AT_ALL_EVERY_S:
@@ -78,7 +78,7 @@ class Observer:
                 'service': self.node.get_service_names_and_types_by_node(name, namespace),
                 'client': self.node.get_client_names_and_types_by_node(name, namespace),
             }
-        except Exception:  # the node left meanwhile; which error that is depends on the middleware
+        except Exception:  # the node has ended; the kind of error depends on the middleware
             return
         for kind, rows in found.items():
             for service, types in rows:
@@ -98,7 +98,7 @@ class Observer:
         try:
             message_class = registry.get(type_name)
         except InterfaceError:
-            return  # of a program with messages that nobody here knows
+            return  # a program with unknown message types
         offered = [info.qos_profile for info in publishers]
         reliable = all(each.reliability == ReliabilityPolicy.RELIABLE for each in offered)
         kept = all(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offered)
@@ -113,7 +113,7 @@ class Observer:
         )
 
     def take(self) -> None:
-        """Take what was said. No executor does it: one turn of it for each message takes longer than everything else here."""
+        """Take messages directly, because a turn of the executor for each message takes longer than all other work here."""
         for topic, subscription in self._subscriptions.items():
             while (taken := subscription.handle.take_message(subscription.msg_type, True)) is not None:
                 data, info = taken
@@ -123,7 +123,7 @@ class Observer:
                     self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
 
     def ask(self) -> None:
-        """Ask all nodes for their parameters, and listen to nothing else from now on."""
+        """Ask all nodes for their parameters, and take no messages from then on."""
         for subscription in self._subscriptions.values():
             self.node.destroy_subscription(subscription)
         self._subscriptions.clear()
@@ -149,7 +149,7 @@ class Observer:
             self.node.destroy_client(client)
 
     def report(self) -> str:
-        """Everything that was not told before, as JSON."""
+        """Return everything new since the last answer, as JSON."""
         messages, self.messages = self.messages, {topic: (kind, []) for topic, (kind, _) in self.messages.items()}
         ends = [[*end, when] for end, when in self.ends.items()]
         report = {'nodes': self.nodes, 'ends': ends, 'messages': messages, 'parameters': self.parameters}
@@ -157,7 +157,7 @@ class Observer:
 
 
 def _leave(data: bytes) -> None:
-    """In place of a callback: :meth:`Observer.take` is faster."""
+    """Do nothing in place of a callback, because :meth:`Observer.take` is faster."""
 
 
 def _read(words: queue.SimpleQueue[str]) -> None:

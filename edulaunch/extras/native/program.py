@@ -1,8 +1,12 @@
-"""What runs in each real process: `python program.py TOLD ARGV...` in the environment of the real rclpy.
+"""The program of each real process: `python program.py INPUT ARGV...` in the environment of the real rclpy.
 
-TOLD is JSON: `parent` (the process with which it ends, or a file that it keeps locked), `home` (the folder of edulaunch), `path`
-(further folders for imports), `interfaces` (layers of share folders) and `program` (which
-:class:`edulaunch.engine.packages.reading.Program`).
+INPUT is JSON with these entries:
+
+- `parent`: the process with which it ends, or a file that this process keeps locked
+- `home`: the folder of edulaunch
+- `path`: further folders for imports
+- `interfaces`: layers of share folders
+- `program`: a :class:`edulaunch.engine.packages.reading.Program`
 """
 
 from __future__ import annotations
@@ -16,7 +20,7 @@ from typing import Any
 
 
 def main() -> None:
-    """Make everything ready, and run the program."""
+    """Prepare everything, and run the program."""
     description = json.loads(sys.argv[1])
     sys.argv[:] = sys.argv[2:]
     sys.path[:1] = []  # the folder of this file
@@ -35,8 +39,8 @@ def main() -> None:
 
 
 def _run(program: dict[str, Any], process: Any) -> Any:
-    """As an executable of a package runs: the function of an entry point, or a file or module as `__main__`."""
-    sys.path[:0] = program['python_roots']  # as PYTHONPATH: before Python's own
+    """Run it like an executable of a package: the function of an entry point, or a file or module as `__main__`."""
+    sys.path[:0] = program['python_roots']  # like PYTHONPATH: before Python's own folders
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':
         from edulaunch.desk.cli.ros2.commands import main as ros2

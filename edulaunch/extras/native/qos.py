@@ -1,4 +1,4 @@
-"""Quality of service, ours and that of the real rclpy."""
+"""Convert quality of service between our classes and the real rclpy."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 FOREVER_NS = 2**62
-"""Infinite, as rclpy says it, is more."""
+"""rclpy's value for infinite is larger."""
 
 
 def to_rclpy(row: Sequence[Any]) -> QoSProfile:
-    """The policies of a QoS of ours, in their order, for the real rclpy."""
+    """Return the policies of our QoS, in order, for the real rclpy."""
     depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
     return QoSProfile(
         depth=max(1, depth),
@@ -28,7 +28,7 @@ def to_rclpy(row: Sequence[Any]) -> QoSProfile:
 
 
 def from_rclpy(profile: QoSProfile) -> list[Any]:
-    """The other way round; what is not known of a remote endpoint is as by default."""
+    """Convert in the other direction; unknown policies of a remote endpoint get the default."""
     history = profile.history.name.lower()
     durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
     times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]

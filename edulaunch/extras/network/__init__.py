@@ -1,1 +1,1 @@
-"""The bridge between a simulated machine and a real ROS 2 network; nothing of it is imported while the network is off."""
+"""The bridge between a simulated machine and a real ROS 2 network; while the network is off, no part of it is imported."""

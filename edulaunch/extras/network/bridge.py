@@ -1,4 +1,4 @@
-"""Joins a machine to a ROS 2 network: its nodes are seen and heard out there, and real ones in here."""
+"""Join a machine to a ROS 2 network: its nodes are visible on the network, and real nodes are visible in the machine."""
 
 from __future__ import annotations
 
@@ -34,20 +34,20 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 REMEMBERED = 1000
-"""How many messages are remembered that have come to one of several subscriptions."""
+"""The number of remembered messages that have arrived at one of several subscriptions."""
 MOST_EARLY = 5000
-"""How many messages wait until it is known who may have sent them."""
+"""The number of messages that wait until their sender is known."""
 MOST_REQUESTS = 1000
-"""How many requests from the network wait for one service."""
+"""The number of requests from the network that wait for one service."""
 CLOCKS_DIFFER_NS = 3 * 10**9
-"""Two clocks that are further from each other are told: a machine at its limit is late by less."""
+"""Clocks with a larger difference are reported; a machine at its limit is late by less."""
 
 
 class Bridge:
     """One machine on one network.
 
-    :param crossing: which topics and services cross, in which direction.
-    :param tell: called with what the user has to know, one text each.
+    :param crossing: which topics and services cross, and in which direction.
+    :param tell: called with each message for the user.
     :param wall_ns: this computer's clock.
     """
 
@@ -79,7 +79,7 @@ class Bridge:
     def open(self, settings: Settings) -> None:
         """Join the network.
 
-        :raises LinkError: when that cannot be.
+        :raises LinkError: when that fails.
         """
         self.link.open(settings)
         self._is_open = True
@@ -87,7 +87,7 @@ class Bridge:
         self.after_turn()
 
     def close(self) -> None:
-        """Leave it. Doing it twice is doing it once."""
+        """Leave it; repeating it changes nothing."""
         if not self._is_open:
             return
         self._is_open = False
@@ -101,14 +101,14 @@ class Bridge:
         self._is_changed = True
 
     def note(self, key: str) -> None:
-        """For the record: 'network clock' and '/node', of a key 'clock /node'."""
+        """Return 'network clock' and '/node' of a key 'clock /node', for the recording."""
         kind, _, text = key.partition(' ')
         self.session.recorder.note(None, f'network {kind}', text)
 
-    # This machine's nodes, out there
+    # This machine's nodes on the network
 
     def after_turn(self) -> None:
-        """Let the network know what is new here; called after each turn of the machine."""
+        """Send news of this machine to the network; called after each turn of the machine."""
         if self._is_open:
             if self._is_changed:
                 self._is_changed = False
@@ -162,7 +162,7 @@ class Bridge:
             self.link.remove(handle)
 
     def _tap(self, publisher: Any, handle: int) -> None:
-        """Let what a publisher publishes go out too, from the moment on in which it is recorded."""
+        """Send the messages of a publisher to the network, too, from the moment when each is recorded."""
         record, cls, topic, listeners, publish = (
             publisher.record,
             publisher.cls,
@@ -190,19 +190,19 @@ class Bridge:
             end.record = record
 
     def _ask(self, item: Any) -> None:
-        """A client here asks a service out there; several of one name get one request together, as DDS does it."""
+        """Send a client's request to a service on the network; several services of one name get it together, as in DDS."""
         wire, (client, number) = item
         if client.index not in self._handles:
-            self._show_own()  # it was made in this turn
+            self._show_own()  # it was created in this turn
         _, handle = self._handles.get(client.index, (None, 0))
         if handle and self._asked.get(handle) != number:
             self._asked[handle] = number
             self.link.request(handle, number, encode(client.cls.Request, wire))
 
-    # What comes from there
+    # Messages from the network
 
     def take(self) -> None:
-        """Hand on what has come."""
+        """Pass on what has arrived."""
         if not self._is_open:
             return
         for event in self.link.take():
@@ -221,7 +221,7 @@ class Bridge:
                 self._response(event)
 
     def _decoded(self, cls: Any, cdr: bytes, what: str) -> Any:
-        """The wire tuple; None for bytes that are none of that type."""
+        """Return the wire tuple; None for bytes that are not of that type."""
         try:
             return decode(cls, cdr)
         except (InterfaceError, MemoryError) as error:
@@ -235,7 +235,7 @@ class Bridge:
         topic = subscription.topic_name
         publisher = self.mirror.publisher(event.gid, topic)
         if publisher is None and not event.gid:
-            self._early.append(event)  # a link that cannot tell who sent it may learn later who is there
+            self._early.append(event)  # a link that does not know the sender may learn it later
             return
         key = event.gid, event.source_ns
         several = event.gid and len(self.graph.subscriptions.get(topic, ())) > 1
@@ -250,7 +250,7 @@ class Bridge:
             if len(self._recent) > REMEMBERED:
                 self._recent.popitem(last=False)
         if len(subscription.queue) == subscription.queue.maxlen:
-            self.session.sim.run(self.session.sim.now_ns)  # let the program take what waits, before the oldest is dropped
+            self.session.sim.run(self.session.sim.now_ns)  # let the program take waiting messages before the oldest is dropped
         if is_new:
             self.heard += 1
             publisher.heard(wire)
@@ -260,16 +260,19 @@ class Bridge:
         subscription.on_ready()
 
     def _compare_clocks(self, publisher: RemotePublisher, source_ns: int) -> None:
-        """Tell of a computer with another time. A message that was kept for late joiners may be old."""
+        """Report a computer with another time. A message that was kept for late joiners may be old."""
         ahead_ns = source_ns - self._wall_ns()
         if not source_ns or abs(ahead_ns) <= CLOCKS_DIFFER_NS or (ahead_ns < 0 and publisher.qos.durability == TRANSIENT_LOCAL):
             return
         node, seconds = named(publisher.node), abs(ahead_ns) / 10**9
         what = f"the clock of {node} is {seconds:.0f} s ahead of this computer's"
         if ahead_ns < 0:
-            what = f'what {node} says on {publisher.topic_name} is {seconds:.0f} s old: its clock is behind, or the way is slow'
+            what = f'a message of {node} on {publisher.topic_name} is {seconds:.0f} s old: its clock or the network is slow'
         self.diagnostics.add(
-            LinkDiagnostic(f'clock {node}', f'{what}\n  help: set both by NTP; until then tf finds no transforms across')
+            LinkDiagnostic(
+                f'clock {node}',
+                f'{what}\n  help: synchronise both clocks by NTP; until then, tf finds no transforms between them',
+            )
         )
 
     def _request(self, event: Request) -> None:
@@ -291,7 +294,7 @@ class Bridge:
 
 
 class Asker(ServiceClient):
-    """Asks a service here on behalf of those on the network. It is in nobody's list of clients."""
+    """Calls a service here on behalf of clients on the network. It is in no list of clients."""
 
     def __init__(self, bridge: Bridge, server: Any, handle: int) -> None:
         super().__init__(bridge.graph, bridge.mirror.unknown(), server.service_name, server.cls, server.qos, self._answered)
@@ -300,7 +303,7 @@ class Asker(ServiceClient):
         self._whos: OrderedDict[int, bytes] = OrderedDict()
 
     def ask(self, who: bytes, wire: Any) -> None:
-        """Hand on a request."""
+        """Pass on a request."""
         self._sequence = number = self._sequence + 1
         self._whos[number] = who
         if len(self._whos) > MOST_REQUESTS:

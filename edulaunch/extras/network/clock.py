@@ -1,4 +1,4 @@
-"""The time of a machine on /clock, for nodes with `use_sim_time`, here and out there."""
+"""Publish the time of a machine on /clock, for nodes with `use_sim_time`, here and on the network."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NAME = 'machine_clock'
 
 
 class ClockNode:
-    """A node that publishes the time, a hundred times a second, until it is stopped."""
+    """A node that publishes the time a hundred times a second until it is stopped."""
 
     def __init__(self, graph: Graph) -> None:
         self._graph = graph

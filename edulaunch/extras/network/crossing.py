@@ -1,4 +1,4 @@
-"""Which topics and services cross to a real network, in which direction, and the options that say so."""
+"""Which topics and services cross to a real network, in which direction, and the options for that."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from edulaunch.extras.network.link import CLIENT, PUBLISHER
 from edulaunch.extras.network.links import DEFAULT
 
 LISTS = {
-    'topics': 'only these topics, services and namespaces cross',
-    'deny': 'these do not cross',
-    'in': 'only these come in from the network',
-    'out': 'only these go out to the network',
+    'topics': 'let only these topics, services and namespaces cross',
+    'deny': 'let these not cross',
+    'in': 'let only these come in from the network',
+    'out': 'let only these go out to the network',
 }
-"""Option and what it says."""
+"""Options and their help."""
 
 
 class Crossing(NamedTuple):
-    """Which names cross. A name stands for that topic or service and for all in the namespace of that name; '/' is everything.
+    """The names that cross. A name means that topic or service, and everything in the namespace of that name; '/' is everything.
 
-    What comes in are messages for subscriptions of this machine and calls of its services. What goes out are messages of its
+    Incoming are messages for subscriptions of this machine and calls of its services. Outgoing are messages of its
     publishers and calls of its clients.
 
-    :ivar names: what crosses at all; nothing named is everything.
-    :ivar deny: what does not cross, whatever else is named.
-    :ivar incoming, outgoing: what crosses in one direction; None is everything.
+    :ivar names: the names that may cross; empty means everything.
+    :ivar deny: the names that do not cross, even if other lists contain them.
+    :ivar incoming, outgoing: the names that cross in one direction; None means everything.
     """
 
     names: Sequence[str] = ()
@@ -63,9 +63,9 @@ EVERYTHING = Crossing()
 
 
 class JoinRequest(NamedTuple):
-    """What a user who joins asks for.
+    """The settings of a join.
 
-    :ivar link: what carries the messages.
+    :ivar link: the link that carries the messages.
     :ivar clock: whether the machine's time is published on /clock.
     """
 
@@ -81,7 +81,7 @@ def covers(names: Sequence[str], name: str) -> bool:
 
 
 def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
-    """Add the options of a join. The names of a list may be separated by commas.
+    """Add the options of a join. Commas may separate the names of a list.
 
     :param prefix: begins the name of each option, 'network-' for a launch. There each option takes one word, so that it does not
         take the package and the launch file as well.
@@ -90,9 +90,9 @@ def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
         parser.add_argument(
             f'--{prefix}{name}', nargs=1 if prefix else '+', action='extend', default=[], metavar='NAMES', help=text
         )
-    parser.add_argument(f'--{prefix}readonly', action='store_true', help='nothing comes in: others can look and change nothing')
+    parser.add_argument(f'--{prefix}readonly', action='store_true', help='let nothing in, so that others can only observe')
     parser.add_argument(f'--{prefix}clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
-    parser.add_argument(f'--{prefix}link', metavar='LINK', help='what carries the messages: cyclonedds (default) or rclpy')
+    parser.add_argument(f'--{prefix}link', metavar='LINK', help='link that carries the messages: cyclonedds (default) or rclpy')
 
 
 def option_words(arguments: argparse.Namespace, prefix: str = '') -> list[str]:
@@ -106,13 +106,13 @@ def option_words(arguments: argparse.Namespace, prefix: str = '') -> list[str]:
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise UnusableInput(f'edulaunch network on: {message}', help='edulaunch network --help')
+        raise UnusableInput(f'edulaunch network on: {message}', help='see edulaunch network --help')
 
 
 def join_request(words: Sequence[str]) -> JoinRequest:
     """Read the options of a join.
 
-    :raises UnusableInput: for words that are not options of it, and for lists that contradict each other.
+    :raises UnusableInput: for unknown options, and for contradictory lists.
     """
     parser = _Parser(prog='edulaunch network on', add_help=False, allow_abbrev=False)
     add_options(parser)
@@ -122,7 +122,7 @@ def join_request(words: Sequence[str]) -> JoinRequest:
         raise UnusableInput(f'edulaunch network on has no option {unknown[0]!r}', help=did_you_mean(unknown[0], known) or None)
     lists = {name: tuple(each for value in getattr(found, name) for each in value.split(',') if each) for name in LISTS}
     if found.readonly and lists['in']:
-        raise UnusableInput('--readonly lets nothing in, and --in names what comes in', help='leave one of them out')
+        raise UnusableInput('--readonly lets nothing in, but --in names topics that come in', help='leave one of them out')
     incoming = () if found.readonly else lists['in'] or None
     return JoinRequest(
         found.link or DEFAULT, found.clock, Crossing(lists['topics'], lists['deny'], incoming, lists['out'] or None)

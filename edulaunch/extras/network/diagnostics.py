@@ -1,4 +1,4 @@
-"""What went wrong on the way over a network: each told once, and counted."""
+"""Problems on the way over a network: each is reported once, and counted."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from edulaunch.extras.network.link import LinkDiagnostic
 
 MOST = 100
 MOST_NAMED = 3
-"""Of diagnostics that differ in a name alone a line says so many names."""
+"""If diagnostics differ only in a name, one line lists up to this many names."""
 
 
 class LinkDiagnostics:
-    """Keeps what went wrong.
+    """Keeps the problems.
 
-    :param tell: called with each text, the first time.
-    :param note: called with its key, the first time: for the record, of which advice is made.
+    :param tell: called with each message the first time.
+    :param note: called with its key the first time: for the recording, from which advice is made.
     """
 
     def __init__(self, tell: Callable[[str], object], note: Callable[[str], object] = lambda key: None) -> None:
@@ -23,7 +23,7 @@ class LinkDiagnostics:
         self._counts: dict[str, tuple[LinkDiagnostic, int]] = {}
 
     def add(self, diagnostic: LinkDiagnostic) -> None:
-        """It has happened (again)."""
+        """Count an occurrence."""
         first, count = self._counts.get(diagnostic.key, (diagnostic, 0))
         if count or len(self._counts) < MOST:
             self._counts[diagnostic.key] = first, count + 1
@@ -32,7 +32,7 @@ class LinkDiagnostics:
             self._note(diagnostic.key)
 
     def lines(self) -> list[str]:
-        """All of them, for `edulaunch network status`; those that differ in a name alone are one."""
+        """Return all messages for `edulaunch network status`; messages that differ only in a name are one."""
         groups: dict[str, list[tuple[LinkDiagnostic, int]]] = {}
         for diagnostic, count in self._counts.values():
             shape = diagnostic.text.replace(diagnostic.about, '\0') if diagnostic.about else diagnostic.text

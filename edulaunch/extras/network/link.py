@@ -1,7 +1,7 @@
-"""What carries a machine's messages to a ROS 2 network and back. The bridge knows only this; who implements it is a plug-in.
+"""The interface of links, which carry a machine's messages to a ROS 2 network and back. The bridge knows only this interface.
 
-A link knows nodes and endpoints by numbers that it gives out, messages as CDR bytes with their 4-byte header, and what is far
-away by 16-byte gids. Topic and service names are fully expanded ROS names ('/turtle1/pose'); mangling them is the link's work.
+A link identifies its nodes and endpoints by numbers, messages are CDR bytes with their 4-byte header, and remote endpoints
+have 16-byte gids. Topic and service names are fully expanded ROS names ('/turtle1/pose'), which the link converts.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
 
 MARK = '_edulaunch_link'
-"""How nodes begin that a link has for itself: hidden, as all names with _ in front, and shown by none of them."""
+"""The prefix of a link's internal nodes: hidden, like all names with a leading underscore, and never shown."""
 ENCLAVE = f'/{MARK}'
-"""The enclave of a machine's participant, by which machines know each other. It means something to SROS 2 alone."""
+"""The enclave of a machine's participant, by which machines recognise each other. Only SROS 2 uses enclaves."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
-"""The kinds of endpoints; the words of `graph` for the same."""
+"""The kinds of endpoints, with the same names as in `graph`."""
 
 
 class Interface:
-    """What an endpoint carries.
+    """The type of an endpoint.
 
-    :ivar name: 'geometry_msgs/msg/Twist', 'turtlesim/srv/Spawn'.
-    :ivar registry: where its text, its spec and its class (and those of nested types) are found.
+    :ivar name: such as 'geometry_msgs/msg/Twist' or 'turtlesim/srv/Spawn'.
+    :ivar registry: has its text, its spec and its class (and those of nested types).
     """
 
     def __init__(self, name: str, registry: Registry) -> None:
@@ -37,16 +37,16 @@ class Interface:
 
     @cached_property
     def hash(self) -> str:
-        """The type hash, 'RIHS01_...'."""
+        """Return the type hash, 'RIHS01_...'."""
         from edulaunch.ros.serialization.type_description import type_hash
 
         return type_hash(self.name, self.registry.spec)
 
 
 class Settings(NamedTuple):
-    """How to join: ROS_DOMAIN_ID, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS.
+    """The settings of a join: ROS_DOMAIN_ID, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS.
 
-    :ivar discovery_range: 'LOCALHOST' (also what is meant when the variable is not set), 'SUBNET' or 'OFF'.
+    :ivar discovery_range: 'LOCALHOST' (also the default), 'SUBNET' or 'OFF'.
     """
 
     domain: int = 0
@@ -58,7 +58,7 @@ class RemoteNode(NamedTuple):
     """A node of the network that is not ours.
 
     :ivar participant: the gid of its participant.
-    :ivar is_simulated: whether it is known to be one of another machine like this.
+    :ivar is_simulated: whether it is known to belong to another simulated machine.
     """
 
     participant: bytes
@@ -70,9 +70,9 @@ class RemoteNode(NamedTuple):
 class RemoteEndpoint(NamedTuple):
     """An endpoint of the network that is not ours.
 
-    :ivar gid: its number; for a service that of what hears its requests, for a client of what sends them.
-    :ivar hash: its type's, '' when it tells none.
-    :ivar node: None for one that no node has claimed (yet), and for programs that are no ROS 2.
+    :ivar gid: its identifier; for a service that of the reader of requests, for a client that of the writer of requests.
+    :ivar hash: the hash of its type, or '' if it announces none.
+    :ivar node: None for an endpoint that no node has claimed (yet), and for programs that are not ROS 2.
     """
 
     gid: bytes
@@ -85,17 +85,19 @@ class RemoteEndpoint(NamedTuple):
 
 
 class RemoteGraph(NamedTuple):
-    """Who else is on the network: nothing of what this link itself has made. An unchanged endpoint is the same object again."""
+    """The other nodes and endpoints on the network, without those of this link. An unchanged endpoint is the same object
+    again."""
 
     nodes: Sequence[RemoteNode]
     endpoints: Sequence[RemoteEndpoint]
 
 
 class Message(NamedTuple):
-    """A message came to a subscription.
+    """A message for a subscription.
 
-    :ivar gid: of its publisher; b'' when the link cannot tell.
-    :ivar source_ns: when it was sent, by the sender's clock; with the gid it tells whether two subscriptions got the same one.
+    :ivar gid: the gid of its publisher; b'' if the link does not know it.
+    :ivar source_ns: when it was sent, by the sender's clock; with the gid, it shows whether two subscriptions got the same
+        message.
     """
 
     handle: int
@@ -105,7 +107,7 @@ class Message(NamedTuple):
 
 
 class Request(NamedTuple):
-    """A request came to a service; `who` is given back with the reply."""
+    """A request for a service; `who` is returned with the reply."""
 
     handle: int
     who: bytes
@@ -113,7 +115,7 @@ class Request(NamedTuple):
 
 
 class Response(NamedTuple):
-    """A reply came to a client, with the number that it gave its request."""
+    """A reply for a client, with the number that the client gave its request."""
 
     handle: int
     number: int
@@ -125,10 +127,10 @@ class GraphChanged(NamedTuple):
 
 
 class LinkDiagnostic(NamedTuple):
-    """Something that the user has to know: what was dropped, or what this link cannot do.
+    """A message for the user: what was dropped, or what this link cannot do.
 
-    :ivar key: the same diagnostic has the same key; it is told once, and counted.
-    :ivar about: the name in `text` that it is about: diagnostics that differ in that name alone are one line of a status.
+    :ivar key: the same diagnostic has the same key; it is reported once, and counted.
+    :ivar about: the name in `text` that it is about: diagnostics that differ only in that name are one line of a status.
     """
 
     key: str
@@ -140,15 +142,15 @@ Event = Message | Request | Response | GraphChanged | LinkDiagnostic
 
 
 class LinkError(EdulaunchError):
-    """The link cannot be opened, or not make an endpoint."""
+    """The link cannot be opened, or cannot create an endpoint."""
 
 
 class Link(Protocol):
-    """One way onto a ROS 2 network. No method blocks for longer than a millisecond or so, but `open` and `close`.
+    """A connection to a ROS 2 network. No method blocks for longer than about a millisecond, except `open` and `close`.
 
-    All are called by one thread. What a link hears it keeps (bounded) until `take`, and makes `fileno` readable.
+    One thread calls all methods. A link keeps a bounded number of incoming messages until `take`, and makes `fileno` readable.
 
-    :ivar title: what it is, for `edulaunch network status`: 'cyclonedds 11.0.1'.
+    :ivar title: its name for `edulaunch network status`, such as 'cyclonedds 11.0.1'.
     """
 
     title: str
@@ -156,26 +158,26 @@ class Link(Protocol):
     def open(self, settings: Settings) -> None:
         """Join the network.
 
-        :raises LinkError: with what is missing and how to get it.
+        :raises LinkError: names what is missing and how to install it.
         """
 
     def add_node(self, namespace: str, name: str) -> int:
-        """Let a node of ours be seen."""
+        """Announce one of our nodes."""
 
     def remove_node(self, handle: int) -> None:
-        """It has left; its endpoints were removed before."""
+        """Withdraw a node; its endpoints were removed before."""
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """Let an endpoint of ours be seen, and matched.
+        """Announce one of our endpoints, and match it.
 
         :raises LinkError: when the link cannot carry it.
         """
 
     def remove(self, handle: int) -> None:
-        """It has left."""
+        """Withdraw an endpoint."""
 
     def publish(self, handle: int, cdr: bytes) -> None:
-        """Send a message from a publisher. A transient-local one keeps it for who comes later, as its QoS says."""
+        """Send a message from a publisher. A transient-local one keeps it for late subscriptions, as its QoS requires."""
 
     def request(self, handle: int, number: int, cdr: bytes) -> None:
         """Send a request from a client."""
@@ -184,19 +186,19 @@ class Link(Protocol):
         """Send a service's reply to a :class:`Request`."""
 
     def flush(self) -> None:
-        """Called after each turn of the machine in which something was said or made: let it go out now."""
+        """Send everything now; called after each turn of the machine with new messages or endpoints."""
 
     def take(self) -> Sequence[Event]:
-        """What has come since; never an echo of what this link sent. Bounded: when more waits, `fileno` stays readable."""
+        """Return incoming messages since the last call, without our own. The number is bounded: `fileno` stays readable."""
         ...
 
     def graph(self) -> RemoteGraph:
-        """Who else is there now."""
+        """Return the other nodes and endpoints of now."""
         ...
 
     def fileno(self) -> int:
-        """What to wait for with `select`: readable when `take` has something."""
+        """Return the file to wait for with `select`: readable when `take` has something."""
         ...
 
     def close(self) -> None:
-        """Leave the network, at once and whatever state it is in. Doing it twice is doing it once."""
+        """Leave the network immediately, in any state; repeating it changes nothing."""

@@ -1,4 +1,4 @@
-"""The links that there are, by name."""
+"""The available links by name."""
 
 from __future__ import annotations
 
@@ -17,12 +17,14 @@ INSTALL = how_to_install('network')
 
 
 def make_link(name: str = DEFAULT) -> Link:
-    """A link that is not open yet.
+    """Return a link that is not open yet.
 
-    :raises LinkError: when there is none of that name, or what it needs is not installed.
+    :raises LinkError: for an unknown name, or a missing dependency.
     """
     if name not in LINKS:
-        raise LinkError(f'there is no link {name!r}: {", ".join(LINKS)}', help=did_you_mean(name, LINKS) or f'take {DEFAULT}')
+        raise LinkError(
+            f'unknown link {name!r}: choose one of {", ".join(LINKS)}', help=did_you_mean(name, LINKS) or f'use {DEFAULT}'
+        )
     module, class_name = LINKS[name]
     try:
         link: Link = getattr(import_module(module), class_name)()

@@ -1,4 +1,4 @@
-"""Keeps the machine's graph equal to the network's: each node and endpoint out there has one here that stands for it."""
+"""Keep the machine's graph equal to the network's: an entry here represents each node and endpoint of the network."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ from edulaunch.extras.network.remote import (
 )
 
 CLAIMED_WITHIN_NS = 10**9
-"""An endpoint that no node has claimed is shown without one after that time: most nodes tell of theirs a little later."""
+"""After this time, an endpoint that no node has claimed is shown without a node: most nodes announce theirs a little later."""
 
 
 class Mirror:
     """The remote nodes and endpoints of one graph.
 
-    :param registry: where their types are looked for.
-    :param crossing: which topics and services cross, in which direction.
-    :param ask: what takes the requests to a service on the network.
-    :param diagnostic: told of what cannot be.
+    :param registry: has the types.
+    :param crossing: which topics and services cross, and in which direction.
+    :param ask: takes the requests to a service on the network.
+    :param diagnostic: called with each problem.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Mirror:
         self.graph, self.registry, self.crossing, self.ask, self.diagnostic = graph, registry, crossing, ask, diagnostic
         self.network = Network()
         self.listeners: dict[str, int] = {}
-        """How many real subscriptions each topic has."""
+        """Return the number of real subscriptions of each topic."""
         self._nodes: dict[RemoteNode, NodeEntry] = {}
         self._ends: dict[bytes, tuple[RemoteEndpoint, Any]] = {}
         self._unclaimed: dict[bytes, int] = {}
@@ -66,7 +66,7 @@ class Mirror:
         self._unknown: NodeEntry | None = None
 
     def update(self, remote: RemoteGraph) -> None:
-        """From now on these are there."""
+        """Set the current nodes and endpoints of the network."""
         self._remote = remote
         known = {end.gid: end for end in remote.endpoints if self._crosses(end)}
         for gid, (end, mirrored) in list(self._ends.items()):
@@ -79,11 +79,11 @@ class Mirror:
         self._unclaimed = {gid: since for gid, since in self._unclaimed.items() if gid in known and gid not in self._ends}
 
     def again(self) -> None:
-        """Look at the same once more: types have come, or time has passed."""
+        """Examine the same nodes and endpoints again, because types have arrived or time has passed."""
         self.update(self._remote)
 
     def publisher(self, gid: bytes, topic: str) -> RemotePublisher | None:
-        """Who sent a message; for a link that cannot tell, somebody who may have."""
+        """Return the sender of a message; for a link that does not know it, return a possible sender."""
         found = self._ends.get(gid)
         if found is None and gid:
             end = next((end for end in self._remote.endpoints if end.gid == gid), None)
@@ -96,7 +96,7 @@ class Mirror:
         return next((other for other in others if isinstance(other, RemotePublisher)), None)
 
     def unknown(self) -> NodeEntry:
-        """The node of those that belong to none."""
+        """Return the node for endpoints without a node."""
         if self._unknown is None:
             index = self.graph.next_index()
             self._unknown = NodeEntry(self.network, UNKNOWN_NAME, UNKNOWN_NAMESPACE, index)
@@ -104,14 +104,14 @@ class Mirror:
         return self._unknown
 
     def retype(self) -> None:
-        """Types that were not known may be by now: those endpoints are made anew."""
+        """Create endpoints again whose types were unknown and may be known now."""
         for gid, (end, mirrored) in list(self._ends.items()):
             if isinstance(mirrored.cls, TypeName) and not isinstance(self._class(end.type_name), TypeName):
                 self._remove(gid, end, mirrored)
         self.again()
 
     def close(self) -> None:
-        """Nobody is there any more."""
+        """Remove all nodes and endpoints of the network."""
         self.update(RemoteGraph((), ()))
         if self._unknown is not None:
             self.graph.tracer.node_removed(self._unknown)
@@ -135,23 +135,23 @@ class Mirror:
             if node not in self._nodes:
                 if namespace_problem(node.namespace) or node_name_problem(node.name):
                     self.diagnostic(
-                        LinkDiagnostic('node names', f'a node is called {node.namespace!r} {node.name!r}: not a name, not shown')
+                        LinkDiagnostic(
+                            'node names', f'a node is not shown, because its name {node.namespace!r} {node.name!r} is invalid'
+                        )
                     )
                     continue
                 entry = self._nodes[node] = self.graph.add_node(self.network, node.name, node.namespace)
                 name = entry.fully_qualified_name
                 if any(other.fully_qualified_name == name and not is_remote(other) for other in self.graph.nodes):
                     other_one = 'one of another machine' if node.is_simulated else 'a real one'
-                    text = f'there are two nodes called {name}: one of this machine, and {other_one}'
+                    text = f'two nodes have the name {name}: one of this machine, and {other_one}'
                     self.diagnostic(
-                        LinkDiagnostic(
-                            f'name {name}', f'{text}\n  help: put one of them into a namespace, or give it another name'
-                        )
+                        LinkDiagnostic(f'name {name}', f'{text}\n  help: put one of them in a namespace, or rename it')
                     )
 
     def _add(self, end: RemoteEndpoint) -> None:
         if topic_name_problem(end.name):
-            self.diagnostic(LinkDiagnostic('names', f'something on the network is called {end.name!r}: not a name, not shown'))
+            self.diagnostic(LinkDiagnostic('names', f'an endpoint is not shown, because its name {end.name!r} is invalid'))
             return
         node = self._nodes.get(end.node) if end.node is not None else None
         mirrored = self._made(end, node or self.unknown(), self._class(end.type_name))
@@ -176,7 +176,8 @@ class Mirror:
         mirrored.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """The class of a type: of this machine, or of whoever uses it here; a stand-in when nobody knows it."""
+        """Return the class of a type: that of this machine, of a program that uses it here, or a placeholder for an unknown
+        type."""
         for node in self.graph.nodes:
             for own in () if is_remote(node) else node.endpoints:
                 if own.type_name == type_name:
@@ -187,9 +188,9 @@ class Mirror:
             return TypeName(type_name)
 
     def check_hash(self, own: Any, interface: Interface) -> None:
-        """Tell when a real endpoint means something else by a type's name."""
+        """Report a real endpoint with another definition of its type."""
         name = own.topic_name if own.kind in (PUBLISHER, SUBSCRIPTION) else own.service_name
         for end, _ in self._ends.values():
             if end.name == name and end.type_name == own.type_name and end.hash not in ('', interface.hash):
-                text = f'{name}: {end.type_name} is not the same here and out there (another definition): messages are misread'
+                text = f'{name}: {end.type_name} has another definition on the network than here, so messages are misread'
                 self.diagnostic(LinkDiagnostic(f'hash {end.type_name}', text))

@@ -1,4 +1,4 @@
-"""A session whose programs are real processes, and whose launch reaches them."""
+"""A session whose programs are real processes, and whose launch communicates with them."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ LOOK_EVERY_NS = 10_000_000
 
 
 class NativeSession(Session):
-    """A session whose programs are real processes. Its clock shows the time of day.
+    """A session whose programs are real processes. Its clock has the time of day.
 
-    They find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise. As soon as launch has a node
-    of its own (to load components, to change the state of lifecycle nodes), that node joins their network over the full link.
+    They find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE allows more. When launch creates its own node
+    (to load components, to change the state of lifecycle nodes), that node joins their network over the full link.
     """
 
     host_class = NativeHost
@@ -43,7 +43,7 @@ class NativeSession(Session):
         try:
             self._bridge.open(settings_of(self.host.env))
         except EdulaunchError as error:
-            _tell(f'launch itself does not reach the nodes, to load components or change their states: {error}')
+            _tell(f'launch cannot reach the nodes, so it cannot load components or change states: {error}')
         else:
             self._look()
 

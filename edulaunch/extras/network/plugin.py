@@ -1,4 +1,4 @@
-"""What the network adds: `edulaunch network`, `ros2 launch --network`, `edulaunch launch --real`, and the machine's network."""
+"""The plug-in of the network: it adds `edulaunch network`, `ros2 launch --network`, `edulaunch launch --real`, and a service."""
 
 from __future__ import annotations
 

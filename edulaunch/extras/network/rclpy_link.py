@@ -36,22 +36,22 @@ from edulaunch.extras.network.link import (
 
 LONGEST_START_S = 30.0
 MOST_WAITING = 32 << 20
-"""Bytes that wait for a side process which does not read; messages beyond that are dropped."""
+"""The maximum number of bytes that wait for a side process which does not read; later messages are dropped."""
 BUFFER = 4 << 20
-"""Bytes of the socket's own buffer: what is sent between two turns of the machine has to fit, such as an image."""
+"""The size of the socket's own buffer, which must hold everything sent between two turns, such as an image."""
 URGENT = (wire.NODE, wire.ADD)
-"""A new node or endpoint does not wait behind messages. Nothing that waits can be about it."""
+"""A new node or endpoint is sent before waiting messages, none of which can refer to it."""
 AT_ONCE = 1 << 20
-"""Bytes that are taken in one turn of the machine."""
-AGAIN = '\n  help: edulaunch network off, then on again'
-RENEW = 'what it complains of is in the log of the machine; edulaunch network install makes its environment anew'
+"""The number of bytes that are read in one turn of the machine."""
+AGAIN = '\n  help: type edulaunch network off, then edulaunch network on'
+RENEW = 'read its errors in the log of the machine; edulaunch network install creates its environment again'
 _PROFILE, _LOOPBACK_PROFILE = (os.path.join(os.path.dirname(__file__), f'rclpy_side{end}.xml') for end in ('', '_loopback'))
-"""Fast DDS's settings of the side process."""
+"""The settings of Fast DDS for the side process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.network.rclpy_side', function='main')
 
 
 class RclpyLink:
-    """See `network.link.Link`. Who published a message it cannot tell."""
+    """See `network.link.Link`. It does not know the publisher of a message."""
 
     title = 'rclpy'
 
@@ -91,9 +91,9 @@ class RclpyLink:
             self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
 
     def _wait(self) -> None:
-        """Until the side process is ready.
+        """Wait until the side process is ready.
 
-        :raises LinkError: it is not.
+        :raises LinkError: when it does not start.
         """
         self._socket.settimeout(LONGEST_START_S)
         try:
@@ -122,7 +122,7 @@ class RclpyLink:
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`; what rclpy does not want is told later, as a :class:`LinkDiagnostic`."""
+        """See `Link.add`; if rclpy refuses an endpoint, a :class:`LinkDiagnostic` reports it later."""
         self._count += 1
         self._kinds[self._count] = f'{kind} {name}'
         message = {
@@ -153,7 +153,7 @@ class RclpyLink:
         self._say(wire.ANSWER, handle, int.from_bytes(who, 'little'), cdr)
 
     def flush(self) -> None:
-        """See `Link.flush`; what the side process does not take now goes out next time."""
+        """See `Link.flush`; the rest is sent when the side process accepts it."""
         try:
             self._out.send(self._socket.send)
         except BlockingIOError:
@@ -185,11 +185,13 @@ class RclpyLink:
         self._remote, self._known = RemoteGraph((), ()), {}
         self._waiting += (
             GraphChanged(),
-            LinkDiagnostic('died', 'the side process with the real rclpy has died: nothing crosses any more' + AGAIN),
+            LinkDiagnostic('died', 'the side process with the real rclpy has died, so no messages cross' + AGAIN),
         )
         silent, bell = socket.socketpair()
-        silent.setblocking(False)  # which goes with it to the other number
-        os.dup2(silent.fileno(), self._socket.fileno())  # never readable, under the same number: the machine need not look again
+        silent.setblocking(False)  # the copy under the other number has the same setting
+        os.dup2(
+            silent.fileno(), self._socket.fileno()
+        )  # never readable, but with the same number, so the machine need not register it again
         silent.close()
         self._sockets.append(bell)
 
@@ -210,7 +212,7 @@ class RclpyLink:
         return kind
 
     def _see(self, message: list[list[list[object]]]) -> None:
-        """A new picture of who is there; an endpoint that was there before is the same object."""
+        """Update the known nodes and endpoints; an endpoint that existed before is the same object."""
         nodes = {
             (space, name): RemoteNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
             for gid, space, name, is_simulated in message[0]

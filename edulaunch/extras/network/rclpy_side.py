@@ -1,8 +1,8 @@
-"""The side process of the full link: on the real rclpy it makes the nodes and endpoints that it is told of.
+"""The side process of the full link: it creates nodes and endpoints on the real rclpy as the link requests.
 
-Frames (`rclpy_wire`) come on the socket whose number is the first word of the command line, and go there. Messages pass as bytes.
-One thread reads, and publishes what it reads; everything else of rclpy happens in the thread of its executor, which it wakes for
-that: an executor looks at all its nodes each time, which costs more than the messages.
+Frames (`rclpy_wire`) pass over the socket whose number is the first word of the command line. Messages pass as bytes.
+One thread reads, and publishes what it reads. Everything else of rclpy happens in the thread of its executor, which is woken only
+for that. An executor checks all its nodes each time, which costs more than the messages.
 """
 
 from __future__ import annotations
@@ -33,27 +33,27 @@ from edulaunch.extras.network import rclpy_wire as wire
 from edulaunch.extras.network.link import ENCLAVE, MARK
 
 LOOK_EVERY_S = 0.1
-"""How often the names of nodes and topics are looked at."""
+"""The period of checks for names of nodes and topics."""
 LOOK_CLOSELY_EVERY_S = 0.5
-"""How often all endpoints are, also when no name has come or gone."""
+"""The period of checks for all endpoints, even without new names."""
 PAUSE = 9
-"""So many times as long as looking around took, nobody looks again: thousands of topics must not take all the time there is."""
+"""A check is repeated only after this many times its own duration, so that thousands of topics do not take all the time."""
 SETTLED_S = 2.0
-"""So long after a name has come or gone, all endpoints are looked at each time: a node makes them one after the other."""
+"""For this time after a change of names, each check includes all endpoints, because a node creates them one after the other."""
 WAITING = 1000
-"""How many messages wait for their subscription at most, or as many as its depth says; others do not see that."""
+"""At most this many messages wait for their subscription, or as many as its depth; other nodes do not see that."""
 AT_ONCE = 100
-"""How many messages of one subscription are taken in one turn."""
+"""The number of messages of one subscription that are taken in one turn."""
 _NOT_YET = object()
 
 
 class Side:
-    """Mirrors what the link says."""
+    """Carries out the requests of the link."""
 
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
         self.executor = SingleThreadedExecutor()
-        self.helper = _node(f'{MARK}_{os.urandom(4).hex()}', '/')  # another machine has one, too
+        self.helper = _node(f'{MARK}_{os.urandom(4).hex()}', '/')  # another machine has a helper, too
         self.executor.add_node(self.helper)
         self.inbox: deque[tuple[int, int, int, bytes]] = deque()
         self.lock, self.mouth = threading.Lock(), threading.Lock()
@@ -70,7 +70,7 @@ class Side:
         self.guard = self.helper.create_guard_condition(self.work)
 
     def _own_prefix(self) -> bytes:
-        """How the gids of our own participant begin."""
+        """Return the first bytes of the gids of our own participant."""
         while True:
             for info in self.helper.get_publishers_info_by_topic('/parameter_events'):
                 if info.node_name == self.helper.get_name():
@@ -83,7 +83,7 @@ class Side:
             self.connection.sendall(wire.frame(kind, handle, number, data))
 
     def read(self) -> None:
-        """In a thread: take frames, until the link goes."""
+        """Receive frames in a thread until the link closes."""
         frames = wire.Frames()
         with suppress(ConnectionResetError):
             while data := self.connection.recv(1 << 16):
@@ -93,7 +93,7 @@ class Side:
         rclpy.try_shutdown()
 
     def is_published(self, *frame: Any) -> bool:
-        """Publish a message when all that was told before is done; anything else waits for the executor."""
+        """Publish a message if all earlier requests are done; pass other frames to the executor."""
         with self.lock:
             if frame[0] != wire.PUBLISH or self.inbox:
                 self.inbox.append(frame)
@@ -102,13 +102,13 @@ class Side:
             return True
 
     def work(self) -> None:
-        """Do what we were told."""
+        """Handle the waiting frames."""
         while self.inbox:
             with self.lock:
                 self.do(*self.inbox.popleft())
 
     def do(self, kind: int, handle: int, number: int, data: bytes) -> None:
-        """One thing; whatever rclpy refuses is told, and the rest goes on."""
+        """Handle one frame; report an error of rclpy, and continue with the others."""
         try:
             _WORK[kind](self, handle, number, data)
         except Exception as error:
@@ -146,7 +146,7 @@ class Side:
 
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
         def heard(data: bytes, info: Any) -> None:
-            """Hand on a message, and what has come behind it: each turn of the executor takes longer than all of that."""
+            """Pass on a message and all waiting ones, because a turn of the executor takes longer than that."""
             self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
             for _ in range(AT_ONCE):
                 taken = made.handle.take_message(cls, True)
@@ -191,9 +191,9 @@ class Side:
         client = self.ends[handle][1]
         request = deserialize_message(data, client.srv_type.Request)
         if not isinstance(request, client.srv_type.Request):
-            raise ValueError('these bytes are no request of its type')
+            raise ValueError('these bytes are not a request of its type')
         if not client.service_is_ready():
-            self.early.append((handle, number, data))  # a request before the two have found each other would be lost
+            self.early.append((handle, number, data))  # a request before discovery would be lost
             return
         future = client.call_async(request)
         future.add_done_callback(
@@ -207,7 +207,7 @@ class Side:
         answer(deserialize_message(data, self.ends[handle][1].srv_type.Response), header)
 
     def glance(self) -> None:
-        """Look around, more closely when names have come or gone: to ask about each topic takes long."""
+        """Check the network, in more detail after names have changed, because checking each topic is slow."""
         now_s = time.monotonic()
         names = [self.helper.get_node_names_and_namespaces(), self.helper.get_topic_names_and_types()]
         if names != self.names:
@@ -217,7 +217,7 @@ class Side:
             self.look()
 
     def look(self) -> None:
-        """Tell who else is there, when that has changed."""
+        """Report the other nodes and endpoints if they have changed."""
         ends: list[list[Any]] = []
         participants: dict[str, str] = {}
         for topic, _ in self.names[1]:
@@ -247,19 +247,19 @@ class Side:
             self.say(wire.GRAPH, 0, 0, text.encode())
 
     def _services(self, name: str, namespace: str) -> list[list[Any]]:
-        """The services and clients of a node; they tell no gid, so that one is made of their names."""
+        """Return the services and clients of a node; they have no gid, so one is made from their names."""
         try:
             found = {
                 'service': self.helper.get_service_names_and_types_by_node(name, namespace),
                 'client': self.helper.get_client_names_and_types_by_node(name, namespace),
             }
-        except Exception:  # the node left meanwhile; which error that is depends on the middleware
+        except Exception:  # the node has ended; the kind of error depends on the middleware
             return []
         made = [(kind, service, types[0]) for kind, rows in found.items() for service, types in rows]
         return [[_made_gid(*row[:2], _full(namespace, name)), *row, '', None, namespace, name] for row in made]
 
     def run(self) -> None:
-        """Until the link goes."""
+        """Run until the link closes."""
         threading.Thread(target=self.read, daemon=True).start()
         self.say(wire.READY)
         looked, pause_s = 0.0, LOOK_EVERY_S
@@ -276,7 +276,7 @@ class Side:
 
 
 def _node(name: str, namespace: str) -> Any:
-    """A node without anything of its own, as far as that is possible: it publishes /parameter_events."""
+    """Create a node with as few endpoints as possible: it publishes /parameter_events."""
     return rclpy.create_node(
         name,
         namespace=namespace,
@@ -310,6 +310,6 @@ def main() -> int:
     """Serve the link on the socket of the given number."""
     connection = socket.socket(fileno=int(sys.argv[1]))
     rclpy.init(args=['--ros-args', '--enclave', ENCLAVE], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
-    with suppress(ExternalShutdownException, BrokenPipeError):  # the link has gone
+    with suppress(ExternalShutdownException, BrokenPipeError):  # the link has closed
         Side(connection).run()
     return 0

@@ -1,4 +1,4 @@
-"""What a link and its side process say to each other: frames of a kind, a number, another number, and bytes."""
+"""The protocol of a link and its side process: frames with a kind, a number, another number, and bytes."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ from collections.abc import Callable, Iterator
 
 _HEAD = struct.Struct('<IBIq')
 CHUNK = 1 << 18
-"""Small frames are sent together until they have about this many bytes."""
+"""Small frames are collected until they have about this many bytes."""
 
-# What the link says.
+# Frames of the link.
 NODE, NODE_GONE, ADD, REMOVE, PUBLISH, ASK, ANSWER = range(7)
-# What the side process says.
+# Frames of the side process.
 READY, MESSAGE, REQUEST, RESPONSE, GRAPH, TROUBLE = range(16, 22)
 
 
 def frame(kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> bytes:
-    """A frame."""
+    """Return a frame as bytes."""
     return _HEAD.pack(len(data), kind, handle, number) + data
 
 
 class Frames:
-    """Cuts a stream of bytes into frames."""
+    """Splits a stream of bytes into frames."""
 
     def __init__(self) -> None:
         self._bytes = bytearray()
 
     def feed(self, data: bytes) -> Iterator[tuple[int, int, int, bytes]]:
-        """What is complete with some more bytes: (kind, handle, number, data)."""
+        """Add bytes, and return the complete frames: (kind, handle, number, data)."""
         self._bytes += data
         at = 0
         while len(self._bytes) - at >= _HEAD.size:
@@ -41,7 +41,7 @@ class Frames:
 
 
 class Outbox:
-    """Frames that wait to be sent. An urgent frame goes out before all usual ones, after the frame that is half sent."""
+    """Frames that wait to be sent. An urgent frame is sent before all others, but after a frame that is partly sent."""
 
     def __init__(self) -> None:
         self._half_sent = memoryview(b'')
@@ -57,8 +57,8 @@ class Outbox:
     def send(self, write: Callable[[memoryview], int]) -> None:
         """Send everything.
 
-        :param write: sends the beginning of some bytes and returns how many it took.
-        :raises BlockingIOError: from `write`, when it takes no more now; the rest stays here.
+        :param write: sends the beginning of some bytes and returns how many it accepted.
+        :raises BlockingIOError: from `write`, when it accepts no more now; the rest stays here.
         """
         while self.size:
             if not self._half_sent:
@@ -68,7 +68,7 @@ class Outbox:
             self.size -= count
 
     def clear(self) -> None:
-        """Forget everything."""
+        """Discard everything."""
         self._half_sent, self.size = memoryview(b''), 0
         self._urgent.clear()
         self._usual.clear()

@@ -1,6 +1,6 @@
-"""`ros2 run`, `ros2 launch` and `ros2 component standalone` of a program of `--real`: what they start is real, too.
+"""`ros2 run`, `ros2 launch` and `ros2 component standalone` of a `--real` program: the programs that they start are real, too.
 
-`python -m edulaunch.extras.network.real_command LOCK WORDS...`: a file that is locked as long as the launch lives, and the words
+`python -m edulaunch.extras.network.real_command LOCK WORDS...`: a file that is locked while the launch lives, and the words
 after `ros2`.
 """
 
@@ -20,7 +20,7 @@ from edulaunch.runtime.session import Session
 
 
 class Command:
-    """A command in the place of a launch: Ctrl-C reaches it, and the session is over with it."""
+    """A command in place of a launch: it receives Ctrl-C, and its end is the end of the session."""
 
     def __init__(self, session: Session, words: Sequence[str]) -> None:
         spec = ProcessSpec(argv=('ros2', *words), name='ros2', env=dict(session.host.env))
@@ -28,7 +28,7 @@ class Command:
 
     @property
     def is_over(self) -> bool:
-        """Whether it has ended."""
+        """Return whether it has ended."""
         return self._process.returncode is not None
 
     def interrupt(self) -> None:
@@ -37,7 +37,7 @@ class Command:
 
     @property
     def code(self) -> int:
-        """Its exit code."""
+        """Return its exit code."""
         return self._process.returncode or 0
 
 

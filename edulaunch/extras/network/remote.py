@@ -1,6 +1,6 @@
-"""What is on the network, as the graph of the machine shows it: nodes and endpoints that stand for real ones.
+"""Nodes and endpoints in the machine's graph that represent real ones on the network.
 
-Nothing passes from one of them to another: the real ones hear each other without us, and two bridges make no loop.
+No message passes between two of them: the real ones communicate directly, and two bridges make no loop.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from edulaunch.engine.graph.services import ServiceClient, ServiceServer
 from edulaunch.engine.graph.topics import Endpoint, Publisher, Subscription, connect
 
 UNKNOWN_NAME, UNKNOWN_NAMESPACE = '_NODE_NAME_UNKNOWN_', '_NODE_NAMESPACE_UNKNOWN_'
-"""What ROS 2 says of an endpoint that no node has claimed."""
+"""ROS 2's name for the node of an endpoint that no node has claimed."""
 
 
 class Network:
-    """In the place of the program of a node on the network."""
+    """Represents the program of a node on the network."""
 
     name = 'network'
     pid = 0
@@ -29,30 +29,30 @@ class Network:
 
 
 class TypeName:
-    """In the place of a message class that nobody here has."""
+    """Represents a message class that is unknown here."""
 
     def __init__(self, name: str) -> None:
         self.TYPE = name
 
 
 class NullQueue:
-    """In the place of a queue that nobody reads: `last` is what came last."""
+    """A queue without a reader: `last` is the last message."""
 
     last: Any = None
 
     def append(self, item: Any) -> None:
-        """Somebody sent it."""
+        """Keep the message."""
         self.last = item
 
     def clear(self) -> None:
-        """Nothing waits here."""
+        """Return 0: the queue is always empty."""
 
     def extend(self, items: Any) -> None:
-        """Old samples go out by the link itself."""
+        """Do nothing: the link itself sends old samples."""
 
 
 class RemotePublisher(Publisher):
-    """A publisher on the network: its messages come to the subscriptions of the link, not from here."""
+    """A publisher on the network: the link, not this object, passes its messages to subscriptions."""
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS) -> None:
         Endpoint.__init__(self, graph, node, name, cls, qos)
@@ -62,14 +62,14 @@ class RemotePublisher(Publisher):
         self._channel: Callable[[Any], object] | None = None
 
     def heard(self, wire: Any) -> None:
-        """A message of it has come: for the record."""
+        """Record a message of it."""
         if self._channel is None:
             self._channel = self.graph.tracer.channel(self)
         self._channel((self._sim.now_ns, self.index, wire))
 
 
 class RemoteSubscription(Subscription):
-    """A subscription on the network: the link itself reaches it."""
+    """A subscription on the network, to which the link sends directly."""
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, name, cls, qos, lambda: None)
@@ -79,7 +79,7 @@ class RemoteSubscription(Subscription):
 class RemoteService(ServiceServer):
     """A service on the network.
 
-    :param ask: called with each request as it comes: (wire, (client, number)).
+    :param ask: called with each request: (wire, (client, number)).
     """
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS, ask: Callable[[Any], object]) -> None:
@@ -88,24 +88,24 @@ class RemoteService(ServiceServer):
 
 
 class RemoteClient(ServiceClient):
-    """A client on the network, for those who count."""
+    """A client on the network, which is only counted and listed."""
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, name, cls, qos, lambda: None)
 
 
 def is_remote(node: NodeEntry) -> bool:
-    """Whether a node of the graph stands for a real one."""
+    """Return whether a node of the graph represents a real one."""
     return isinstance(node.process, Network)
 
 
 def named(node: NodeEntry) -> str:
-    """The name of a node for a sentence; endpoints that no node has claimed belong to one without a name."""
-    return 'a node that has not told its name' if node.name == UNKNOWN_NAME else node.fully_qualified_name
+    """Return the name of a node for a message; endpoints that no node has claimed belong to a node without a name."""
+    return 'a node with an unknown name' if node.name == UNKNOWN_NAME else node.fully_qualified_name
 
 
 def join(end: Any) -> None:
-    """Let an endpoint on the network be seen here, and meet its counterparts here."""
+    """Add an endpoint of the network to this graph, and match it with its counterparts here."""
     graph = end.graph
     if isinstance(end, RemotePublisher):
         graph.add_end(end.node, graph.publishers, end.topic_name, end)

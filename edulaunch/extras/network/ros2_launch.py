@@ -1,4 +1,4 @@
-"""`ros2 launch --network`: the machine of the terminals joins a real ROS 2 network while a launch runs."""
+"""`ros2 launch --network`: the shared machine joins a real ROS 2 network while a launch runs."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from edulaunch.extras.network import crossing
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Whether it runs on a real network."""
+    """Add `--network` and its options."""
     parser.add_argument('--network', action='store_true', help='join a real ROS 2 network while it runs (ROS_DOMAIN_ID)')
     crossing.add_options(parser, 'network-')
 
 
 def wants_network(arguments: argparse.Namespace) -> bool:
-    """Whether any of those options was given."""
+    """Return whether any of those options was used."""
     return bool(arguments.network or crossing.option_words(arguments, 'network-'))
 
 
 def begin(arguments: argparse.Namespace, process: Process) -> None:
-    """Join the network that the options ask for, until the program ends.
+    """Join the network that the options describe, until the program ends.
 
-    :raises EdulaunchError: when that cannot be.
+    :raises EdulaunchError: when that fails.
     """
     if not wants_network(arguments):
         return
     if process.host.join_network is None:
-        raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
+        raise UnusableInput('--network needs a machine that runs in real time', help='type ros2 launch ... in a terminal')
     words = crossing.option_words(arguments, 'network-')
     process.lifecycle.at_exit.append(process.host.join_network(process.env, words, say))

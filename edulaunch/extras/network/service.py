@@ -1,4 +1,4 @@
-"""The network as a service of the machine: whether it can be had, and what makes it. The bridge itself is loaded only then."""
+"""The network as a service of the machine: whether it is available, and what creates it. Only then is the bridge loaded."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def is_available() -> bool:
-    """Whether Cyclone DDS, which the button of a page joins by, is installed."""
+    """Return whether Cyclone DDS is installed, which the button of a page needs to join."""
     return find_spec('cyclonedds') is not None
 
 
 def make(session: Session, time: RealTime, selector: selectors.BaseSelector) -> Switch:
-    """The network of one machine, switched off."""
+    """Return the network of one machine, switched off."""
     from edulaunch.extras.network.switch import Switch
 
     return Switch(session, time, selector)

@@ -1,4 +1,4 @@
-"""How a terminal's environment says that a machine joins the network: ROS 2's own variables."""
+"""Read from a terminal's environment how a machine joins the network: ROS 2's own variables."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
 
 
 def settings_of(env: Mapping[str, str]) -> Settings:
-    """ROS_DOMAIN_ID, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS.
+    """Return the settings in ROS_DOMAIN_ID, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS.
 
-    Where ROS 2 would look around on the whole subnet because nothing is said, this stays on the loopback.
+    Without a discovery range, ROS 2 searches the whole subnet, but a simulated machine stays on the loopback.
 
-    :raises LinkError: for what makes no sense.
+    :raises LinkError: for invalid values.
     """
     domain = env.get('ROS_DOMAIN_ID', '').strip() or '0'
     if not domain.removeprefix('-').isdecimal():
         raise LinkError(f'ROS_DOMAIN_ID is {domain!r}, not a number')
     if not 0 <= int(domain) <= LAST_DOMAIN:
-        raise LinkError(f'ROS_DOMAIN_ID {domain} is not a domain: they go from 0 to {LAST_DOMAIN}')
+        raise LinkError(f'ROS_DOMAIN_ID must be from 0 to {LAST_DOMAIN}, not {domain}')
     wide = env.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').strip() or 'LOCALHOST'
     if wide not in RANGES:
-        text = f'ROS_AUTOMATIC_DISCOVERY_RANGE is {wide!r}: LOCALHOST, SUBNET, OFF and SYSTEM_DEFAULT are known'
+        text = f'ROS_AUTOMATIC_DISCOVERY_RANGE is {wide!r}: use LOCALHOST, SUBNET, OFF or SYSTEM_DEFAULT'
         raise LinkError(text, help=did_you_mean(wide, RANGES) or None)
     if env.get('ROS_LOCALHOST_ONLY') == '1' or wide == 'SYSTEM_DEFAULT':
         wide = 'LOCALHOST'
@@ -34,12 +34,12 @@ def settings_of(env: Mapping[str, str]) -> Settings:
 
 
 def nobody_found(settings: Settings) -> str:
-    """What to look at when no real node is there, in the order in which it is cheap."""
+    """Return what to check if no real node is found, cheapest first."""
     if settings.discovery_range == 'OFF':
-        return 'ROS_AUTOMATIC_DISCOVERY_RANGE is OFF: nobody is looked for'
-    domain = f'do they have ROS_DOMAIN_ID={settings.domain}, in every terminal?'
+        return 'ROS_AUTOMATIC_DISCOVERY_RANGE is OFF, so this machine does not search for nodes'
+    domain = f'check that all terminals have ROS_DOMAIN_ID={settings.domain}.'
     if settings.discovery_range == 'LOCALHOST' and not settings.static_peers:
-        return f'{domain} On another computer: ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET edulaunch network on'
+        return f'{domain} For nodes on another computer, type ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET edulaunch network on'
     if settings.static_peers:
         return f'{domain} Do they name this computer in ROS_STATIC_PEERS? Does a firewall stop UDP?'
     return f'{domain} Does the network let multicast through? If not, name each other in ROS_STATIC_PEERS'

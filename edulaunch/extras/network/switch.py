@@ -1,4 +1,4 @@
-"""The network of one machine, switched on and off: what `edulaunch network` and `ros2 launch --network` do."""
+"""The network of one machine, switched on and off by `edulaunch network` and `ros2 launch --network`."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from edulaunch.runtime.session import Session
 MOST_MISTAKES = 20
 LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
-"""So long after joining those who are there have been found."""
+"""This long after joining, the other nodes have been found."""
 ALONE_NS = 10 * 10**9
-"""Who has found nobody then, is told so by the doctor, too."""
+"""After this time without other nodes, the doctor reports that, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 
 class Switch:
-    """Joins a machine to the network, and lets it leave.
+    """Joins a machine to the network, and disconnects it.
 
-    :param selector: what the machine waits with.
+    :param selector: the machine waits on it.
     """
 
     def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
@@ -45,17 +45,17 @@ class Switch:
 
     @property
     def is_on(self) -> bool:
-        """Whether it has joined."""
+        """Return whether it has joined."""
         return self.bridge is not None
 
     def on(self, env: Mapping[str, str], request: JoinRequest, tell: Callable[[str], object]) -> None:
-        """Join; an earlier bridge leaves before.
+        """Join; an earlier bridge is closed first.
 
-        :raises EdulaunchError: when that cannot be.
+        :raises EdulaunchError: when that fails.
         """
         settings = settings_of(env)
         if not is_walls_time(self._session.sim.now_ns):
-            raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
+            raise LinkError('this machine does not run in real time', help='type edulaunch machine stop, and start again')
         made = make_link(request.link)
         self.off()
         bridge = Bridge(self._session, made, request.crossing, tell)
@@ -78,7 +78,7 @@ class Switch:
             bridge.note(f'alone {self._settings.domain} {self._settings.discovery_range}')
 
     def _safely(self, act: Callable[[], object]) -> None:
-        """A mistake of ours must not end the machine: what happened is in its log, and after some the network is off."""
+        """Handle an error of edulaunch without ending the machine: log it, and switch the network off after several errors."""
         try:
             act()
         except Exception:
@@ -86,10 +86,10 @@ class Switch:
             self._mistakes += 1
             if self._mistakes >= MOST_MISTAKES:
                 self.off()
-                self._tell('the network is off: edulaunch made mistakes with what came from there, see the log of the machine')
+                self._tell('the network is off, because edulaunch failed on messages from it; see the log of the machine')
 
     def off(self) -> bool:
-        """Leave; whether it was on."""
+        """Leave; return whether it was on."""
         bridge, self.bridge = self.bridge, None
         if bridge is None:
             return False
@@ -104,7 +104,7 @@ class Switch:
         self._time.is_wall, self._session.follow = False, None
 
     def follow(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
-        """Let time pass with the clock on the wall, for who waits for it: as :meth:`Simulation.run`."""
+        """Let time pass in step with real time, as :meth:`Simulation.run` does."""
         sim, wait_s = self._session.sim, 0.0
         while self.bridge is not None and not is_over():
             self.listen(wait_s)
@@ -117,17 +117,17 @@ class Switch:
     def join(
         self, env: Mapping[str, str], words: Sequence[str], tell: Callable[[str], object], say: Callable[[str], object]
     ) -> Callable[[], object]:
-        """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
+        """Join while a program runs; return a function to call at its end. A machine that has already joined does not change.
 
         :param words: the options of `edulaunch network on`.
-        :param say: told where it has joined, and that it has left.
-        :raises EdulaunchError: when that cannot be.
+        :param say: called with the network after joining, and after leaving.
+        :raises EdulaunchError: when that fails.
         """
         request = join_request(words)
         if self.bridge is not None:
             is_same = (settings_of(env), request) == (self._settings, self._request)
-            other = '' if is_same else ', with other settings than asked for here (edulaunch network off, and launch again)'
-            say(f'this machine is on the real ROS 2 network already{other}: {self.where()}')
+            other = '' if is_same else ', with other settings than requested here (type edulaunch network off, and launch again)'
+            say(f'this machine is already on the real ROS 2 network{other}: {self.where()}')
             return lambda: None
         self.on(env, request, tell)
         joined = self.bridge
@@ -141,7 +141,7 @@ class Switch:
         return leave
 
     def listen(self, seconds: float) -> None:
-        """Take what has come, and wait for it at most so long."""
+        """Handle what has arrived, and wait for it at most this long."""
         for key, events in self._selector.select(seconds):
             key.data(events)
 
@@ -151,14 +151,14 @@ class Switch:
             self._safely(self.bridge.after_turn)
 
     def where(self) -> str:
-        """Which network it is on, and by what."""
+        """Describe the network and the link."""
         assert self.bridge is not None
         settings = self._settings
         peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
         return f'domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {self.bridge.link.title}'
 
     def status(self) -> str:
-        """What crosses, in words."""
+        """Describe what crosses."""
         bridge = self.bridge
         if bridge is None:
             return 'the network is off\n'
@@ -182,7 +182,7 @@ class Switch:
     def run(
         self, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
     ) -> int:
-        """`edulaunch network on OPTIONS...`, `off` or `status`, as the command hands them on; returns the exit code."""
+        """Run `edulaunch network on OPTIONS...`, `off` or `status`; return the exit code."""
         word = words[0] if words else 'status'
         if word == 'off':
             say('the network is off\n' if self.off() else 'the network was off\n')

@@ -1,4 +1,4 @@
-"""`edulaunch network`: joins the machine of the terminals to a real ROS 2 network, or installs the real rclpy."""
+"""`edulaunch network`: join the shared machine to a real ROS 2 network, or install the real rclpy."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from edulaunch.extras.network.crossing import add_options, join_request, option_
 
 
 def network_arguments(parser: argparse.ArgumentParser) -> None:
-    """On or off, and what crosses."""
+    """Add on or off, and what crosses."""
     parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
     add_options(parser)
 
 
 def network_verb(arguments: argparse.Namespace) -> int:
-    """Tell the machine (`on` starts one when there is none), or install the real rclpy."""
+    """Send the command to the machine (`on` starts one if necessary), or install the real rclpy."""
     from edulaunch.desk.machine.client import run
 
     if arguments.word == 'install':
@@ -34,13 +34,13 @@ def _say_what_is_installed() -> None:
 
     there = environment.found()
     if there is None:
-        print(f'real rclpy: not installed ({environment.unsuited() or "edulaunch network install"})', flush=True)
+        print(f'real rclpy: not installed ({environment.unsuited() or "type edulaunch network install"})', flush=True)
     else:
         print(f'real rclpy: {there.version} in {there.place}', flush=True)
 
 
 def _install() -> int:
-    """Make the environment; on a terminal its steps overwrite each other."""
+    """Create the environment; on a terminal, its steps overwrite each other."""
     from edulaunch.extras.native import environment
 
     live = sys.stderr.isatty()

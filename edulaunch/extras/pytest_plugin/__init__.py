@@ -1,7 +1,8 @@
-"""The pytest plugin. Every run of pytest in this environment loads this file, so it does nothing for a project that does not ask.
+"""The pytest plugin. Every run of pytest in this environment loads this file, so it does nothing in unrelated projects.
 
-A project asks by its kind: a `package.xml` beside, above or one folder below the tests makes it a ROS package or a workspace; any
-other by `-p edulaunch`, on the command line or in `addopts`. Only then `asked.py`, which changes how tests run, is loaded.
+A `package.xml` beside, above or one folder below the tests makes a project a ROS package or a workspace, which activates the
+plugin. Other projects use `-p edulaunch`, on the command line or in `addopts`. Only then is `asked.py` loaded, which changes
+tests.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ MARKER = 'package.xml'
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_load_initial_conftests(early_config: pytest.Config, args: Sequence[str]) -> None:
-    """Bring in what runs ROS tests, before the first conftest.py, when the project asks for it."""
+    """Load the code that runs ROS tests, before the first conftest.py, if the project needs it."""
     if is_asked(early_config, args):
         from edulaunch.extras.pytest_plugin import asked
 
@@ -25,7 +26,7 @@ def pytest_load_initial_conftests(early_config: pytest.Config, args: Sequence[st
 
 
 def is_asked(config: pytest.Config, args: Sequence[str]) -> bool:
-    """Whether this run wants ROS tests: by `-p edulaunch`, or because its tests belong to a ROS package or a workspace."""
+    """Return whether this run has ROS tests: by `-p edulaunch`, or because its tests belong to a ROS package or a workspace."""
     options = config.known_args_namespace
     named = NAME in options.plugins or __name__ in options.plugins
     return named or any(map(_is_ros_project, _places(options.file_or_dir, config)))
@@ -38,7 +39,7 @@ def _places(given: Sequence[str], config: pytest.Config) -> Iterator[str]:
 
 
 def _is_ros_project(place: str) -> bool:
-    """Whether a package.xml lies at or above a place, or one or two folders below it (`src/my_package`)."""
+    """Return whether a package.xml is at or above a folder, or one or two folders below it (`src/my_package`)."""
     above = place
     while above != os.path.dirname(above):
         if os.path.isfile(os.path.join(above, MARKER)):

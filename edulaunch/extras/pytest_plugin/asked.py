@@ -1,7 +1,7 @@
-"""What a run of pytest gets that has ROS tests: launch tests, those of launch_pytest, and plain tests of a package.
+"""Support for pytest runs with ROS tests: launch tests, tests of launch_pytest, and plain tests of a package.
 
-The last two run on the simulated machine of the test run, a launch test in a simulation of its own; tests of tests run pytest
-inside pytest, by its plugin `pytester`.
+The last two run on the simulated machine of the test run, a launch test in its own simulation. Tests of tests run pytest
+inside pytest, with its plugin `pytester`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from edulaunch.extras.testing.machine_plugin import ConftestImports, put_on_mach
 from edulaunch.ros.sourcing import source
 
 SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
-"""Of a run: whether any of its test files has launch tests, or texts of some."""
+"""For a run: whether any of its test files has launch tests, or the source text of some."""
 LAZY_PACKAGES = (
     'edulaunch.engine.sim',
     'edulaunch.engine.graph',
@@ -37,7 +37,7 @@ LAZY_PACKAGES = (
 
 
 def start(config: pytest.Config) -> None:
-    """Take part in this run, unless a real ROS 2 is on the path: its own plugins have the same options and tests."""
+    """Activate the plugin in this run, unless a real ROS 2 is on the path, whose plugins have the same options and tests."""
     if _is_installed_elsewhere('launch_testing', str(config.invocation_params.dir)):
         return
     source()
@@ -53,7 +53,7 @@ def start(config: pytest.Config) -> None:
 
 
 def _is_installed_elsewhere(name: str, here: str) -> bool:
-    """Whether somebody else's module of that name would be imported; sources of ROS 2 in the folder of the run do not count."""
+    """Return whether a foreign module of that name would be imported; ROS 2 sources in the folder of the run do not count."""
     spec = importlib.machinery.PathFinder.find_spec(name)
     origin = None if spec is None else spec.origin
     return origin is not None and not origin.startswith((underlay_python(), here + os.sep))
@@ -84,34 +84,34 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 class StyleTestModule(pytest.File):
-    """A test file that asks one of ROS 2's style checkers, which is not here."""
+    """A test file for one of ROS 2's style checkers, which edulaunch does not have."""
 
     linter = ''
 
     def collect(self) -> Iterable[pytest.Item]:
-        """One item, which is skipped and tells why."""
+        """Return one item, which is skipped with a reason."""
         yield StyleTestItem.from_parent(self, name=self.path.stem)
 
 
 class StyleTestItem(pytest.Item):
-    """What such a file would have checked."""
+    """A placeholder for the tests of such a file."""
 
     parent: StyleTestModule
 
     def runtest(self) -> None:
-        """Say what is missing, as of the test file."""
-        text = f'{self.parent.linter} is not here: style is checked where ROS 2 is installed'
+        """Skip, with the test file as the place."""
+        text = f'{self.parent.linter} is not available: run style checks where ROS 2 is installed'
         raise pytest.skip.Exception(text, _use_item_location=True)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Where it is, and what it is called."""
+        """Return its place and its name."""
         return self.path, 0, self.name
 
 
 def uses_launch_pytest(source: bytes) -> bool:
-    """Whether a test file imports launch_pytest, or has tests whose launch fixtures a conftest.py has made with it.
+    """Return whether a test file imports launch_pytest, or has tests with launch fixtures from a conftest.py.
 
-    A file that only speaks of it (tests of tests have other files as texts) does not; nor is every mark `launch` ours.
+    A file that only contains other test files as strings does not count, nor does every mark `launch`.
     """
     marked = b'mark.launch(' in source and 'launch_pytest' in sys.modules
     if b'launch_pytest' not in source and not marked:
@@ -139,7 +139,7 @@ def _is_mark_launch(node: ast.AST) -> bool:
 
 
 def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
-    """Let launch_pytest take part in this run, and let the file see simulated time."""
+    """Activate launch_pytest in this run, and give the file simulated time."""
     put_on_machine(config, module_path)
     from launch_pytest import plugin
 
@@ -148,10 +148,10 @@ def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
 
 
 def load_everything() -> None:
-    """Import what is else imported when it is first used.
+    """Import modules early that are usually imported at first use.
 
-    `pytester` forgets after each inner run the modules that were imported in it, but the packages that refer to them do not:
-    without this there would be two of many a class.
+    After each inner run, `pytester` forgets the modules imported in it, but packages still refer to them.
+    Without this function, many classes would exist twice.
     """
     from edulaunch.ros.sourcing import source
 

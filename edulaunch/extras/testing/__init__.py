@@ -1,6 +1,6 @@
-"""Tests of a package, plain ones and those of launch_pytest, on the simulated machine of a run of pytest.
+"""Tests of a package (plain tests and tests of launch_pytest) on the simulated machine of a pytest run.
 
-Here: which files those are, which packages they see, and which of them need what is not here.
+This file decides which test files these are, which packages they see, and which of them need missing packages.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from edulaunch.engine.underlay_place import underlay_python
 
 
 def workspaces_of(path: str) -> list[str]:
-    """The workspace whose packages a test file can use, as :func:`workspace_around` finds it; none outside any package."""
+    """Return the workspace whose packages a test file can use, as :func:`workspace_around` finds it, or None."""
     found = workspace_around(path)
     return [] if found is None else [found]
 
 
 def is_of_own_package(path: str) -> bool:
-    """Whether a file belongs to a package of the user; tests of the packages that ROS 2 itself consists of are none."""
+    """Return whether a file belongs to a package of the user; tests of ROS 2's own packages do not."""
     folder = package_around(path)
     return folder is not None and not os.path.isdir(os.path.join(underlay_python(), os.path.basename(folder)))
 
 
 def absent_linter(source: bytes) -> str | None:
-    """The first of ROS 2's style checkers that a test file imports and that is not here (`ament_flake8`)."""
+    """Return the first of ROS 2's style checkers (`ament_flake8`) that a test file imports and that is missing."""
     if b'ament_' not in source:
         return None
     try:

@@ -1,4 +1,4 @@
-"""The command `launch_test FILE [name:=value ...]`, and launch tests in a simulation of their own, also for the pytest plugin."""
+"""The command `launch_test FILE [name:=value ...]`, and launch tests in their own simulation, also for the pytest plugin."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ LONGEST_TEST_S = 3600.0
 def run_launch_test(
     test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0, body: Callable[[], int] | None = None
 ) -> int:
-    """Run a launch test in a fresh simulation; its console goes to this program's own.
+    """Run a launch test in a fresh simulation; its console is this program's console.
 
-    :param workspaces: folders with packages; None: the workspace in which the test file lies.
-    :param body: what the process does; None: `test.run`.
-    :returns: 0 when all went well. What went wrong else is in `test.results` and `test.error`.
+    :param workspaces: folders with packages; None means the workspace of the test file.
+    :param body: the main function of the process; None means `test.run`.
+    :returns: 0 on success. `test.results` and `test.error` have the failures.
     :raises KeyboardInterrupt: after Ctrl-C.
     """
     words = ['launch_test', test.path, *test.arguments]
@@ -47,7 +47,7 @@ def run_launch_test(
             test.error = UnusableInput(
                 f'{os.path.basename(test.path)}: the launch test was still waiting '
                 f'after {session.sim.elapsed_s:.1f} s of simulated time.',
-                help='give waits a timeout, such as event.wait(timeout=10)',
+                help='give each wait a timeout, such as event.wait(timeout=10)',
             )
         return 1 if process.returncode is None else process.returncode
 
@@ -59,20 +59,24 @@ def _print(stream: str, text: str) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    """The file, and the options of ROS 2's `launch_test`."""
+    """Return the parser for the file and the options of ROS 2's `launch_test`."""
     parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
     parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
     parser.add_argument('launch_arguments', nargs='*', metavar='name:=value', help='arguments of the launch description')
     parser.add_argument('-v', '--verbose', action='store_true', help='let launch log at level DEBUG')
-    parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
+    parser.add_argument(
+        '-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments of the launch description'
+    )
     parser.add_argument('--junit-xml', metavar='FILE', help='write the results as JUnit XML')
     parser.add_argument('--package-name', metavar='NAME', help='name of the package, for the JUnit XML')
-    parser.add_argument('--workspace', action='append', metavar='DIR', help="folder with packages; default: the test file's own")
+    parser.add_argument(
+        '--workspace', action='append', metavar='DIR', help='folder with packages (default: the workspace of the test file)'
+    )
     return parser
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """`launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; returns the exit code, 2 for unusable input."""
+    """Run `launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; return the exit code, 2 for invalid input."""
     parser = _parser()
     given = parser.parse_args(argv)
     if not os.path.isfile(given.test_file):

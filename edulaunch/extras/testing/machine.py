@@ -1,8 +1,8 @@
-"""The simulated machine on which the tests of a pytest run live that use launch_pytest.
+"""The simulated machine for the launch_pytest tests of a pytest run.
 
-pytest itself is a plain script on it: fixtures, tests and launches share one ROS graph and one simulated time, as they share the
-machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing. Whoever imports
-modules of the packages past the test files (`unittest.mock.patch('my_package.node.x')`, conftest files) gets the same ones.
+pytest itself is a plain script on it. Fixtures, tests and launches share one ROS graph and one simulated time, as they share the
+machine in ROS 2. The first such test file opens it, so that other runs of pytest do not change. Indirect imports of the packages'
+modules (`unittest.mock.patch('my_package.node.x')`, conftest files) return the same modules.
 """
 
 from __future__ import annotations
@@ -29,15 +29,16 @@ from edulaunch.runtime.ambient import ambient_process_on
 from edulaunch.runtime.session import Session, index_for
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
-"""Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
+"""Standard modules that a test file shares with pytest, unlike a program: `caplog` needs the same `logging`."""
 LIMIT_S = 900
-"""How long a test may take, in simulated seconds; longer than any wait of a launch test, which ends after 600 s by itself."""
+"""The maximum duration of a test in simulated seconds; longer than any wait of a launch test, which ends after 600 s by
+itself."""
 
 
 class TestImports(ImportLoader):
-    """The first finder that Python asks: gives the one module that the test files have, too."""
+    """The first finder of Python: it returns the same modules that the test files have."""
 
-    __test__ = False  # pytest is not to take this class for a test case
+    __test__ = False  # so that pytest does not collect this class
 
     def __init__(self, loader: Loader) -> None:
         self._loader = loader
@@ -45,43 +46,43 @@ class TestImports(ImportLoader):
         self._given: dict[str, ModuleSpec | None] = {}
 
     def install(self) -> None:
-        """Begin to be asked."""
+        """Install the finder."""
         sys.meta_path.insert(0, self)
 
     def remove(self) -> None:
-        """Leave things as they were."""
+        """Remove the finder."""
         sys.meta_path.remove(self)
         for name in self._given:
             sys.modules.pop(name, None)
 
     def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Where the module is, if it is of a package under test."""
+        """Return the spec of a module that belongs to a package under test."""
         return ModuleSpec(name, self) if name.partition('.')[0] in self._names else None
 
     def look_again(self) -> None:
-        """The program sees other packages now."""
+        """Use the packages that the program sees now."""
         overlay = self._loader.process.overlay
         self._names = {*overlay.interface_packages, *overlay.modules} - sys.stdlib_module_names
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """The module of the test files; it is executed when it is not there yet."""
+        """Return the module of the test files, and execute it if necessary."""
         module = self._loader.import_module(spec.name)
         self._given[spec.name] = module.__spec__
         return module
 
     def exec_module(self, module: ModuleType) -> None:
-        """It has been executed; it keeps the description that it had."""
+        """Keep the original spec of the module, which has already been executed."""
         module.__spec__ = self._given[module.__name__]
 
 
 class TestMachine:
     """A machine whose ambient process is pytest.
 
-    :param seed: of all randomness.
-    :param workspaces: folders with packages; None: for each test file the workspace in which it lies.
+    :param seed: the seed of all random numbers.
+    :param workspaces: folders with packages; None means the workspace of each test file.
     """
 
-    __test__ = False  # pytest is not to take this class for a test case
+    __test__ = False  # so that pytest does not collect this class
 
     def __init__(self, seed: int = 0, workspaces: Sequence[str] | None = None) -> None:
         self.session = Session(seed=seed)
@@ -97,7 +98,7 @@ class TestMachine:
         self._import: Any = None
 
     def open(self) -> None:
-        """Be the machine of the code that runs now, until :meth:`close`."""
+        """Become the machine of the current code until :meth:`close`."""
         here = getcurrent()
         self._outer, here.task = getattr(here, 'task', None), self._task
         self._import, builtins.__import__ = builtins.__import__, self._import_for_tests
@@ -109,18 +110,18 @@ class TestMachine:
             watchdog.thread = threading.get_ident()
 
     def close(self) -> None:
-        """End everything that still runs, and leave things as they were."""
+        """End everything that still runs, and restore the previous state."""
         builtins.__import__ = self._import
         self._imports.remove()
         self.session.close()
         getcurrent().task = self._outer or AmbientTask(type(self.session.sim)())
 
     def add(self, path: Path) -> None:
-        """A test file is to be imported: its clocks, threads and commands are to be simulated ones."""
+        """Prepare the import of a test file: its clocks, threads and commands are simulated."""
         self._files.add(str(path))
 
     def enter(self, path: Path) -> None:
-        """Code of a test file is to run: it sees the packages around it."""
+        """Prepare code of a test file to run: it sees the packages around it."""
         folders = self._folders.get(path.parent)
         if folders is None:
             folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
@@ -137,13 +138,13 @@ class TestMachine:
 
     @contextmanager
     def limited(self) -> Iterator[None]:
-        """For the length of a test: a wait that takes longer than `LIMIT_S` of simulated time fails, wherever the test stands."""
+        """Limit a test: a wait of more than `LIMIT_S` simulated seconds fails at the place of the wait."""
         sim = self.session.sim
 
         def give_up() -> None:
             raise SimulationError(
-                f'this test has waited for {LIMIT_S} s of simulated time, and what it waits for has not come',
-                help='give the wait a timeout (timeout_sec=5.0), and assert on what must have come by then',
+                f'this test has waited for {LIMIT_S} s of simulated time without success',
+                help='give the wait a timeout (timeout_sec=5.0), and assert on its result',
             )
 
         end = sim.schedule(sim.now_ns + LIMIT_S * 10**9, lambda: self._task.interrupt(give_up))
@@ -153,7 +154,7 @@ class TestMachine:
             sim.cancel(end)
 
     def let_debug(self, person_is_here: bool) -> None:
-        """While a person is in a debugger, a program may keep its turn for as long as it likes."""
+        """Allow a program to keep its turn for any time while a person is in a debugger."""
         if self.session.host.watchdog is not None:
             self.session.host.watchdog.asleep = person_is_here
 
@@ -165,7 +166,7 @@ class TestMachine:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """What `import` statements call: those of test files get what a simulated program gets."""
+        """Handle `import` statements: test files get the same modules as a simulated program."""
         here = None if globals is None else globals.get('__file__')
         if here is None or here not in self._files or name.partition('.')[0] in SHARED:
             module: ModuleType = self._import(name, globals, locals, fromlist, level)

@@ -1,6 +1,6 @@
-"""The pytest plugin that keeps the machine of a test run. Ours registers it for the first test file that needs it.
+"""The pytest plugin with the machine of a test run. Our plugin registers it for the first test file that needs it.
 
-Which test files those are, and the `conftest.py` files, which pytest imports before any test file.
+It handles these test files, and the `conftest.py` files, which pytest imports before any test file.
 """
 
 from __future__ import annotations
@@ -23,14 +23,17 @@ MACHINE = pytest.StashKey[TestMachine]()
 
 
 def machine_of(config: pytest.Config) -> TestMachine:
-    """The machine of this run of pytest; it is opened when it is first asked for."""
+    """Return the machine of this run of pytest, which is opened at first use."""
     if MACHINE not in config.stash:
         import sys
 
         from edulaunch.ros.sourcing import source
 
         source()
-        option = {**vars(config.known_args_namespace), **vars(config.option)}  # the second comes after the conftest files
+        option = {
+            **vars(config.known_args_namespace),
+            **vars(config.option),
+        }  # the second one includes the options of conftest files
         machine = config.stash[MACHINE] = TestMachine(option.get('launch_seed', 0), option.get('launch_workspace'))
         machine.open()
         config.add_cleanup(machine.close)
@@ -39,7 +42,7 @@ def machine_of(config: pytest.Config) -> TestMachine:
 
 
 def put_on_machine(config: pytest.Config, path: Path) -> None:
-    """Let a test file that is to be imported see simulated time and the packages around it."""
+    """Give a test file simulated time and the packages around it before its import."""
     machine = machine_of(config)
     machine.add(path)
     machine.enter(path)
@@ -47,7 +50,7 @@ def put_on_machine(config: pytest.Config, path: Path) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
-    """A file that is imported sees the packages around it."""
+    """Give an imported file the packages around it."""
     if isinstance(collector, pytest.Module):
         collector.config.stash[MACHINE].enter(collector.path)
     return (yield)
@@ -55,7 +58,7 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, A
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
-    """So does a test, and it does not wait for ever."""
+    """Do the same for a test, and limit its duration."""
     machine = item.config.stash[MACHINE]
     machine.enter(item.path)
     with machine.limited():
@@ -63,19 +66,19 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
 
 
 def pytest_enter_pdb(config: pytest.Config) -> None:
-    """Nobody is stopped for taking long while a person looks."""
+    """Suspend the time limits while a person uses a debugger."""
     config.stash[MACHINE].let_debug(True)
 
 
 def pytest_leave_pdb(config: pytest.Config) -> None:
-    """From now on they are again."""
+    """Restore the time limits."""
     config.stash[MACHINE].let_debug(False)
 
 
 class ConftestImports:
-    """The first finder that Python asks: puts a `conftest.py` inside a package of the user on the machine of the tests.
+    """The first finder of Python: puts a `conftest.py` inside a package of the user on the machine of the tests.
 
-    So it finds that package and its interfaces too. What it imports before anything is looked for stays as it is.
+    So it also finds that package and its interfaces. Modules that it imports before any search do not change.
     """
 
     def __init__(self, config: pytest.Config) -> None:
@@ -83,12 +86,12 @@ class ConftestImports:
         self._seen: set[str] = set()
 
     def install(self) -> None:
-        """Be asked until the end of the run."""
+        """Install the finder until the end of the run."""
         sys.meta_path.insert(0, self)
         self._config.add_cleanup(lambda: sys.meta_path.remove(self))
 
     def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Where the module is, if the machine of the tests knows it and this import is the first of a conftest.py."""
+        """Return the spec of a module if the machine of the tests knows it and this is the first import of a conftest.py."""
         conftest = _importing_conftest(sys._getframe(1))
         if conftest is None or conftest in self._seen:
             return None
@@ -100,7 +103,7 @@ class ConftestImports:
 
 
 def _importing_conftest(frame: FrameType | None) -> str | None:
-    """The conftest.py in which the import statement stands that is being executed."""
+    """Return the conftest.py with the import statement that is being executed."""
     while frame is not None and 'importlib' in frame.f_code.co_filename:
         frame = frame.f_back
     file = '' if frame is None else frame.f_code.co_filename

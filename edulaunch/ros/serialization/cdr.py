@@ -254,7 +254,7 @@ def serialize(message: Message) -> bytes:
 def deserialize(data: bytes, cls: type[AnyMessage]) -> AnyMessage:
     """A new message of class `cls` from CDR bytes.
 
-    :raises InterfaceError: when the bytes are no CDR of that type.
+    :raises InterfaceError: when the bytes are not CDR of that type.
     """
     message: AnyMessage = cls.from_wire(decode(cls, data))
     return message
@@ -270,7 +270,7 @@ def encode(cls: type[Message], wire: tuple[Any, ...]) -> bytes:
 def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
     """The wire tuple that CDR bytes of class `cls` hold.
 
-    :raises InterfaceError: when the bytes are no CDR of that type.
+    :raises InterfaceError: when the bytes are not CDR of that type.
     """
     if bytes(data[:2]) != HEADER[:2]:
         raise InterfaceError(

@@ -8,9 +8,9 @@ from edulaunch.engine.interfaces.message import Message, spec_of
 
 
 class Shortening(NamedTuple):
-    """What is left out of a text.
+    """The parts of a message that are left out.
 
-    :ivar length: how many items of an array and characters of a string are shown; None for all.
+    :ivar length: the maximum number of array items and characters of a string; None for all.
     :ivar no_arr, no_str: whether arrays and strings are replaced by what they are.
     """
 

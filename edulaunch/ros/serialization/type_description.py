@@ -1,4 +1,4 @@
-"""Type descriptions and their RIHS01 hashes, by which ROS 2 programs tell whether they mean the same type."""
+"""Type descriptions and their RIHS01 hashes, by which ROS 2 programs check whether they mean the same type."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Makes `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in one where ROS 2 is sourced.
 
-Every Python of such a shell reads this file while it starts. It only waits for the first import of a ROS package, or of one
-that nothing else finds, and sources edulaunch then. Python's own modules, and installed ones, try names that are not there all
-the time (`copy` asks for `org.python.core`); these are not asked for in a workspace, whose reading would need such modules.
+Every Python of such a shell reads this file at its start. It only waits for the first import of a ROS package, or of one that is
+not found otherwise, and then sources edulaunch. Python's own and installed modules often try names that do not exist (`copy` asks
+for `org.python.core`). A workspace is not searched for these, because reading it needs such modules.
 """
 
 import os
@@ -16,7 +16,9 @@ _JOIN = 'import sys; from edulaunch.desk.machine.client import run; sys.exit(run
 
 
 def _is_asked_by_installed():
-    """Whether the module that imports is Python's own, an installed one or ours; the machinery of imports stands in between."""
+    """Return whether the importing module is Python's own, an installed one or ours; frames of the import machinery are
+    skipped.
+    """
     frame = sys._getframe(2)
     while frame is not None and frame.f_globals.get('__name__', '').partition('.')[0] in ('importlib', 'pkgutil', 'runpy'):
         frame = frame.f_back
@@ -38,7 +40,7 @@ def _join_machine():
 
 
 class _Sourcing:
-    """A finder that stands at one end of `sys.meta_path` and knows no module itself."""
+    """A finder at one end of `sys.meta_path` that knows no module itself."""
 
     def __init__(self, names=None):
         self._names = names  # None: any, for the finder that is asked last

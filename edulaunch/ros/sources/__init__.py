@@ -1,9 +1,9 @@
 """Reads the build files of source packages, setup.py and CMakeLists.txt, without running them.
 
-`read_source` is what an `Index` of source workspaces is made with. `setup_script.py` reads a setup.py (`static_python.py` and
-`static_values.py` are the small interpreter for it, `setup_tables.py` reads setup.cfg and pyproject.toml); `cmake.py` reads a
-CMakeLists.txt (`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files, and
-`missing.py` finds out why something is not found: facts, of which `edulaunch.advice` makes sentences.
+An `Index` of source workspaces is created with `read_source`. `setup_script.py` reads a setup.py, with `static_python.py` and
+`static_values.py` as its small interpreter. `setup_tables.py` reads setup.cfg and pyproject.toml, and `cmake.py` a CMakeLists.txt
+(`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files. `missing.py` finds out why
+something is not found, as facts from which `edulaunch.advice` makes sentences.
 """
 
 from __future__ import annotations

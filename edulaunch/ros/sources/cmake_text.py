@@ -19,7 +19,7 @@ _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
 class Command(NamedTuple):
-    """`name(words...)` at `line`; `quoted` tells which words stood in quotes."""
+    """`name(words...)` at `line`; `quoted` is whether each word was in quotation marks."""
 
     name: str
     line: int
@@ -28,7 +28,7 @@ class Command(NamedTuple):
 
 
 def commands(text: str) -> Iterator[Command]:
-    """The commands of a CMake file in order, names in lower case. Text that is no command is passed over."""
+    """Yield the commands of a CMake file in order, with names in lower case. Other text is skipped."""
     name, line, depth = '', 0, 0
     words: list[tuple[str, bool]] = []
     for match in _TOKEN.finditer(text):

@@ -26,7 +26,7 @@ LOOKED_AT = 500
 def missing_package(index: Index, package: str, here: str | None = None) -> Facts:
     """Of a package that is not found: the nearest name, or where such a folder is, or that no workspace was named.
 
-    :param here: the folder of the program that looks for it; default: that of this process.
+    :param here: the folder of the program that needs it (default: that of this process).
     """
     here = here or os.getcwd()
     workspaces = [place.folder for place in index.workspaces]
@@ -97,13 +97,13 @@ def _broken(warning: PackageWarning) -> Facts:
 
 
 def source_package(index: Index, package: str) -> SourcePackage | None:
-    """The package as it stands in a source workspace; None when it comes from elsewhere."""
+    """Return the package if it is in a source workspace, otherwise None."""
     folder, contents = index.source_folder(package), index.contents(package)
     return None if folder is None or contents is None else SourcePackage(package, folder, contents)
 
 
 def missing_launch_file(index: Index, package: str, file: str | None) -> Facts:
-    """Of a launch file that a package does not have: it stands in the source and is not installed. Empty: nothing is known."""
+    """Return facts about a launch file that a package has in its source but does not install; empty for others."""
     found = source_package(index, package)
     if found is None:
         return _built(index, package)
@@ -171,7 +171,7 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
 
 
 def installed_file(index: Index, path: str) -> Facts:
-    """Of a missing file in the share folder of a package: it stands in the source and is not installed."""
+    """Return facts about a missing file in a package's share folder that its source has but does not install."""
     head, sign, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
     if not (sign and name) or package not in index.packages() or head != index.prefix(package):

@@ -1,5 +1,5 @@
-"""What a setup.py installs, read without running it; and names that it uses and nobody has defined: it ends there with a
-NameError, whatever else it says.
+"""Read what a setup.py installs without running it. It also finds undefined names, at which the script ends with a NameError,
+whatever else it contains.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builti
 
 
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
-    """The first such name and its line; None when there is none, or when that cannot be told.
+    """Return the first such name and its line; None without one, or if it cannot be determined.
 
     Only what is evaluated in any case is looked at: no bodies of functions, conditions, loops and `try`.
     """
@@ -81,7 +81,7 @@ _MARKERS = 'share/ament_index/resource_index/packages'
 
 
 def read_setup_script(manifest: Manifest) -> Contents:
-    """What an ament_python package installs; what a build would reject, or only a run tells, is a warning."""
+    """Return what an ament_python package installs; a warning reports what a build would reject, or only a run can show."""
     return _SetupScript(manifest).read()
 
 
@@ -151,7 +151,7 @@ class _SetupScript:
         return options
 
     def _with_tables(self, options: dict[str, Any]) -> dict[str, Any]:
-        """All options: setup() stands above setup.cfg, and pyproject.toml above both."""
+        """Return all options: setup() counts before setup.cfg, and pyproject.toml before both."""
 
         def warn(file: str, sentence: str) -> None:
             self.warn(sentence, 0, file)
@@ -164,7 +164,7 @@ class _SetupScript:
         return {**configured, **options, **project}
 
     def _known(self, options: dict[str, Any], name: str) -> Any:
-        """An option, with a warning for each part of it that only running the file would tell."""
+        """Return an option, with a warning for each part of it that only running the file could determine."""
         self.file, self.line = self.places.get(name, (self.script, self.call))
         value = options.get(name)
         for unknown in _unknowns(value):

@@ -19,7 +19,7 @@ SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
 
 
 def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
-    """setup.cfg with its capitals; empty when there is none, or none that can be read."""
+    """Return setup.cfg with its capitals; empty if it is missing or cannot be read."""
     from configparser import ConfigParser, Error
 
     file = os.path.join(folder, 'setup.cfg')
@@ -97,7 +97,7 @@ def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
 
 
 def _pairs(folder: str, sections: dict[str, list[str]]) -> list[tuple[str, list[str]]]:
-    """data_files= of {folder: patterns}; other than in setup(), patterns are expanded here."""
+    """Return data_files= of {folder: patterns}. Unlike in setup(), patterns are expanded here."""
     return [
         (target, [name for pattern in patterns for name in _expanded(folder, pattern)]) for target, patterns in sections.items()
     ]

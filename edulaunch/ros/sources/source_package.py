@@ -1,5 +1,5 @@
-"""The packages of a workspace as the checks see them: manifest, contents, sources, the modules in them, and where data files
-belong so that a build installs them. Nothing is imported.
+"""The packages of a workspace in the form for checks: manifest, contents, sources, and the modules in them. The file also knows
+where data files belong so that a build installs them. Nothing is imported.
 """
 
 from __future__ import annotations
@@ -98,14 +98,14 @@ class SourcePackage:
         return os.path.relpath(path, self.folder)
 
     def is_test(self, path: str) -> bool:
-        """Whether a file stands in a folder of tests, or is called like a test."""
+        """Return whether a file is in a folder of tests, or has the name of a test."""
         *folders, name = self.relative(path).split(os.sep)
         words = name.partition('.')[0].split('_')
         return not {'test', 'tests'}.isdisjoint(folders) or 'tester' in words or 'test' in (words[0], words[-1])
 
     def is_launch_file(self, path: str) -> bool:
-        """Whether this is a launch file: by its name, or by its folder. The description of a launch test is none: pytest and
-        launch_test read it where it lies.
+        """Return whether this is a launch file, by its name or its folder. The description of a launch test does not count,
+        because pytest and launch_test read it in place.
         """
         name = os.path.basename(path)
         if self.is_test(path) or name.endswith('.launch') and _OF_ROS_1.search(read_text(path)):
@@ -147,7 +147,7 @@ def read_text(path: str) -> str:
 
 
 def parsed(path: str) -> ast.Module | None:
-    """The syntax tree of a Python file, None when it is no Python."""
+    """Return the syntax tree of a Python file; None if it is not valid Python."""
     try:
         with open(path, 'rb') as file:
             return ast.parse(file.read(), path)
@@ -205,7 +205,7 @@ def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
 
 
 def line_with(file: str, word: str) -> int:
-    """The first line of a file that has the word; 0 when there is none."""
+    """Return the first line of a file with the word; 0 without one."""
     return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
 
 
@@ -216,8 +216,8 @@ DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', '
 def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
     """How a data file comes to be installed; None for what does not apply.
 
-    :returns: `beside`, the folder whose files are installed already; else `move`, the folder that it belongs in when it lies
-        beside the build file; `folder` and `pattern` for setup.py; `top` for CMakeLists.txt.
+    :returns: Return `beside`, the folder whose files are already installed. For a file beside the build file, return `move`, the
+        folder in which it belongs. `folder` and `pattern` are for setup.py, and `top` is for CMakeLists.txt.
     """
     folder, name = os.path.split(package.relative(path))
     place = folder or ('launch' if package.is_launch_file(path) else 'config')

@@ -1,7 +1,7 @@
 """Reads Python text without running it: a small interpreter that knows assignments, loops and harmless calls.
 
-Everything it does not know becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which travels
-through the expression it stands in, so that one clever line in a setup.py costs only the value it makes.
+An unsupported expression becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which spreads to the expression around
+it. Thus one clever line in a setup.py costs only its own value.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
 """One agenda in two processes.
 
-Each peer has its own items. Only the peer that has the *token* runs, and only while its next item comes before the other peer's
-next one; so both together do what one process would, in the same order. The order of two items is that of their *keys*:
+Each peer has its own items. Only the peer with the *token* runs, and only while its next item comes before the other peer's
+next one. Thus both together do what one process would do, in the same order. The *keys* of two items decide their order:
 
-* of the heap: (time, priority, 0, sequence);
-* of the queue for the present instant: (now, 0, 1, number). The queue has no sequence numbers, it is just first in, first out. So
-  whenever the other peer may have asked for something in between, a *mark* with the next number goes into it; an item's number is
-  that of the mark before it.
+* in the heap: (time, priority, 0, sequence);
+* in the queue for the present instant: (now, 0, 1, number). This first-in, first-out queue has no sequence numbers. Whenever
+    the other peer may have scheduled something in between, a *mark* with the next number enters the queue. The number of an item
+    is that of the mark before it.
 
-Sequence numbers are counted through both peers: they go along with the token.
+Both peers share the count of sequence numbers, which travels with the token.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from edulaunch.engine.sim.simulation import EPOCH_NS, FAR_NS, Simulation
 
 Key = tuple[int, int, int, int]
 NEVER: Key = (FAR_NS, 0, 0, 0)
-BEFORE_ALL = -FAR_NS  # a priority that no item has: of the key where a run ends
+BEFORE_ALL = -FAR_NS  # a priority below all items, for the key where a run ends
 IS_MARK = -1  # in the place of a queued item's priority
-FOR_THE_OTHER = 1 << 16  # how many numbers the other peer gets for what a frame makes it ask for
+FOR_THE_OTHER = 1 << 16  # how many numbers the other peer gets for items that a frame causes
 
 
 class PeerSimulation(Simulation):
     """The clock and agenda of one peer.
 
-    :ivar other: the key of the other peer's next item, as far as is known here.
-    :ivar pass_token: gives the token to the other peer with the key of the next item here, and waits until it is back.
+    :ivar other: the key of the other peer's next item, as far as known here.
+    :ivar pass_token: passes the token and the key of the next item here to the other peer, and waits until it is back.
     """
 
     def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
@@ -41,7 +41,7 @@ class PeerSimulation(Simulation):
         self._number = 0
 
     def mark(self) -> None:
-        """What is asked for from now on comes after all that was asked for in the other peer."""
+        """Sort all later items here after the items that the other peer has scheduled so far."""
         self.last_number += 1
         soon = self._soon
         if soon and soon[-1][1] == IS_MARK:
@@ -50,16 +50,16 @@ class PeerSimulation(Simulation):
             soon.append([self.now_ns, IS_MARK, self.last_number, None])
 
     def sequence(self) -> int:
-        """The last number that was given out."""
+        """Return the last assigned number."""
         return self.last_number
 
     def continue_from(self, number: int) -> None:
-        """The other peer has given out numbers up to this one."""
+        """Record that the other peer has assigned numbers up to this one."""
         self.last_number = number
         self.mark()
 
     def number_for_the_other(self) -> int:
-        """A number for what a frame makes the other peer ask for; what is asked for here afterwards comes later."""
+        """Reserve a number for items that a frame causes at the other peer; later items here sort after them."""
         number = self.last_number + 1
         self.last_number = number + FOR_THE_OTHER
         self.mark()
@@ -67,12 +67,12 @@ class PeerSimulation(Simulation):
         return number
 
     def is_marked(self) -> bool:
-        """Whether nothing was asked for since the last mark."""
+        """Return whether no item was scheduled since the last mark."""
         soon = self._soon
         return bool(soon) and soon[-1][1] == IS_MARK and soon[-1][2] == self.last_number
 
     def head(self) -> Key:
-        """The key of the next item here."""
+        """Return the key of the next item here."""
         agenda, soon = self.agenda, self._soon
         while agenda and agenda[0][3] is None:
             heappop(agenda)
@@ -87,7 +87,7 @@ class PeerSimulation(Simulation):
         return (agenda[0][0], agenda[0][1], 0, agenda[0][2]) if agenda else NEVER
 
     def run(self, until_ns: int | None = None) -> None:
-        """As in one process. A peer that has no `until_ns` runs for ever: the other one ends it."""
+        """Run as in one process. A peer without `until_ns` runs forever, until the other peer ends it."""
         self._stopped = False
         self.hub = getcurrent()
         end: Key = NEVER if until_ns is None else (until_ns + 1, BEFORE_ALL, 0, 0)

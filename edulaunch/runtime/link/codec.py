@@ -1,4 +1,4 @@
-"""Frames between the peers: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is read."""
+"""Frames between the peers: a length, a kind, a payload. A payload is JSON, or the CDR bytes of a message, and nothing else."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ LONGEST_FRAME = 16 << 20
 
 
 class Violation(EdulaunchError):
-    """The other peer sent what no peer of ours sends."""
+    """The other peer sent a frame that our code never sends."""
 
 
 class Kind(IntEnum):
-    """What a frame says. The sender of a call waits for RETURN; everything else is taken in passing."""
+    """The kinds of frames. The sender of a call waits for RETURN; the receiver handles other frames when they arrive."""
 
     TOKEN = 1  # the other peer runs now
     RETURN = 2
     ADVANCE = 3  # the sender's time
-    MARK = 4  # what follows was asked for under this number
+    MARK = 4  # the following items have this number
     NODE = 5
     NODE_GONE = 6
-    END = 7  # an endpoint came
+    END = 7  # a new endpoint
     END_GONE = 8
     PUBLISH = 9
     READY = 10  # a message reached a subscription
     ALIVE = 11
-    ASKED = 12  # a request was sent; for the record
+    ASKED = 12  # a request was sent (only for the recording)
     REQUEST = 13  # a call: a request reached a server
-    ANSWERED = 14  # a reply went to its client; for the record
+    ANSWERED = 14  # a reply was sent to its client (only for the recording)
     RESPONSE = 15  # a reply reached a client
     PARAMETER = 16
     STARTED = 17  # a program of the confined peer began
@@ -46,18 +46,18 @@ class Kind(IntEnum):
     FACT = 29
     FACT_OVER = 30
     DESCRIPTOR = 32
-    WATCH = 31  # a node may have facts to tell at the end
-    SPAWN = 22  # the trusted peer is to host a program
+    WATCH = 31  # a node may report facts at the end
+    SPAWN = 22  # the trusted peer should host a program
     SIGNAL = 23  # a call, for a hosted program
     HEARD = 24  # whether a hosted program's output is recorded
     OUTPUT = 25  # a call: a hosted program wrote
     EXIT = 26  # a call: a hosted program ended
-    ENTRIES = 27  # a call: what a parameter file says
+    ENTRIES = 27  # a call: the entries of a parameter file
     FINISH = 28  # a call: the run is over; what was launched
 
 
 def dump(value: Any) -> bytes:
-    """Plain data as JSON; bytes inside become {"bytes": hex}."""
+    """Return plain data as JSON, with bytes in the form {"bytes": hex}."""
     return json.dumps(value, default=_plain, separators=(',', ':')).encode()
 
 
@@ -66,13 +66,13 @@ def _plain(value: Any) -> Any:
         return {'bytes': value.hex()}
     if hasattr(value, 'tolist'):  # arrays
         return value.tolist()
-    raise TypeError(f'{type(value).__name__} is no plain data')
+    raise TypeError(f'{type(value).__name__} is not plain data')
 
 
 def load(data: bytes) -> Any:
-    """Plain data from JSON.
+    """Return plain data from JSON.
 
-    :raises Violation: when it is none.
+    :raises Violation: for invalid data.
     """
     try:
         return json.loads(data, object_hook=_bytes_back)
@@ -90,9 +90,9 @@ AS_BEFORE, AS_CDR, AS_JSON = 0, 1, 2
 
 
 class Messages:
-    """Wire tuples as bytes: CDR for the types of one registry, JSON for a student's own.
+    """Wire tuples as bytes: CDR for the types of one registry, JSON for the types of a student.
 
-    :param registry: of the stock types; nothing is made for any other.
+    :param registry: the registry of the stock types; other types get no classes.
     """
 
     def __init__(self, registry: Registry) -> None:
@@ -101,7 +101,7 @@ class Messages:
         self._checks: Any = None
 
     def type(self, name: str) -> Any:
-        """The class of a stock type; for any other one something that has only its name."""
+        """Return the class of a stock type; for other types, return an object with the name only."""
         if name not in self._stock:
             try:
                 self._stock[name] = self._registry.get(name)
@@ -110,7 +110,7 @@ class Messages:
         return self._stock[name]
 
     def packed(self, cls: Any, wire: Any) -> bytes:
-        """A wire of a class, with a first byte that says how it is written."""
+        """Return a wire of a class as bytes, with a first byte for the format."""
         if self.type_of(cls) is cls:
             try:
                 return bytes((AS_CDR,)) + encode(cls, wire)
@@ -119,14 +119,14 @@ class Messages:
         return bytes((AS_JSON,)) + dump(wire)
 
     def type_of(self, cls: Any) -> Any:
-        """The stock class of the same name."""
+        """Return the stock class of the same name."""
         name: str = cls.TYPE
         return self.type(name) if name.count('/') == 2 else cls
 
     def unpacked(self, cls: Any, data: bytes) -> Any:
-        """The wire that these bytes hold.
+        """Return the wire from its bytes.
 
-        :raises Violation: when they are no message of that class.
+        :raises Violation: when they are not a message of that class.
         """
         if data[:1] == bytes((AS_CDR,)) and not isinstance(cls, ForeignType):
             try:
@@ -134,10 +134,10 @@ class Messages:
             except InterfaceError as error:
                 raise Violation(str(error)) from None
         if data[:1] != bytes((AS_JSON,)):
-            raise Violation(f'no message of type {cls.TYPE}')
+            raise Violation(f'not a message of type {cls.TYPE}')
         wire = tuples(load(data[1:]))
         if not isinstance(cls, ForeignType) and not self._fits(cls.TYPE, wire):
-            raise Violation(f'no message of type {cls.TYPE}')
+            raise Violation(f'not a message of type {cls.TYPE}')
         return wire
 
     def _fits(self, name: str, wire: Any) -> bool:
@@ -149,7 +149,7 @@ class Messages:
 
 
 class ForeignType:
-    """A type of the student's own, as the peer that knows only its name has it."""
+    """A student's own type, in the peer that knows only its name."""
 
     def __init__(self, name: str) -> None:
         self.TYPE = name

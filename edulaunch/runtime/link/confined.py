@@ -1,4 +1,4 @@
-"""The confined peer: launch and everything of the student's. It keeps no record that counts: it tells the trusted peer."""
+"""The confined peer: launch and the student's programs. It reports to the trusted peer, and its own records do not count."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from edulaunch.runtime.session import Session
 
 
 class HostedProgram:
-    """A program that runs in the trusted peer, as the confined one sees it."""
+    """A program of the trusted peer, as the confined one knows it."""
 
     is_passed_on = False
 
@@ -51,7 +51,7 @@ class HostedProgram:
 
     @property
     def is_recorded(self) -> bool:
-        """As `Process.is_recorded`."""
+        """See `Process.is_recorded`."""
         return self._is_recorded
 
     @is_recorded.setter
@@ -60,13 +60,13 @@ class HostedProgram:
         self.host.peer.send(Kind.HEARD, dump([self.pid, is_recorded]))
 
     def send_signal(self, signum: int) -> None:
-        """As `Process.send_signal`."""
+        """See `Process.send_signal`."""
         if self.returncode is None:
             self.host.peer.call(Kind.SIGNAL, [self.pid, int(signum)])
 
 
 class ConfinedRecorder(Recorder):
-    """Keeps nothing: tells the trusted peer."""
+    """Keeps nothing, and reports everything to the trusted peer."""
 
     peer: Peer
     replica: Replica
@@ -99,7 +99,7 @@ class ConfinedRecorder(Recorder):
             self.peer.send(Kind.ANSWERED, dump([client.index, sequence, data]))
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
-        """The trusted peer sees it, too."""
+        """Do nothing: the trusted peer observes it, too."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         self.peer.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
@@ -137,16 +137,16 @@ class ConfinedRecorder(Recorder):
         self.peer.send(Kind.WATCH, dump(node.index))
 
     def seen_now(self) -> list[list[Any]]:
-        """What the nodes that are alive have to tell, by their numbers."""
+        """Return the facts of the live nodes, by their numbers."""
         return [[node.index, list(look())] for node, look in self.looks.items()]
 
 
 def _forget(record: Record) -> None:
-    """What the other peer publishes, it records."""
+    """Do nothing: the other peer records its own publications."""
 
 
 def spec_as_data(spec: ProcessSpec) -> list[Any]:
-    """A spec as plain data; `trusted_host.spec_from_data` takes it."""
+    """Return a spec as plain data; `trusted_host.spec_from_data` reads it."""
     values = spec._asdict()
     values['origin'] = None if spec.origin is None else list(spec.origin)
     values['env'] = None if spec.env is None else dict(spec.env)
@@ -155,14 +155,14 @@ def spec_as_data(spec: ProcessSpec) -> list[Any]:
 
 
 class ConfinedHost(Host):
-    """Starts the student's programs here, and lets the trusted peer host those that came with edulaunch."""
+    """Starts the student's programs here, and makes the trusted peer host the programs of edulaunch."""
 
     peer: Peer
 
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
-        """As `Host.start`."""
+        """See `Host.start`."""
         known = self.known_command(spec, index)
         program = None if known is None else known.program
         if known is None or program is None or not is_hosted(program):
@@ -179,14 +179,14 @@ class ConfinedHost(Host):
         return hosted
 
     def hosted(self, pid: int) -> Any:
-        """The hosted program of that pid."""
+        """Return the hosted program of that pid."""
         return next(each for each in self.processes if each.pid == pid)
 
 
 class ConfinedSession(Session):
     """A session whose worlds and stock nodes are elsewhere.
 
-    :param end: of the socket to the trusted peer.
+    :param end: the end of the socket to the trusted peer.
     """
 
     sim: PeerSimulation
@@ -209,7 +209,7 @@ class ConfinedSession(Session):
         )
 
     def run_as_asked(self) -> None:
-        """Let the trusted peer have the token, and run when it gives it back, until it ends this process."""
+        """Give the trusted peer the token, and run whenever it comes back, until that peer ends this process."""
         with streams_of_programs():
             self.sim.run(None)
 
@@ -241,7 +241,7 @@ class ConfinedSession(Session):
         return [list(entry) for entry in entries]
 
     def _finish(self, payload: memoryview) -> Any:
-        """What was launched, in launch's own words; and what the trusted peer asks for."""
+        """Return the record of the launch in launch's own words, with the items that the trusted peer asks for."""
         types, files = load(bytes(payload))
         self.describe()
         recorder = self.recorder

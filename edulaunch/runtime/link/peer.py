@@ -1,4 +1,4 @@
-"""One end of the link: sends and takes frames, passes the token, makes calls."""
+"""One end of the link: it sends and receives frames, passes the token, and makes calls."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class Gone(Exception):
 class Peer:
     """One peer's end of the link.
 
-    :param trusts: whether the other peer is believed; if not, its time and numbers must go forward and stay within its turn.
-    :param quota: how many bytes the other peer may send altogether; None for no limit.
+    :param trusts: whether the other peer is trusted; if not, its time and numbers must increase and stay within its turn.
+    :param quota: the maximum number of bytes that the other peer may send; None for no limit.
     """
 
     def __init__(self, sim: PeerSimulation, end: socket.socket, *, trusts: bool, quota: int | None = None) -> None:
@@ -46,18 +46,18 @@ class Peer:
         sim.pass_token = self._pass_token
 
     def fatal(self, error: Exception) -> NoReturn:
-        """The link cannot go on. Programs catch what is raised in them, so whoever owns this peer may end everything here."""
+        """The link has failed. Programs can catch this exception, so the owner of this peer may end the process here."""
         raise error
 
     def send(self, kind: Kind, payload: bytes) -> None:
-        """Tell the other peer something that is for the record, or that wakes nobody there."""
+        """Send the other peer a frame for the recording, or one that wakes no task there."""
         if self._told_ns != self.sim.now_ns:
             self._told_ns = self.sim.now_ns
             self._add(Kind.ADVANCE, TIME.pack(self._told_ns))
         self._add(kind, payload)
 
     def tell(self, kind: Kind, payload: bytes) -> None:
-        """Tell it something that may wake somebody there, in the order of what is asked for here before and after."""
+        """Send a frame that may wake tasks there, in the order of the items scheduled here before and after."""
         sim = self.sim
         if self._marked != sim.last_number or not sim.is_marked():
             self.send(Kind.MARK, NUMBER.pack(sim.number_for_the_other()))
@@ -67,7 +67,7 @@ class Peer:
     _marked = -1
 
     def call(self, kind: Kind, value: Any) -> Any:
-        """Let the other peer do something now, and give what it answers."""
+        """Make the other peer act now, and return its answer."""
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
         return self._take_until(Kind.RETURN)
@@ -86,13 +86,13 @@ class Peer:
         self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
 
     def await_token(self, grant_ns: int) -> None:
-        """Let the other peer run until it passes the token; at most until the time is `grant_ns`."""
+        """Let the other peer run until it passes the token, at most until the time is `grant_ns`."""
         self._grant_ns = grant_ns
         self._take_until(Kind.TOKEN)
         self._grant_ns = self.sim.now_ns
 
     def _take_until(self, kind: Kind) -> Any:
-        """Take frames until one of this kind hands over; what is said with it."""
+        """Receive frames until one of this kind arrives; return its payload."""
         return self.checked(lambda: self._until(kind))
 
     def _until(self, kind: Kind) -> Any:
@@ -103,7 +103,7 @@ class Peer:
             self._dispatch(found, payload)
 
     def checked(self, act: Callable[[], Any]) -> Any:
-        """Do something with what the other peer has sent. What goes wrong with it there ends the link."""
+        """Handle a frame of the other peer. An error in it ends the link."""
         try:
             return act()
         except (Violation, Gone, TooMuch) as error:
@@ -114,7 +114,7 @@ class Peer:
             self.fatal(error)
 
     def _take_over(self, payload: memoryview) -> Any:
-        """The other peer's last number, the key of its next item, and a value."""
+        """Return the other peer's last number, the key of its next item, and a value."""
         number, *key = TOKEN.unpack_from(payload)
         self._take_number(number)
         self.sim.other = key[0], key[1], key[2], key[3]
@@ -125,14 +125,14 @@ class Peer:
 
     def _take_number(self, number: int) -> None:
         if not self._trusts and not self.sim.sequence() <= number < LAST_NUMBER:
-            raise Violation('numbers go forward')
+            raise Violation('numbers must increase')
         self.sim.continue_from(number)
 
     def advance(self, payload: memoryview) -> None:
-        """Take the other peer's time."""
+        """Accept the other peer's time."""
         (now_ns,) = TIME.unpack(payload)
         if not self._trusts and not self.sim.now_ns <= now_ns <= self._grant_ns:
-            raise Violation('time goes forward, and not beyond what is due elsewhere')
+            raise Violation('time must increase, and not pass the next item of the other peer')
         self._told_ns = self.sim.now_ns = now_ns
 
     def _add(self, kind: Kind, payload: bytes) -> None:
@@ -187,4 +187,4 @@ class Peer:
 
 
 class TooMuch(Exception):
-    """The other peer has sent more than it may."""
+    """The other peer has sent more than its quota."""

@@ -1,6 +1,6 @@
-"""Which process each row of a record belongs to, and which program each hosted process is, as the trusted peer knows it.
+"""The process behind each row of a recording, and the program of each hosted process, as the trusted peer knows them.
 
-Names in a recording are claims of whoever chose them, and two processes can have one name. Positions are not.
+Names in a recording come from the submission, and two processes can have one name. Positions are reliable.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ class HostedProgram(NamedTuple):
 
 
 class Provenance:
-    """Where the rows of a recording come from.
+    """The origin of the rows of a recording.
 
-    :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 for none.
+    :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 for no process.
     :ivar programs: the programs that the trusted peer ran itself, by position in `processes`.
     """
 

@@ -1,7 +1,7 @@
-"""The graph in both peers: what one peer does to it, the other repeats, and messages reach whoever listens on either side.
+"""The graph in both peers: each peer repeats the changes of the other, and messages reach the subscriptions of both sides.
 
-Each peer has every node and endpoint, in the same order and with the same numbers. Those of the other peer are *remote*: what
-reaches one of them goes over the link instead of into a queue.
+Each peer has every node and endpoint, in the same order and with the same numbers. The endpoints of the other peer are *remote*:
+a message for one of them is sent over the link, instead of into a queue.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KE
 
 
 class RemoteQueue:
-    """In the place of a remote endpoint's queue: holds what comes until `on_ready` sends it. Old samples are there already."""
+    """The queue of a remote endpoint: holds messages until `on_ready` sends them. The other peer already has old samples."""
 
     item: Any = None
 
@@ -50,19 +50,19 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """See above."""
+        """Take a message; see above."""
 
     def clear(self) -> None:
-        """Nothing waits here."""
+        """Return 0: the queue is always empty."""
 
     def __bool__(self) -> bool:
         return False
 
 
 class Replica:
-    """Keeps the graph of one peer the same as that of the other.
+    """Keeps the graph of one peer equal to that of the other.
 
-    :param process: the program of a pid at the other peer, for nodes that come from there.
+    :param process: returns the program of a pid at the other peer, for nodes of that peer.
     """
 
     def __init__(self, peer: Peer, graph: Graph, messages: Messages, process: Callable[[int], Any]) -> None:
@@ -73,7 +73,7 @@ class Replica:
         self.theirs: dict[int, Any] = {}
         self._process = process
         self._ours: dict[int, Any] = {}
-        self._known: dict[int, tuple[Any, int]] = {}  # the message of each publisher that the other peer has seen last
+        self._known: dict[int, tuple[Any, int]] = {}  # the last message of each publisher that the other peer has received
         peer.handlers.update(
             {
                 Kind.NODE: self._node,
@@ -88,7 +88,7 @@ class Replica:
         )
         peer.calls[Kind.REQUEST] = self._request
 
-    # What happens here goes there
+    # Changes here are sent to the other peer
 
     def node_added(self, node: NodeEntry) -> None:
         """See `Tracer`."""
@@ -118,11 +118,11 @@ class Replica:
             self.peer.tell(Kind.END_GONE, END.pack(end.index))
 
     def is_ours(self, end: Any) -> bool:
-        """Whether an endpoint belongs to a node of this peer."""
+        """Return whether an endpoint belongs to a node of this peer."""
         return end.index in self._ours
 
     def published(self, publisher: Any, record: Record) -> None:
-        """Let the other peer have a message, before it is delivered."""
+        """Send a message to the other peer before its delivery."""
         _, index, wire = record
         self._known[index] = wire, record[0]
         self.peer.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
@@ -152,17 +152,17 @@ class Replica:
         data = self.messages.packed(client.cls.Response, wire)
         self.peer.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
 
-    # What happened there is repeated here
+    # Changes of the other peer are repeated here
 
     def their(self, index: int, kind: type[Any]) -> Any:
-        """The other peer's node or endpoint of that number. Raises Violation when it is no `kind`."""
+        """Return the other peer's node or endpoint of that number. Raise Violation if it is not a `kind`."""
         found = self.theirs.get(index)
         if not isinstance(found, kind):
-            raise Violation(f'number {index} is no {kind.__name__} of that peer')
+            raise Violation(f'number {index} is not a {kind.__name__} of that peer')
         return found
 
     def our(self, index: int, kind: type[Any]) -> Any:
-        """This peer's endpoint of that number; None when it is gone."""
+        """Return this peer's endpoint of that number, or None if it no longer exists."""
         found = self._ours.get(index)
         return found if isinstance(found, kind) else None
 
@@ -183,14 +183,14 @@ class Replica:
     def _node_gone(self, payload: memoryview) -> None:
         node = self._of(payload, NodeEntry)
         if node.endpoints:
-            raise Violation('a node goes after its endpoints')
+            raise Violation('a node must be removed after its endpoints')
         del self.theirs[node.index]
         self._repeat(lambda: self.graph.remove_node(node))
 
     def _take(self, index: int, make: Callable[[], Any]) -> None:
-        """Repeat here what got this number there."""
+        """Repeat an addition of the other peer with the same number."""
         if not self.graph.last_index < index <= LAST_INDEX or len(self.theirs) >= MOST_ENDS:
-            raise Violation('nodes and endpoints are numbered as they come')
+            raise Violation('nodes and endpoints must be numbered in order')
         self.graph.last_index = index - 1
         self.theirs[index] = self._repeat(make)
 
@@ -226,7 +226,7 @@ class Replica:
     def _end_gone(self, payload: memoryview) -> None:
         end = self._of(payload, object)
         if isinstance(end, NodeEntry):
-            raise Violation('a node is no endpoint')
+            raise Violation('a node is not an endpoint')
         del self.theirs[end.index]
         self._repeat(end.destroy)
 
@@ -249,7 +249,7 @@ class Replica:
         subscription = self.our(subscription_index, Subscription)
         if subscription is not None:
             if subscription not in publisher.matched:
-                raise Violation('a message for who does not hear it')
+                raise Violation('a message to an endpoint that is not a subscription of its topic')
             subscription.queue.append((wire, at_ns, publisher))
             subscription.on_ready()
 
@@ -260,7 +260,7 @@ class Replica:
         server = self.our(server_index, ServiceServer)
         if server is not None:
             if server not in client.servers() or not isinstance(sequence, int):
-                raise Violation('a request for who does not serve it')
+                raise Violation('a request to an endpoint that does not serve it')
             client.unanswered.add(sequence)
             server.queue.append((wire, (client, sequence)))
             server.on_ready()
@@ -277,7 +277,7 @@ class Replica:
         client.on_ready()
 
     def answered(self, client: Any, sequence: int, wire: Any) -> None:
-        """A reply has come from the other peer, to a client here: for the record, where it is kept."""
+        """A reply has arrived from the other peer for a client here; record it, if this peer records."""
 
 
 def _name(value: Any, before: str = '') -> str:
@@ -290,8 +290,8 @@ def _qos(values: Any) -> QoS:
     qos = QoS(*values)
     numbers = (qos.depth, qos.deadline_ns, qos.lifespan_ns, qos.lease_ns)
     if not all(type(number) is int and 0 <= number < 1 << 63 for number in numbers):
-        raise Violation('no quality of service')
+        raise Violation('invalid quality of service')
     words = (qos.reliability, qos.durability, qos.history, qos.liveliness)
     if not all(word in known for word, known in zip(words, POLICIES, strict=True)):
-        raise Violation('no quality of service')
+        raise Violation('invalid quality of service')
     return qos

@@ -1,5 +1,6 @@
-"""The trusted peer: the clock's owner, worlds and stock nodes, the recorder. It believes nothing that the confined peer says of
-others, and reads nothing of the student's but frames.
+"""The trusted peer: it owns the clock, the worlds, the stock nodes and the recorder.
+
+It trusts no report of the confined peer about others, and reads nothing of the student's except frames.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ STREAMS = ('stdout', 'stderr')
 
 
 class ConfinedProgram:
-    """A program of the confined peer, as far as the record needs it."""
+    """A program of the confined peer, as far as the recording needs it."""
 
     def __init__(self, pid: int, spec: ProcessSpec) -> None:
         self.pid = pid
@@ -55,14 +56,14 @@ class ToldBeside:
         self._data = data
 
     def told(self, since: int = 0) -> dict[str, Any]:
-        """All of it."""
+        """Return all steps."""
         return self._data
 
 
 class TrustedRecorder(Recorder):
-    """Keeps the record, and lets the confined peer know what it may see of it.
+    """Keeps the recording, and sends the confined peer the parts that it may see.
 
-    :ivar provenance: which process each row belongs to, and which programs ran here.
+    :ivar provenance: the process of each row, and the programs that ran here.
     :ivar programs: the programs that run here, by pid.
     """
 
@@ -83,7 +84,7 @@ class TrustedRecorder(Recorder):
             self.provenance.programs[position] = self.programs[process.pid]
 
     def _own(self, part: str, rows: Sized, process: Process | ConfinedProgram) -> None:
-        """Note which process the rows belong to that were added since the last call."""
+        """Record the process of the rows that were added since the last call."""
         owners = self.provenance.owners[part]
         owners += [self._positions.get(process.pid, -1)] * (len(rows) - len(owners))
 
@@ -129,15 +130,15 @@ class TrustedRecorder(Recorder):
         self.replica.endpoint_removed(kind, endpoint)
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
-        """The texts that the confined peer gave."""
+        """Return the strings from the confined peer."""
         return self.texts
 
 
 class Trusted:
     """The trusted peer of one run.
 
-    :param end: of the socket to the confined peer.
-    :param quota: how many bytes that may send.
+    :param end: the end of the socket to the confined peer.
+    :param quota: the maximum number of bytes from that peer.
     """
 
     def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
@@ -152,7 +153,7 @@ class Trusted:
         self.replica = self.recorder.replica = Replica(self.peer, self.graph, self.messages, self._program)
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
-        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # what is odd about the other peer's nodes, by their numbers
+        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the other peer's nodes, by their numbers
         self.peer.calls[Kind.SIGNAL] = self.host.send_signal
         self.peer.handlers.update(
             {
@@ -174,7 +175,7 @@ class Trusted:
         )
 
     def run(self, duration_s: float) -> dict[str, Any]:
-        """Let simulated time pass, and give the content of the recording."""
+        """Let simulated time pass, and return the content of the recording."""
         with streams_of_programs():
             self.peer.await_token(self.sim.now_ns)
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
@@ -183,7 +184,7 @@ class Trusted:
         return self.recorder.content()
 
     def go_on(self, duration_s: float) -> None:
-        """Let more simulated time pass, after `run`. Nothing of it is recorded."""
+        """Let more simulated time pass after `run`, without recording it."""
         with streams_of_programs():
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
 
@@ -197,7 +198,7 @@ class Trusted:
         return found
 
     def _describe(self) -> None:
-        """Ask the other peer what it knows of what was launched. It may say what it likes: nothing here depends on it."""
+        """Ask the other peer for its record of the launch. Nothing here depends on the answer, which may be anything."""
         recorder = self.recorder
         types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
         files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
@@ -216,7 +217,7 @@ class Trusted:
         if is_shipped(spec.argv[0] if spec.argv else '') and not runs_beside_the_student(
             spec.package, spec.executable, spec.argv[0]
         ):
-            raise Violation('what came with edulaunch does not run there')
+            raise Violation('programs of edulaunch do not run in that peer')
         program = self._programs[self.host.their_pid(pid)] = ConfinedProgram(pid, spec)
         self.recorder.process_started(program)  # type: ignore[arg-type]
 

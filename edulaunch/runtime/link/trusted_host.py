@@ -1,5 +1,6 @@
-"""What the trusted peer hosts for the other one: programs that came with edulaunch, but for a few that read a student's files
-or keys, started as that peer asks.
+"""The programs that the trusted peer hosts for the other one, which asks for them.
+
+These are the programs of edulaunch, except for a few that read a student's files or keys.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ OF_THE_STUDENT = {
     'turtlesim': ('turtle_teleop_key',),
     'xacro': None,
 }
-"""They read files or keys, and run beside the student's own programs: by package, all (None) or these executables."""
+"""Programs that read files or keys, and run beside the student's own: all of a package (None), or these executables."""
 
 
 @cache
@@ -45,13 +46,13 @@ def _underlay() -> Underlay:
 
 
 def hosted_program(package: str, executable: str) -> Program | None:
-    """The program of that name, if the trusted peer hosts it."""
+    """Return the program of that name, if the trusted peer hosts it."""
     own = OF_THE_STUDENT.get(package, ())
     return None if own is None or executable in own else _underlay().program(package, executable)
 
 
 def is_hosted(program: Program | None) -> bool:
-    """Whether the trusted peer has this very program."""
+    """Return whether the trusted peer has exactly this program."""
     if program is None or program.kind != 'entry_point':
         return False
     ours = hosted_program(program.package, program.executable)
@@ -59,20 +60,22 @@ def is_hosted(program: Program | None) -> bool:
 
 
 def shipped_path(package: str | None, executable: str | None) -> str:
-    """The word that starts a stock program in a command line."""
+    """Return the word that starts a stock program in a command line."""
     return os.path.join(underlay_prefix(), 'lib', package or '', executable or '')
 
 
 def is_shipped(word: str) -> bool:
-    """Whether the first word of a command line names a program that came with edulaunch, or one that could have."""
+    """Return whether the first word of a command line names a program of edulaunch, or one that it could have had."""
     return os.path.normpath(word).startswith(os.path.join(underlay_prefix(), 'lib', ''))
 
 
 def runs_beside_the_student(package: str | None, executable: str | None, word: str) -> bool:
-    """Whether a stock program, started by this word, is one of those that the confined peer runs itself."""
+    """Return whether the confined peer itself runs the stock program of this word."""
     if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
         return False
-    is_stand_in = package is not None and absent_kind(package) is not None  # it ends at once, and says what is not here
+    is_stand_in = (
+        package is not None and absent_kind(package) is not None
+    )  # it ends immediately, with a message about the missing program
     return is_stand_in or _underlay().program(package or '', executable or '') is not None
 
 
@@ -80,23 +83,23 @@ MOST_PROGRAMS = 2000
 
 
 class TrustedHost(Host):
-    """Hosts what came with edulaunch. It starts no program of the system, and looks for none among the student's files.
+    """Hosts the programs of edulaunch. It starts no program of the system, and searches for none among the student's files.
 
-    :ivar identified: which program each process that runs here is, by its pid.
+    :ivar identified: the program of each process that runs here, by its pid.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
 
     def spawn(self, payload: memoryview) -> None:
-        """Start a program that the confined peer asks for."""
+        """Start a program on request of the confined peer."""
         pid, argv, package, executable, data = load(bytes(payload))
         spec = spec_from_data(data)
         program = hosted_program(text_of(package), text_of(executable))
         _check_words(spec, argv)
         is_called_so = spec.argv[:1] == (shipped_path(spec.package, spec.executable),)
         if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
-            raise Violation('no program that is hosted here')
+            raise Violation('not a program that is hosted here')
         self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
         process = Process(self, spec, pid, argv, lambda process: run_program(process, program))
         process.on_output = lambda stream, text: self.peer.call(Kind.OUTPUT, [pid, stream, text])
@@ -104,13 +107,13 @@ class TrustedHost(Host):
         self.adopt(process)
 
     def their_pid(self, pid: Any) -> int:
-        """The next number, which the confined peer has to name."""
+        """Return the next number, which the confined peer must name."""
         if pid != self.next_pid() or pid >= 1000 + MOST_PROGRAMS:
-            raise Violation('programs are numbered as they come')
+            raise Violation('programs must be numbered in order')
         return int(pid)
 
     def hosted(self, pid: Any) -> Process | None:
-        """The hosted program of that pid; None when it has ended."""
+        """Return the hosted program of that pid, or None if it has ended."""
         return next((each for each in self.processes if each.pid == pid), None)
 
     def send_signal(self, payload: memoryview) -> None:
@@ -128,7 +131,7 @@ class TrustedHost(Host):
             process.is_recorded = is_recorded is True
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """As `Host.parameter_entries`: the confined peer reads the file."""
+        """See `Host.parameter_entries`: the confined peer reads the file."""
         program = self.program_here()
         answer = self.peer.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
         if isinstance(answer, list):
@@ -156,30 +159,30 @@ def _reading_error(answer: Any) -> Exception:
     if 'coding' in answer:
         encoding, wrong, start, end, reason = answer['coding']
         if not (0 <= start < end < 1 << 26 and isinstance(wrong, bytes)):
-            raise Violation('no place in a file')
+            raise Violation('not a place in a file')
         return UnicodeDecodeError(text_of(encoding), bytes(start) + wrong, start, end, text_of(reason))
     number, text, file = answer['system']
     return OSError(int(number), text_of(text), text_of(file))
 
 
 def text_of(value: Any) -> str:
-    """A value that is to be a text. Raises Violation when it is none."""
+    """Return a value that must be a string. Raise Violation for another value."""
     if not isinstance(value, str):
         raise Violation('no text')
     return value
 
 
 def _check_words(spec: ProcessSpec, argv: Any) -> None:
-    """What a program is told to be started with is the end of the command line that the record shows."""
+    """Check that a program's arguments are the end of the command line in the recording."""
     words = shlex.split(' '.join(spec.argv)) if spec.shell else list(spec.argv)
     if not isinstance(argv, list) or not argv or words[-len(argv) :] != argv:
-        raise Violation('a program is what its command line says')
+        raise Violation('a program must match its command line')
 
 
 def spec_from_data(data: Any) -> ProcessSpec:
-    """The spec that `confined.spec_as_data` made.
+    """Return the spec that `confined.spec_as_data` described.
 
-    :raises Violation: when it is none.
+    :raises Violation: for invalid data.
     """
     argv, name, cwd, env, shell, origin, package, executable, origins, emulate_tty, has_pipe = data
     texts = [*argv, name, *(env or {}).values(), *origins.values()]

@@ -1,5 +1,6 @@
-"""The shell of the simulated machine: lines that name simulated programs are followed here, in simulated time, as a real shell
-could not reach those programs. :class:`SimulatedShell` is what a host is given; start reading in `grammar`, then `lines`.
+"""The shell of the simulated machine: it runs lines that name simulated programs in simulated time.
+
+A real shell cannot reach those programs. A host has a :class:`SimulatedShell`; start reading in `grammar`, then `lines`.
 
 `grammar` and `lines` are imported late: few launch files have a shell line, and the two cost 16 ms.
 """
@@ -15,19 +16,19 @@ from edulaunch.runtime.shell.names import SHELLS, SIGNS
 
 
 class SimulatedShell:
-    """Reads and follows shell lines; see :class:`edulaunch.engine.processes.commands.Shell`."""
+    """Reads and runs shell lines; see :class:`edulaunch.engine.processes.commands.Shell`."""
 
     def needs_shell(self, line: str) -> bool:
-        """Whether a sign of shells stands in the line, outside of quotation marks."""
+        """Return whether the line has a shell character outside quotation marks."""
         return bool(SIGNS & set(_outside_quotes(line)))
 
     def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
-        """What stands behind the `-c` of a shell; None for any other command."""
+        """Return the line after the `-c` of a shell; None for any other command."""
         is_shell = os.path.basename(words[0]) in SHELLS and words[1:2] == ['-c']
         return words[2:] if is_shell else None
 
     def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
-        """What follows the line, if it can be read and the simulation knows one of its commands."""
+        """Return a function that runs the line, if the line can be parsed and has a simulated command."""
         from edulaunch.runtime.shell.grammar import parsed
         from edulaunch.runtime.shell.lines import is_simulated, run_line
 
@@ -35,7 +36,7 @@ class SimulatedShell:
 
 
 def _outside_quotes(line: str) -> str:
-    """The characters of a shell line that stand outside quotation marks."""
+    """Yield the characters of a shell line outside quotation marks."""
     kept, quote = [], ''
     for character in line:
         if quote:

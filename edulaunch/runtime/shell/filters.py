@@ -1,4 +1,4 @@
-"""What may stand behind a `|`: text goes through as it comes, so that a program that never ends can be looked at, too."""
+"""Programs after a `|`: each line is passed on when it arrives, which also shows the output of a program that never ends."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ from itertools import groupby
 from typing import Any, Protocol
 
 Lines = tuple[Callable[[str], object], Callable[[], object]]
-"""What takes each line, and what is done at the end."""
+"""The handler of each line, and the function at the end."""
 Stop = Callable[[], object]
 LONGEST_S = 10.0
-"""Real seconds that a real program may take for its text."""
+"""A real program has this many real seconds to process its input."""
 
 
 class Sink(Protocol):
-    """Where text goes."""
+    """A destination of output."""
 
     def write(self, text: str) -> object:
         """Take text."""
 
     def close(self) -> object:
-        """No more comes."""
+        """Handle the end of the input."""
 
 
 class Filter:
     """Passes lines on through one of :data:`FILTERS`.
 
-    :param stop: called when no more text is wanted.
-    :ivar returncode: the exit code, as it stands.
+    :param stop: called when no more input is needed.
+    :ivar returncode: the exit code so far.
     """
 
     def __init__(self, words: Sequence[str], sink: Sink, stop: Stop) -> None:
@@ -50,12 +50,12 @@ class Filter:
             self.say(line)
 
     def enough(self) -> None:
-        """No more lines are wanted."""
+        """Stop reading lines."""
         self._take = lambda line: None
         self._stop()
 
     def write(self, text: str) -> None:
-        """Take text; what is no whole line yet waits."""
+        """Take text; an incomplete line waits."""
         *lines, self._rest = (self._rest + text).split('\n')
         for line in lines:
             self._take(line)
@@ -69,7 +69,7 @@ class Filter:
 
 
 class RealFilter:
-    """Any other program: it gets the whole text once no more comes."""
+    """Any other program: it receives the whole input at its end."""
 
     def __init__(self, words: Sequence[str], sink: Sink, cwd: str | None, env: Mapping[str, str]) -> None:
         self.returncode = 0
@@ -94,7 +94,7 @@ class RealFilter:
 
 
 def is_filter(words: Sequence[str]) -> bool:
-    """Whether :class:`Filter` does what the words say: it knows the usual options, and reads no files."""
+    """Return whether :class:`Filter` supports the command: it knows the usual options, and reads no files."""
     try:
         return words[0] in FILTERS and _options(words[0], words[1:]) is not None
     except (getopt.GetoptError, ValueError):
@@ -105,7 +105,7 @@ _KNOWN = {'grep': ('ivcnoEFwe:', 1), 'head': ('n:', 0), 'tail': ('n:', 0), 'wc':
 
 
 def _options(name: str, words: Sequence[str]) -> tuple[dict[str, str], list[str]] | None:
-    """Options and other words; None when there are too many of those."""
+    """Return options and other words; None if there are too many other words."""
     letters, most = _KNOWN.get(name, ('', 0))
     words = [f'-n{word[1:]}' if re.fullmatch(r'-\d+', word) else word for word in words]
     options, others = getopt.gnu_getopt(words, letters)
@@ -152,7 +152,7 @@ def _head(filter: Filter, words: Sequence[str]) -> Lines:
 
 
 def _collected(change: Callable[[list[str], dict[str, str]], list[str]], name: str) -> Callable[[Filter, Sequence[str]], Lines]:
-    """A filter that says nothing before the end."""
+    """A filter without output before the end of the input."""
 
     def make(filter: Filter, words: Sequence[str]) -> Lines:
         lines: list[str] = []

@@ -1,17 +1,17 @@
-r"""The shell lines that are followed in the simulation, as data.
+r"""The shell lines that run in the simulation, as data::
 
-    line        = job {(';' | '&' | newline) job}
-    job         = pipeline {('&&' | '||') pipeline}            beside what follows, when '&' stands behind it
-    pipeline    = command {'|' command}
-    command     = {NAME=word} {word | redirection}
-    redirection = ['1' | '2' | '&'] ('>' | '>>') word | '2>&1' | '<' word
-    word        = one or more of: letters, 'text', "text", \x, $NAME, ${NAME}, ${NAME:-text}, $0 to $9, $@, $*, $?, $(line),
-                  `line`, a leading ~, and the patterns * ? [...]
-    comment     = from a '#' that begins a word to the end of the line
+        line        = job {(';' | '&' | newline) job}
+        job         = pipeline {('&&' | '||') pipeline}            in the background, if '&' follows it
+        pipeline    = command {'|' command}
+        command     = {NAME=word} {word | redirection}
+        redirection = ['1' | '2' | '&'] ('>' | '>>') word | '2>&1' | '<' word
+        word        = one or more of: letters, 'text', "text", \x, $NAME, ${NAME}, ${NAME:-text}, $0 to $9, $@, $*, $?, $(line),
+                      `line`, a leading ~, and the patterns * ? [...]
+        comment     = from a '#' that begins a word to the end of the line
 
-Inside "..." the signs $ ` and \ keep their meaning. Anything else that shells know (conditions, loops, functions, here-documents,
-parentheses, arithmetic) is not read here: :func:`parsed` returns None, and the line goes to a real shell. The words
-of a line stand for variables, for what other lines write, and for patterns.
+Inside "..." the signs $ ` and \ keep their meaning. Other shell syntax (conditions, loops, functions, here-documents,
+parentheses, arithmetic) is not supported here: :func:`parsed` returns None, and a real shell runs the line. Words
+can contain variables, the output of other lines, and patterns.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ _ENDS_WORD = ' \t\n|&;<>()'
 class Piece(NamedTuple):
     """A part of a word.
 
-    :ivar kind: 'text', 'name' (of a variable) or 'line' (what a line writes).
+    :ivar kind: 'text', 'name' (of a variable) or 'line' (its output is used).
     :ivar text: the text itself, or the name.
-    :ivar is_quoted: whether it stays in one word, and no pattern is looked for in it.
-    :ivar default: for a variable that is not set.
+    :ivar is_quoted: whether it stays in one word, and is never a pattern.
+    :ivar default: the value if the variable is not set.
     """
 
     kind: str
@@ -49,7 +49,7 @@ Word = tuple[Piece, ...]
 
 
 class Redirection(NamedTuple):
-    """Where a stream ('stdin', 'stdout', 'stderr' or 'both') comes from or goes; no place: where stdout goes."""
+    """A redirection of 'stdin', 'stdout', 'stderr' or 'both'; without a place, it goes where stdout goes."""
 
     stream: str
     mode: str
@@ -57,7 +57,7 @@ class Redirection(NamedTuple):
 
 
 class Command(NamedTuple):
-    """Words with the variables that are set for them."""
+    """Words, with the variables that are set for them."""
 
     settings: tuple[tuple[str, Word], ...]
     words: tuple[Word, ...]
@@ -68,7 +68,7 @@ Pipeline = tuple[Command, ...]
 
 
 class Job(NamedTuple):
-    """Pipelines, each with what stands before it: '', '&&' or '||'."""
+    """Pipelines, each with the operator before it: '', '&&' or '||'."""
 
     parts: tuple[tuple[str, Pipeline], ...]
     is_beside: bool
@@ -79,7 +79,7 @@ Line = tuple[Job, ...]
 
 
 def parsed(text: str) -> Line | None:
-    """The jobs of a line; None when it says something that is not in the grammar, or nothing at all."""
+    """Return the jobs of a line; None for an empty line, or one that is not in the grammar."""
     try:
         return _Reader(text).line('') or None
     except (_NotInGrammar, IndexError):
@@ -87,7 +87,7 @@ def parsed(text: str) -> Line | None:
 
 
 def commands(line: Line) -> Iterator[Command]:
-    """Every command of a line, those in `$(...)` too."""
+    """Yield every command of a line, including commands in `$(...)`."""
     for job in line:
         for _, pipeline in job.parts:
             for command in pipeline:
@@ -97,7 +97,7 @@ def commands(line: Line) -> Iterator[Command]:
 
 
 def stands_for_more(text: str) -> bool:
-    """Whether words of a line are known only when it runs: there are variables or `$(...)` in it."""
+    """Return whether words of a line are known only when it runs, because it has variables or `$(...)`."""
     words = (word for command in commands(parsed(text) or ()) for word in command.words)
     return any(piece.kind != 'text' for word in words for piece in word)
 
@@ -115,7 +115,7 @@ class _Reader:
         return self._text[self._at : self._at + 1]
 
     def _take(self, *signs: str) -> str:
-        """The first of the signs that stands here, taken; empty when none does."""
+        """Take the first of these signs that is next in the line; return an empty string if none is next."""
         found = next((sign for sign in signs if self._text.startswith(sign, self._at)), '')
         self._at += len(found)
         return found
@@ -227,7 +227,7 @@ class _Reader:
         return Piece('text', self._text[self._at - 1], is_quoted)
 
     def _special(self, is_quoted: bool) -> Piece | None:
-        """What a $ or ` begins."""
+        """Parse what begins with a $ or `."""
         if self._text.startswith('$((', self._at):
             raise _NotInGrammar
         if self._take('$('):
@@ -254,11 +254,11 @@ _PATTERN_SIGNS = '*?['
 
 
 class Expansion:
-    """Makes plain words.
+    """Expands words.
 
-    :param variables: by name.
+    :param variables: values by name.
     :param arguments: `$0`, `$1` and so on.
-    :param written: gives what a line in `$(...)` writes.
+    :param written: returns the output of a line in `$(...)`.
     """
 
     def __init__(
@@ -270,15 +270,15 @@ class Expansion:
         self._written = written
 
     def words(self, words: Iterable[Word]) -> list[str]:
-        """Each word, which may become several, or none."""
+        """Expand each word, which may become several words, or none."""
         return [found for word in words for found in self.fields(word)]
 
     def one(self, word: Word) -> str:
-        """A word that stays one: the name of a file, or a value."""
+        """Expand a word that stays one word: the name of a file, or a value."""
         return ''.join(self._text(word, piece) if piece.kind == 'text' else self._value(piece) for piece in word)
 
     def fields(self, word: Word) -> list[str]:
-        """The words that a word becomes."""
+        """Return the words that a word becomes."""
         fields: list[tuple[str, str]] = []
         text = pattern = ''
         is_there = False
@@ -296,7 +296,8 @@ class Expansion:
         return [found for field in fields for found in self._matches(*field)]
 
     def _parts(self, word: Word, piece: Piece) -> tuple[list[str], bool]:
-        """The words that begin with this piece (the first goes on with what is there), and whether it may be a pattern."""
+        """Return the words that begin with this piece (the first one continues the current word), and whether it may be a
+        pattern."""
         if piece.kind == 'text':
             return [self._text(word, piece)], not piece.is_quoted
         if piece.is_quoted and piece.text == '@':
@@ -325,7 +326,7 @@ class Expansion:
 
 
 def known_words(command: Command, arguments: Sequence[str]) -> list[str]:
-    """The words of a command as far as they are known before it runs; '$' for one that is not."""
+    """Return the words of a command as far as they are known before it runs; '$' replaces an unknown word."""
     known = Expansion({}, arguments, None, lambda line: '$')
     return [found for word in command.words for found in (known.fields(word) if _is_known(word) else ['$'])]
 

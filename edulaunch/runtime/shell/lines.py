@@ -1,7 +1,7 @@
 """Shell lines with commands of the simulation: `sleep 2; ros2 service call ... && ros2 topic list | grep turtle`.
 
-A real shell could not reach the simulated programs, so such a line is followed here, in simulated time. `grammar` says
-which lines these are and what their words stand for, `filters` what may stand behind a `|`.
+A real shell cannot reach the simulated programs, so such a line runs here, in simulated time. `grammar` defines
+these lines and the meaning of their words, `filters` the programs after a `|`.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ _NOT_FOUND = 127
 
 
 def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> bool:
-    """Whether a line has to be followed here: it can be read, and the simulation knows one of its commands."""
+    """Return whether a line must run here: it can be parsed, and has a command of the simulation."""
     return any(knows(words) for command in commands(line or ()) if (words := known_words(command, arguments)))
 
 
 def run_line(process: Process, text: str) -> int:
-    """Follow a line; returns the status of its last command. Ctrl-C reaches the command that runs, and ends the line."""
+    """Run a line; return the status of its last command. Ctrl-C interrupts the current command, and ends the line."""
     shell = Shell(process, process.argv[3:])
     try:
         shell.run(parsed(text) or ())
@@ -43,14 +43,14 @@ def run_line(process: Process, text: str) -> int:
 
 
 class _Exit(Exception):  # noqa: N818 - no error
-    """The line says `exit`."""
+    """The line contains `exit`."""
 
 
 class Shell:
-    """Follows lines in a process.
+    """Runs lines in a process.
 
     :param arguments: `$0`, `$1` and so on.
-    :ivar status: of the command that ended last.
+    :ivar status: the status of the last command that ended.
     """
 
     def __init__(self, process: Process, arguments: Sequence[str] = (), out: Sink | None = None) -> None:
@@ -73,7 +73,7 @@ class Shell:
                     self.status = self._run(pipeline)
 
     def _start_beside(self, job: Job) -> None:
-        """Start it and go on. One with words of the shell only is left out: nobody could see what it does."""
+        """Start a job and continue. Skip one with shell commands only, because it has no visible effect."""
         if is_simulated((job,), self._arguments, self._knows):
             streams: dict[str, Any] = {stream: _Inherited(self.process, stream) for stream in ('stdout', 'stderr')}
             Child(self.process, ['sh', '-c', job.text, *self._arguments], **streams)
@@ -83,7 +83,7 @@ class Shell:
         return self.process.host.knows(ProcessSpec(argv=tuple(words), name=''))
 
     def _run(self, pipeline: Pipeline) -> int:
-        """Build it from its end; then text flows from the first command."""
+        """Build the pipeline from its end, then let data flow from the first command."""
         sink = self._out
         stages: list[_Ended | Child | Filter | RealFilter] = []
         running: list[tuple[Child, Sink]] = []
@@ -107,7 +107,7 @@ class Shell:
         return stages[0].returncode or 0
 
     def _prepared(self, command: Command) -> tuple[list[str], dict[str, str]]:
-        """The words, and the environment; variables without a command are set for what follows."""
+        """Return the words and the environment; variables without a command are set for the following commands."""
         expansion = self._expansion()
         settings = {name: expansion.one(value) for name, value in command.settings}
         words = expansion.words(command.words)
@@ -121,7 +121,7 @@ class Shell:
         return Expansion(variables, self._arguments, self.process.cwd, self._written)
 
     def _written(self, line: Line) -> str:
-        """What a line in `$(...)` writes. What it changes, such as its folder, is forgotten."""
+        """Return the output of a line in `$(...)`. Its changes, such as another folder, are discarded."""
         process, text = self.process, _Text()
         env, cwd = dict(process.env), process.cwd
         with suppress(_Exit):
@@ -132,7 +132,7 @@ class Shell:
         return ''.join(text.parts)
 
     def _streams(self, redirections: Sequence[Redirection], sink: Sink) -> tuple[Sink, dict[str, Any]]:
-        """Where the output goes, and the options for :class:`Child`."""
+        """Return the destination of the output, and the options for :class:`Child`."""
         out = sink
         options: dict[str, Any] = {} if type(sink) is _Stream else {'stdout': sink}
         for stream, mode, place in redirections:
@@ -184,49 +184,49 @@ def _kill(running: list[tuple[Child, Sink]]) -> None:
 
 
 class _Ended:
-    """A command of the shell's own, which has ended."""
+    """A command of the shell itself, which has already ended."""
 
     def __init__(self, returncode: int) -> None:
         self.returncode = returncode
 
 
 class _Stream:
-    """The output of the process that follows the line."""
+    """The output of the process that runs the line."""
 
     def __init__(self, process: Process, stream: str) -> None:
         self._process, self._stream = process, stream
 
     def write(self, text: str) -> None:
-        """Write it there."""
+        """Write to it."""
         self._process.write(self._stream, text)
 
     def close(self) -> None:
-        """It stays open."""
+        """Leave it open."""
 
 
 class _Text(_Stream):
-    """Keeps what is written."""
+    """Keeps the output."""
 
     def __init__(self) -> None:
         self.parts: list[str] = []
 
     def write(self, text: str) -> None:
-        """Keep it."""
+        """Store it."""
         self.parts.append(text)
 
 
 class _NullSink(_Text):
-    """Takes text that nobody reads."""
+    """Discards output without a reader."""
 
     def write(self, text: str) -> None:
-        """Forget it."""
+        """Discard it."""
 
 
 _NULL_SINK = _NullSink()
 
 
 class _File:
-    """A file that a command writes into. It is open only while something is written: nobody knows when the last comes."""
+    """A file that a command writes to. It is open only during each write, because the last write is not known."""
 
     def __init__(self, path: str, mode: str) -> None:
         self._path = path
@@ -234,16 +234,16 @@ class _File:
             pass
 
     def write(self, text: str) -> None:
-        """Add to it."""
+        """Append to it."""
         with open(self._path, 'a', encoding='utf-8') as file:
             file.write(text)
 
     def close(self) -> None:
-        """It is closed already."""
+        """Do nothing: the file is already closed."""
 
 
 class _Inherited(_Stream):
-    """Where a command writes that a line has left behind: to the program that started the line, if that hears it."""
+    """The output of a background command: the program that started the line receives it, if that program reads output."""
 
     def write(self, text: str) -> None:
         """Pass it on."""
@@ -308,7 +308,7 @@ def _exit(shell: Shell, words: list[str], out: Sink) -> int:
 
 
 def _shell(shell: Shell, words: list[str], out: Sink) -> int:
-    """`...; exec bash` keeps a window open that is not there."""
+    """Do nothing: `...; exec bash` keeps a window open that does not exist here."""
     if len(words) == 1:
         return 0
     child = Child(shell.process, words, stdout=out)

@@ -1,8 +1,8 @@
-"""What tells a shell line from a plain command line."""
+"""Distinguish a shell line from a plain command line."""
 
 from __future__ import annotations
 
 SHELLS = ('bash', 'dash', 'sh', 'zsh')
 """Programs whose `-c` is followed by a shell line."""
 SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
-"""Characters that mean something to a shell where they stand outside of quotation marks."""
+"""Characters with a meaning in a shell, outside quotation marks."""

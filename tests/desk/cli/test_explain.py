@@ -68,7 +68,7 @@ def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: py
     assert main(['explain', str(path), '--assume-packages']) == 0
     shown = capsys.readouterr()
     assert '── node /sim: my_robot turtlesim_node' in shown.out
-    assert shown.err == 'missing packages, with placeholders instead: my_robot\n'
+    assert shown.err == 'missing packages, replaced by empty ones: my_robot\n'
 
 
 def test_parameter_files_that_are_not_there_stand_below_their_node(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -245,7 +245,7 @@ def test_a_graph_of_another_kind_is_refused(file: Path, tmp_path: Path, capsys: 
     assert main(['explain', str(file), '--graph', str(tmp_path / 'no' / 'plan.png')]) == 2
     err = capsys.readouterr().err
     assert 'name a file that ends with .png or .html' in err and 'name a file that ends with .png\n' in err
-    assert 'plan.png cannot be written' in err
+    assert 'error: cannot write ' in err and 'plan.png: ' in err
 
 
 def test_an_earlier_run_gives_the_endpoints(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

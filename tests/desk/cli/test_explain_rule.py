@@ -18,7 +18,7 @@ def test_a_rule_is_explained_with_cause_example_and_cure(capsys: pytest.CaptureF
         '  why:    create_timer() expects seconds: 0.5 means twice a second',
         '  do:     write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
     ]
-    example = lines[lines.index('an example; lines with - are the mistake, lines with + the cure:') :]
+    example = lines[lines.index('Example (lines with - are the mistake, lines with + are the fix):') :]
     assert any(line.startswith('  -') and 'create_timer' in line for line in example)
     assert any(line.startswith('  +') and 'create_timer' in line for line in example)
 

@@ -124,7 +124,7 @@ def test_a_fault_in_the_middle_loses_nothing(
     assert [os.path.basename(change.path) for change in changes] == ['a.launch.py', 'b.launch.py', 'c.launch.py']
     assert fixing.fix(changes, True) == 1
     assert (
-        'b.launch.py was not changed: No space left on device\n  help: 1 files were changed before it, 1 were not'
+        'b.launch.py could not be changed: No space left on device\n  help: 1 files are changed, 1 are not'
         in capsys.readouterr().err
     )
     assert [(tmp_path / f'{name}.launch.py').read_text(encoding='utf-8') for name in 'abc'] == [GOOD, BAD, BAD]

@@ -71,7 +71,7 @@ def test_what_cannot_be_loaded_or_found(container) -> None:
     assert container.fails('ros2 component list /ComponentManger') == (
         "Unable to find container node '/ComponentManger'\n  help: did you mean '/ComponentManager'?\n"
     )
-    assert 'no log level' in container.fails('ros2 component load /ComponentManager demo demo::Talker --log-level loud')
+    assert 'not a log level' in container.fails('ros2 component load /ComponentManager demo demo::Talker --log-level loud')
 
 
 def test_types_are_listed_by_package(machine) -> None:

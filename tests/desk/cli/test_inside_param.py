@@ -97,7 +97,7 @@ def test_an_unknown_node_is_waited_for_one_second(machine) -> None:
 def test_a_value_that_is_no_yaml_is_refused_with_help(machine) -> None:
     said = machine.fails('ros2 param set /sim background_r @home')
     assert "found character '@' that cannot start any token" in said
-    assert said.endswith("""help: to mean text, put it into quotation marks twice: '"@home"'\n""")
+    assert said.endswith("""help: for a string, use two kinds of quotation marks: '"@home"'\n""")
 
 
 def test_dump_into_a_folder_can_be_loaded_again(machine) -> None:
@@ -115,7 +115,7 @@ node = Node('idle')
 while True:
     time.sleep(0.5)
 """
-SILENT = '/idle has not answered for {} s: it does not spin, one of its callbacks takes long, or it has no such service\n'
+SILENT = '/idle has not answered for {} s: it may not spin, a callback may take long, or it may not have this service\n'
 
 
 def test_a_node_that_never_spins_costs_a_second_and_the_others_are_listed(machine) -> None:

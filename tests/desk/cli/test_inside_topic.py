@@ -131,7 +131,7 @@ def test_pub_refuses_what_does_not_fit(machine) -> None:
     assert machine.fails(f'{pub} {TWIST} "{{linar: 1}}"') == (
         "Failed to populate field: 'Twist' object has no attribute 'linar'\n  help: did you mean 'linear'?\n"
     )
-    assert machine.fails(f'{pub} {TWIST} "{{linear:3}}"').endswith('help: put a blank after the colon: linear: 3\n')
+    assert machine.fails(f'{pub} {TWIST} "{{linear:3}}"').endswith('help: put a space after the colon: linear: 3\n')
 
 
 def test_pub_gives_up_waiting(machine) -> None:

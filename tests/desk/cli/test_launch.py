@@ -120,7 +120,7 @@ def test_a_program_reads_its_keyboard_from_a_file(run, tmp_path: Path) -> None:
     ask = f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'ask.py')!r}], name='ask', output='screen')"
     code, out, err = run(describe(ask), '--stdin', f'ask={tmp_path / "keys"}', '--stdin', f'nobody={tmp_path / "keys"}')
     assert '[ask-1] name? hello Ada' in out.splitlines()
-    assert (code, err) == (0, 'warning: --stdin nobody: no program of that name was started\n')
+    assert (code, err) == (0, 'warning: --stdin nobody: the launch file started no program of this name\n')
 
 
 def test_output_comes_before_the_line_about_the_end(run, tmp_path: Path) -> None:

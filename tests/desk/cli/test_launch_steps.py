@@ -82,7 +82,7 @@ def test_back_and_the_context_there(step: Any) -> None:
     assert 'this is the first action' in lines
     assert any(line.startswith('  here') and 'Node talker' not in line for line in lines)
     assert any('go to the next event that launch processes' in line for line in lines)
-    assert 'write the file and the line: l demo.launch.py:12' in lines
+    assert 'give a file and a line, such as: l demo.launch.py:12' in lines
 
 
 def test_stepping_changes_nothing_in_the_run(step: Any, file: Path) -> None:

@@ -71,7 +71,7 @@ def test_check_of_no_folder_is_unusable_input(capsys: pytest.CaptureFixture[str]
 
 
 def test_in_a_course_it_says_how_to_make_a_package_in_python(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = 'For one in Python, delete it and type: ros2 pkg create robo --build-type ament_python'
+    words = 'For a Python package, delete it and type: ros2 pkg create robo --build-type ament_python'
     assert main(['pkg', 'create', 'robo']) == 0
     assert words not in capsys.readouterr().err
     (here / 'exercises').mkdir()

@@ -50,7 +50,7 @@ def test_the_messages_become_a_bag(drive: Path, capsys: pytest.CaptureFixture[st
     assert speeds == [2.0] * len(times)
     assert {after - before for before, after in zip(times, times[1:], strict=False)} == {250_000_000}
     assert main(['recording', 'export', str(drive), '--bag', str(folder)]) == 2
-    assert 'is there already' in capsys.readouterr().err
+    assert 'already exists' in capsys.readouterr().err
 
 
 def test_one_mcap_file_is_read_by_two_other_libraries(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,8 +16,8 @@ from edulaunch.desk.cli.main import main
         (
             'rclp',
             1,
-            'package.xml:3: robo needs rclp (<exec_depend>), which is not here; the nearest name is rclpy\n\n'
-            'nodes of these packages that use what is missing cannot run: robo\n',
+            'package.xml:3: robo needs rclp (<exec_depend>), which is not installed; the nearest name is rclpy\n\n'
+            'nodes that use a missing dependency cannot run: robo\n',
         ),
     ],
 )

@@ -48,7 +48,7 @@ def test_it_steps_aside_for_a_real_one_that_is_sourced(desk: Desk, real: Path, s
 @pytest.mark.parametrize(
     ('line', 'said'),
     [
-        ([*ROS2, 'topic', 'list'], 'the output of the command cannot be written: No space left on device\n'),
+        ([*ROS2, 'topic', 'list'], 'cannot write the output of the command: No space left on device\n'),
         ([sys.executable, '-m', 'edulaunch', 'explain', 'turtlesim', 'multisim.launch.py'], 'error: No space left on device: '),
         ([sys.executable, '-m', 'edugrade', 'doctor'], 'edugrade: the report cannot be written: No space left on device\n'),
     ],
@@ -101,12 +101,12 @@ def test_words_to_the_machine(desk: Desk) -> None:
     talker = desk.ros2('run demo_nodes_py talker')
     talker.until('Publishing')
     assert 'terminal 1: ros2 run demo_nodes_py talker (2 programs)' in run(desk, 'status', program=machine).stdout
-    assert run(desk, 'speed', '4', program=machine).stdout == 'one second is 4 simulated seconds now\n'
+    assert run(desk, 'speed', '4', program=machine).stdout == 'speed: 4 simulated seconds per second\n'
     assert run(desk, 'speed', 'much', program=machine).returncode == 2
-    assert 'time stands still' in run(desk, 'pause', program=machine).stdout
+    assert 'time is paused' in run(desk, 'pause', program=machine).stdout
     assert 'paused' in run(desk, program=machine).stdout
-    assert 'time goes on' in run(desk, 'resume', program=machine).stdout
-    assert run(desk, 'stop', program=machine).stdout == 'the machine stops\n'
+    assert 'time continues' in run(desk, 'resume', program=machine).stdout
+    assert run(desk, 'stop', program=machine).stdout == 'stopping the machine\n'
     assert talker.end() == 1
 
 
@@ -127,8 +127,8 @@ pytest.importorskip('tornado')
 
 
 def address(shell: Shell) -> str:
-    shell.until(lambda output: re.search(r'the view is at (http://\S+)\r?\n', output))
-    found = re.search(r'the view is at (http://\S+)', shell.output)
+    shell.until(lambda output: re.search(r'the live view is at (http://\S+)\r?\n', output))
+    found = re.search(r'the live view is at (http://\S+)', shell.output)
     assert found
     return found[1]
 

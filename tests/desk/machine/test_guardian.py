@@ -80,7 +80,7 @@ def test_status_names_the_line_and_stop_ends_it(desk: Desk) -> None:
     status = ours(desk, 'machine status')
     assert status.end() == 1 and 'sums.py:13 (tick) has kept its turn for' in status.output
     stop = ours(desk, 'machine stop')
-    assert stop.end() == 0 and 'the machine did not answer, and has been ended' in stop.output
+    assert stop.end() == 0 and 'the machine did not answer, so it was killed' in stop.output
     assert stuck.end() == 1 and 'the machine has ended:' in stuck.output and 'when somebody stopped it' in stuck.output
     assert desk.said('node list') == ''
 
@@ -159,7 +159,7 @@ def test_an_end_from_outside_is_named(desk: Desk) -> None:
     talker = desk.ros2('run demo_nodes_py talker')
     talker.until('Publishing')
     os.kill(desk.machine_pid(), signal.SIGKILL)
-    assert talker.end() == 1 and 'was ended by SIGKILL from outside' in talker.output
+    assert talker.end() == 1 and 'was killed from outside (SIGKILL)' in talker.output
     place = desk.runtime / 'edulaunch'
     talker.wait_for(lambda: not (place / 'domain-0').exists())
     assert {path.name for path in place.iterdir()} == {'domain-0.log', 'lock-0'}

@@ -106,6 +106,8 @@ def test_a_launch_says_at_once_that_its_teleop_gets_no_keys(desk: Desk) -> None:
         "    return LaunchDescription([Node(package='turtlesim', executable='turtle_teleop_key', output='screen')])\n"
     )
     launch = desk.ros2('launch keys.launch.py')
-    launch.until('note: turtle_teleop_key gets no keys from a launch file; type `ros2 run turtlesim turtle_teleop_key`')
+    launch.until(
+        'note: turtle_teleop_key cannot read keys when a launch file starts it; type `ros2 run turtlesim turtle_teleop_key`'
+    )
     launch.until("'Q' to quit.")
     assert launch.output.count('gets no keys') == 1

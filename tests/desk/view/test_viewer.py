@@ -139,7 +139,7 @@ def test_the_rules_look_when_somebody_asks(desk: Desk, monkeypatch: pytest.Monke
     monkeypatch.setattr('edulaunch.advice.wording.marks', one_mark)
     desk.ask('advise')
     desk.viewer.show()
-    assert desk.said[-2:][0] == {'said': 'to look at: 1'}
+    assert desk.said[-2:][0] == {'said': 'Problems found: 1.'}
     assert desk.said[-1]['delta']['advice'] == [{'time': 1_000_000, 'subject': {}, 'text': 'so long already', 'rule': 'length'}]
 
 
@@ -179,7 +179,7 @@ def test_a_program_that_wants_keys_gets_them(desk: Desk) -> None:
 
 def test_another_command_is_refused_with_a_sentence(desk: Desk) -> None:
     desk.ask('line', line='rm -rf /')
-    assert desk.text() == 'rm: this terminal knows ros2 ... only\n'
+    assert desk.text() == 'rm: this terminal runs only ros2 commands\n'
 
 
 def test_the_state_of_time_is_told_when_it_changes(desk: Desk) -> None:
@@ -263,7 +263,7 @@ def test_a_launch_is_stepped_and_its_processes_stopped_and_restarted() -> None:
         desk.go(0.5)
         assert (len(one.runs), one.is_running, two.runs[0][3]) == (2, True, -9)
         desk.ask('launch', pid=trace.pid, way='line', file='multisim.launch.py', line=1)
-        assert desk.said[-1] == {'said': 'the launch did not come there within 10 s of simulated time'}
+        assert desk.said[-1] == {'said': 'The launch did not reach that place within 10 s of simulated time.'}
         desk.ask('launch', pid=trace.pid, way='there')
         desk.ask('launch', pid=1, way='into')
         desk.ask('process', pid=trace.pid, number=0, what='kill')

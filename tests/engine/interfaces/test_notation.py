@@ -99,7 +99,9 @@ def test_comments_and_blank_lines_are_left_out_but_counted():
             'int8 a',
             'srv',
             2,
-            ("f.srv:1: expected 1 more line with '---'\n  help: a .srv file is: request --- response; a part may be empty"),
+            (
+                "f.srv:1: expected 1 more line with '---'\n  help: a .srv file has these parts, which may be empty: request --- response"
+            ),
         ),
         (
             '',
@@ -107,7 +109,7 @@ def test_comments_and_blank_lines_are_left_out_but_counted():
             3,
             (
                 "f.action:1: expected 2 more lines with '---'\n"
-                '  help: a .action file is: goal --- result --- feedback; a part may be empty'
+                '  help: a .action file has these parts, which may be empty: goal --- result --- feedback'
             ),
         ),
         ('---', 'msg', 1, "f.msg:1: a .msg file has no line with '---'; this is one too many"),

@@ -33,7 +33,7 @@ def test_a_path_may_end_at_a_message_and_go_on_behind_an_element() -> None:
 
 @pytest.mark.parametrize('path', ['', 'linear.', 'linear..x', 'linear x', 'ranges[a]', 'ranges[0', '[0]'])
 def test_what_is_not_a_path_is_a_value_error(path: str) -> None:
-    with pytest.raises(ValueError, match='is no path of a field'):
+    with pytest.raises(ValueError, match='is not a path of a field'):
         getter(cls('geometry_msgs/msg/Twist'), path)
 
 

@@ -112,7 +112,7 @@ def test_ambient_waiting_runs_the_simulation_in_place() -> None:
 
 
 def test_ambient_waiting_for_ever_is_an_error_not_a_hang() -> None:
-    with pytest.raises(SimulationError, match='waiting for ever.*\n  help: .* start it with ros2 run'):
+    with pytest.raises(SimulationError, match='waiting forever.*\n  help: .* start it with ros2 run'):
         AmbientTask(Simulation()).park()
 
 

@@ -80,7 +80,7 @@ def main() -> int:
             rows = [seen.get(row.words, row) for row in rows]
         print(table(rows))
         for each in gone(known, rows):
-            print(f'known, and it did not occur: {each.file}: {each.why}')
+            print(f'a known difference did not occur: {each.file}: {each.why}')
     return 0 if all(row.is_well for row in rows) else 1
 
 

@@ -19,10 +19,9 @@ Run = Callable[..., subprocess.CompletedProcess[str]]
 
 def test_a_talker_and_a_listener_are_the_same_in_both_worlds(real: Environment, edulaunch: Run) -> None:
     done = edulaunch('compare', 'demo_nodes_cpp', 'talker_listener_launch.py')
-    assert (done.returncode, done.stdout.splitlines()[0]) == (
-        0,
-        'The real run shows nothing that differs from the simulation.',
-    ), done.stdout + done.stderr
+    assert (done.returncode, done.stdout.splitlines()[0]) == (0, 'The real run does not differ from the simulation.'), (
+        done.stdout + done.stderr
+    )
     assert 'nodes 2/2, endpoints 22/22, parameters 12/12, topics and frames 1/1' in done.stdout
 
 
@@ -78,7 +77,7 @@ def test_several_files_with_what_is_known(real: Environment, edulaunch: Run, tmp
     done = edulaunch('compare', '.', '--for', '4', '--jobs', '2', '--known', 'b.yaml')
     assert done.stdout.splitlines()[-1] == 'of 2: 1 equal, 1 known', done.stdout + done.stderr
     assert './cheater.launch.xml known it cheats' in [' '.join(line.split()) for line in done.stdout.splitlines()]
-    assert 'known, and it did not occur: *b.launch*: shy' in done.stderr
+    assert 'a known difference did not occur: *b.launch*: shy' in done.stderr
     assert done.returncode == 0
 
 

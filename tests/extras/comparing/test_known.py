@@ -41,9 +41,9 @@ def test_what_is_known_and_does_not_occur_is_told_unless_it_is_chance(tmp_path: 
 
 @pytest.mark.parametrize('text', ['- {file: x}', '- {file: x, why: y, colour: z}', '- 3', '{', 'no list'])
 def test_what_is_no_such_table_is_refused(tmp_path: Path, text: str) -> None:
-    with pytest.raises(UnusableInput, match='is no table of known differences') as refused:
+    with pytest.raises(UnusableInput, match='is not a table of known differences') as refused:
         table(tmp_path, text)
-    assert 'of which file and why are needed' in str(refused.value.help)
+    assert 'file and why are required' in str(refused.value.help)
 
 
 def test_no_table_knows_nothing(tmp_path: Path) -> None:

@@ -53,7 +53,7 @@ def test_the_table_names_all_that_is_not_equal() -> None:
         Row(('a.launch.py',)),
         Row(('b.launch.py', 'n:=1'), (Difference('node', '/n', 'there', 'missing'),)),
         Row(('c.launch.py',), (), (known,)),
-        Row(('d.launch.py',), trouble='took more than 100 s'),
+        Row(('d.launch.py',), trouble='it took more than 100 s'),
     ]
     text = table(rows)
     assert [line.split()[0] for line in text.splitlines()] == ['launch', 'b.launch.py', 'c.launch.py', 'd.launch.py', 'of']

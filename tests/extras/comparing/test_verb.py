@@ -13,14 +13,14 @@ def test_a_report_begins_with_its_verdict_and_says_what_does_not_count() -> None
         'The real run differs from the simulation in 1 thing:',
         'differs  of  in simulation  for real',
         'node     /b  there          missing',
-        'These depend on how fast this computer is, and do not count:',
+        'These differences depend on the speed of this computer, and do not count:',
         '  rate of messages /t: 10 Hz in simulation, 5 Hz for real',
         'These differences are known:',
         '  the client was gone',
-        'These differ between simulations of other random numbers, too: messages /dice.',
-        'late was stopped before it was up: its output and exit code do not count.',
+        'These also differ between simulations with other random numbers: messages /dice.',
+        'late was stopped before it had started: its output and exit code do not count.',
     ]
 
 
 def test_a_report_of_equal_runs_is_one_sentence() -> None:
-    assert report([], [], [], [], set()) == 'The real run shows nothing that differs from the simulation.'
+    assert report([], [], [], [], set()) == 'The real run does not differ from the simulation.'

@@ -91,7 +91,7 @@ def test_a_test_that_waits_for_ever_is_ended(run: Run) -> None:
     test = run('waiting')
     assert str(test.error) == (
         'waiting.py: the launch test was still waiting after 3600.0 s of simulated time.\n'
-        '  help: give waits a timeout, such as event.wait(timeout=10)'
+        '  help: give each wait a timeout, such as event.wait(timeout=10)'
     )
 
 

@@ -51,7 +51,7 @@ def test_who_needs_it_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(environment, 'unsuited', lambda: None)
     with pytest.raises(UnusableInput, match='not installed') as caught:
         environment.needed()
-    assert caught.value.help == 'edulaunch network install (220 MB)'
+    assert caught.value.help == 'type: edulaunch network install (220 MB)'
 
 
 def test_where_there_are_no_wheels_nothing_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -66,7 +66,7 @@ def test_a_folder_of_somebody_else_is_not_removed(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(environment, 'unsuited', lambda: None)
     monkeypatch.setenv(environment.PLACE_VARIABLE, str(tmp_path))
     (tmp_path / 'thesis.tex').write_text('')
-    with pytest.raises(UnusableInput, match='is no environment of Python'):
+    with pytest.raises(UnusableInput, match='is not a Python environment'):
         environment.install(print)
     assert (tmp_path / 'thesis.tex').exists()
 

@@ -133,7 +133,7 @@ def test_a_program_that_cannot_run_says_so_as_in_the_simulation(real: Environmen
 
 def test_the_clock_cannot_be_hurried(real: Environment, edulaunch: Run) -> None:
     done = edulaunch('launch', '--real', '--fast', 'turtlesim', 'multisim.launch.py')
-    assert (done.returncode, done.stderr) == (2, 'error: --fast needs simulated time.\n  help: leave out --fast, or --real\n')
+    assert (done.returncode, done.stderr) == (2, 'error: --fast needs simulated time.\n  help: leave out --fast or --real\n')
 
 
 STEERED = """

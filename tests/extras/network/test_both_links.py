@@ -101,7 +101,7 @@ def test_a_machine_of_which_no_topic_crosses_is_known_and_two_nodes_of_one_name_
     plain.graph.add_node(plain.node.process, 'quiet', '/')
     places.until(lambda: seen(plain) == [('turtle', True)] and seen(full) == [('quiet', True), ('turtle', True)])
     places.until(lambda: plain.said and full.said)
-    told = 'there are two nodes called /turtle: one of this machine, and one of another machine'
+    told = 'two nodes have the name /turtle: one of this machine, and one of another machine'
     assert [text.split('\n')[0] for text in (*plain.said, *full.said)] == [told, told]
 
 

@@ -133,7 +133,7 @@ def test_names_that_clash_are_told_once(place: Any) -> None:
     here, there = place('same'), place('same')
     turns(here, there, count=9)
     assert len(here.said) == len(there.said) == 1
-    assert here.said[0].startswith('there are two nodes called /same: one of this machine, and a real one')
+    assert here.said[0].startswith('two nodes have the name /same: one of this machine, and a real one')
 
 
 def test_bytes_that_are_no_message_are_dropped_and_told_and_the_next_ones_heard(place: Any, air: Air) -> None:
@@ -245,9 +245,7 @@ def test_another_definition_of_a_type_is_told(place: Any, air: Air) -> None:
     turns(here)
     here.subscription('/chatter')
     turns(here)
-    assert here.said == [
-        '/chatter: std_msgs/msg/String is not the same here and out there (another definition): messages are misread'
-    ]
+    assert here.said == ['/chatter: std_msgs/msg/String has another definition on the network than here, so messages are misread']
 
 
 def test_a_queue_that_is_full_is_read_before_its_oldest_message_is_dropped(place: Any) -> None:
@@ -304,7 +302,7 @@ def test_real_ends_that_cannot_talk_with_each_other_are_not_this_machines_busine
     ('source_s', 'qos', 'told'),
     [
         (110, QoS(), "the clock of /real is 10 s ahead of this computer's"),
-        (90, QoS(), 'what /real says on /chatter is 10 s old: its clock is behind, or the way is slow'),
+        (90, QoS(), 'a message of /real on /chatter is 10 s old: its clock or the network is slow'),
         (90, QoS(durability=TRANSIENT_LOCAL), None),
         (102, QoS(), None),
         (0, QoS(), None),
@@ -332,4 +330,4 @@ def test_the_clock_of_another_computer_is_told_when_it_is_far_off(
 def test_an_endpoint_that_no_node_has_claimed_is_named_in_words(place: Any) -> None:
     unknown = place().bridge.mirror.unknown()
     assert unknown.fully_qualified_name == '_NODE_NAMESPACE_UNKNOWN_/_NODE_NAME_UNKNOWN_'
-    assert named(unknown) == 'a node that has not told its name'
+    assert named(unknown) == 'a node with an unknown name'

@@ -89,10 +89,16 @@ def test_it_joins_on_the_time_of_the_wall_and_leaves(machine: Any) -> None:
 @pytest.mark.parametrize(
     ('env', 'told'),
     [
-        ({'ROS_DOMAIN_ID': '7'}, 'help: do they have ROS_DOMAIN_ID=7, in every terminal? On another computer: ROS_AUTOMATIC'),
+        (
+            {'ROS_DOMAIN_ID': '7'},
+            'help: check that all terminals have ROS_DOMAIN_ID=7. For nodes on another computer, type ROS_AUTOMATIC',
+        ),
         ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, 'Does the network let multicast through?'),
         ({'ROS_STATIC_PEERS': '10.0.0.2'}, 'Do they name this computer in ROS_STATIC_PEERS?'),
-        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'}, 'help: ROS_AUTOMATIC_DISCOVERY_RANGE is OFF: nobody is looked for'),
+        (
+            {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'},
+            'help: ROS_AUTOMATIC_DISCOVERY_RANGE is OFF, so this machine does not search for nodes',
+        ),
     ],
 )
 def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(machine: Any, env: Any, told: str) -> None:
@@ -113,9 +119,9 @@ def test_who_launches_with_the_network_is_told_that_it_has_joined_and_left(machi
     where = 'domain 7 of this computer alone, by memory'
     assert here.said.pop() == f'joined the real ROS 2 network: {where}'
     again = here.switch.join({'ROS_DOMAIN_ID': '7'}, (), here.said.append, here.said.append)
-    assert here.said.pop() == f'this machine is on the real ROS 2 network already: {where}'
+    assert here.said.pop() == f'this machine is already on the real ROS 2 network: {where}'
     here.switch.join({'ROS_DOMAIN_ID': '7'}, ['--topics=/tf'], here.said.append, here.said.append)
-    assert 'already, with other settings than asked for here (edulaunch network off, and launch again): ' in here.said.pop()
+    assert ', with other settings than requested here (type edulaunch network off, and launch again): ' in here.said.pop()
     again()
     assert here.said == [] and here.switch.bridge is not None
     leave()
@@ -158,7 +164,7 @@ def test_mistakes_of_ours_do_not_end_the_machine(machine: Any, monkeypatch: pyte
     assert here.switch.bridge is not None and here.said == []
     here.heard()
     assert here.switch.bridge is None and here.link.is_closed
-    assert here.said == ['the network is off: edulaunch made mistakes with what came from there, see the log of the machine']
+    assert here.said == ['the network is off, because edulaunch failed on messages from it; see the log of the machine']
 
 
 def test_a_link_that_cannot_be_opened_leaves_nothing_behind(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -178,5 +184,5 @@ def test_a_machine_whose_clock_is_not_the_walls_does_not_join(machine: Any) -> N
         here = machine(start_ns)
         assert here.switch.run(['on'], {}, here.said.append, here.said.append) == 1
         assert here.said == [
-            "error: this machine's clock is not that of the wall\n  help: edulaunch machine stop, and begin anew\n"
+            'error: this machine does not run in real time\n  help: type edulaunch machine stop, and start again\n'
         ]

@@ -77,7 +77,7 @@ def test_a_machine_beside_cells_joins_and_leaves(joystick: Any) -> None:
 def test_without_a_loop_it_says_why_it_does_not() -> None:
     with edulaunch.start('turtlesim', 'multisim.launch.py') as machine:
         assert machine.is_on_network is None
-        assert machine.join_network(True) == 'a machine joins a network while an asyncio loop runs, as in a notebook'
+        assert machine.join_network(True) == 'a machine can join a network only while an asyncio loop runs, as in a notebook'
 
 
 def test_the_machine_of_cells_joins_and_cells_hear_real_nodes(joystick: Any) -> None:

@@ -120,8 +120,8 @@ def test_a_service_that_could_not_answer_fast_dds_is_not_seen_and_that_is_said(w
     wire.until(lambda: here.said and real.last('ready') is not None, real.read)
     assert real.last('ready') == [False]
     assert here.said == [
-        'a real node has a client of the service /reset: calls of it do not cross\n'
-        '  help: only topics cross with Fast DDS over this link; for all: edulaunch network install, then edulaunch network on --link rclpy'
+        'a real node has a client of the service /reset: its calls do not cross\n'
+        '  help: only topics cross to Fast DDS here; for all: edulaunch network install, then edulaunch network on --link rclpy'
     ]
 
 

@@ -24,8 +24,8 @@ def test_the_variables_of_ros_2() -> None:
     ('name', 'value', 'said'),
     [
         ('ROS_DOMAIN_ID', 'seven', "ROS_DOMAIN_ID is 'seven', not a number"),
-        ('ROS_DOMAIN_ID', '-1', 'ROS_DOMAIN_ID -1 is not a domain: they go from 0 to 232'),
-        ('ROS_DOMAIN_ID', '233', 'ROS_DOMAIN_ID 233 is not a domain: they go from 0 to 232'),
+        ('ROS_DOMAIN_ID', '-1', 'ROS_DOMAIN_ID must be from 0 to 232, not -1'),
+        ('ROS_DOMAIN_ID', '233', 'ROS_DOMAIN_ID must be from 0 to 232, not 233'),
         ('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SUBNETS', "help: did you mean 'SUBNET'?"),
     ],
 )

@@ -55,7 +55,7 @@ def test_a_launch_file_of_an_absent_package_is_left_out(tmp_path: Path, path: st
     told, last = run(tmp_path, f"IncludeLaunchDescription({path}, launch_arguments={{'world': 'w'}}.items())")[-2:]
     assert told == (
         "[ERROR] [launch]: gazebo_ros/launch/gazebo.launch.py is not included: the package 'gazebo_ros' (Gazebo) is not here; "
-        'the rest of the launch goes on without it'
+        'the rest of the launch continues without it'
     )
     assert last == '[INFO] [launch.user]: it goes on'
 

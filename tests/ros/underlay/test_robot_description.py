@@ -173,6 +173,26 @@ def generate_launch_description():
     assert (frame.parent, frame.translation[0]) == ('upper', pytest.approx(2.4))
 
 
+def test_relative_paths_count_from_the_folder_of_the_command(tmp_path: Path) -> None:
+    (tmp_path / 'part').mkdir()
+    (tmp_path / 'part' / 'arm.urdf.xacro').write_text(ARM)
+    (tmp_path / 'arm.launch.py').write_text(
+        f"""
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+def generate_launch_description():
+    here = {str(tmp_path)!r}
+    xacro = ExecuteProcess(cmd=['ros2', 'run', 'xacro', 'xacro', 'part/arm.urdf.xacro', '-o', 'part/arm.urdf'], cwd=here)
+    robot = ExecuteProcess(cmd=['ros2', 'run', 'robot_state_publisher', 'robot_state_publisher', 'part/arm.urdf'], cwd=here)
+    return LaunchDescription([xacro, RegisterEventHandler(OnProcessExit(target_action=xacro, on_exit=[robot]))])
+"""
+    )
+    recording = edulaunch.run(tmp_path / 'arm.launch.py', duration_s=3.0)
+    assert (tmp_path / 'part' / 'arm.urdf').read_text().startswith('<?xml')
+    assert 'tip' in recording.frames_at(3.0)
+
+
 def test_xacro_tells_of_a_mistake_in_its_file(tmp_path: Path, stage: Any) -> None:
     (tmp_path / 'a.xacro').write_text(
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><link name="${nope}"/></robot>'

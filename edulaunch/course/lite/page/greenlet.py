@@ -1,8 +1,8 @@
 """`greenlet` in Pyodide, as far as edulaunch needs it: tasks that switch by suspending WebAssembly (JSPI).
 
-Each greenlet is a call from JavaScript of its own. Switching opens the other one's promise and waits for one's own; the browser's
-queue of promises goes on with the other. A greenlet that nobody switches to any more stays suspended for good: nothing is raised
-in it.
+Each greenlet is a separate call from JavaScript. A switch resolves the promise of the other one and waits for its own; the
+browser's queue of promises then continues with the other. A greenlet that is never switched to again stays suspended. No
+exception is raised in it.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ _change, _open, _prepare = run_js("""(() => {
 
 
 class GreenletExit(BaseException):
-    """Ends a greenlet quietly."""
+    """Raised to end a greenlet quietly."""
 
 
 class greenlet:
-    """A call that can be left in its middle, and gone on with."""
+    """A call that can be suspended and continued."""
 
     count = 0
     dead = False
@@ -41,7 +41,7 @@ class greenlet:
             _prepare(self._number, create_proxy(self._body))
 
     def switch(self, *values):
-        """Go on with this one; returns what somebody switches back with, or raises what ended a child."""
+        """Continue this one; return the value of the next switch back, or raise the exception that ended a child."""
         global _current
         mine = _current
         if self is mine:
@@ -73,5 +73,5 @@ _current = greenlet()
 
 
 def getcurrent():
-    """The one that runs."""
+    """Return the running greenlet."""
     return _current

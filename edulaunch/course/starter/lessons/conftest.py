@@ -1,6 +1,6 @@
-"""`pytest --nbval` compares the cells of a lesson with the outputs that are kept in .outputs."""
+"""`pytest --nbval` compares the cells of a lesson with the outputs stored in .outputs."""
 
 from edulaunch.course.stored import pytest_itemcollected
 
 __all__ = ['pytest_itemcollected']
-collect_ignore_glob = ['my_*']  # what a student writes has tests of its own
+collect_ignore_glob = ['my_*']  # files of students have their own tests

@@ -1,4 +1,4 @@
-"""`ros2 action`: which actions there are; sending a goal, and waiting for what becomes of it."""
+"""`ros2 action`: list actions, send a goal, and wait for its result."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 CANCEL_PATIENCE_S = 1.0
-"""Ctrl-C often ends the server too; then there is nobody to wait for."""
+"""Ctrl-C often ends the server too; then no result will come."""
 STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED')
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 action info`."""
+    """Add the options and arguments of `ros2 action info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('action_name', help="Name of the action to get info (e.g. '/fibonacci')")
     parser.add_argument('-t', '--show-types', action='store_true', help='Additionally show the action type')
@@ -30,7 +30,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> None:
-    """Print the nodes on both sides."""
+    """Print the nodes with clients and with servers."""
     action = arguments.action_name
     with cli_node.cli_node(arguments) as node:
         sides = (
@@ -54,29 +54,29 @@ def _nodes(node: Node, action: str, actions_by_node: Callable[[Node, str, str], 
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 action list`."""
+    """Add the options and arguments of `ros2 action list`."""
     names.add_list_arguments(parser, 'action')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the actions, sorted by name."""
     with cli_node.cli_node(arguments) as node:
         names.say_names(names.action_names_and_types(node), arguments)
 
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 action type`."""
+    """Add the options and arguments of `ros2 action type`."""
     names.add_name_arguments(parser, 'action', 'get type', '/fibonacci')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print it; status 1 in silence when there is no such action, as in ROS 2."""
+    """Print the type; return 1 without a message if there is no such action, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
         return names.say_types(arguments.action_name, names.action_names_and_types(node))
 
 
 def send_goal_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 action send_goal`."""
+    """Add the options and arguments of `ros2 action send_goal`."""
     parser.add_argument('action_name', help="Name of the ROS action (e.g. '/fibonacci')")
     parser.add_argument('action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
     group = parser.add_mutually_exclusive_group()
@@ -86,7 +86,7 @@ def send_goal_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def send_goal_verb(arguments: argparse.Namespace) -> str | None:
-    """Send it; Ctrl-C cancels it."""
+    """Send the goal and wait for the result; Ctrl-C cancels the goal."""
     try:
         cls = interface_class(arguments.action_type, 'action')
     except InterfaceError as error:

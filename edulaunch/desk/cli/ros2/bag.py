@@ -1,4 +1,4 @@
-"""Where bags lie, reading them with `rosbags`, `ros2 bag info`, and the keys that steer a recording or a playback."""
+"""Find bags, read them with `rosbags`, `ros2 bag info`, and the keys that control a recording or a playback."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import MissingExtra
 
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
-"""How the topic of a service's events, and its type, end."""
+"""The endings of the topic of a service's events, and of its type."""
 WIDTH = 19
 
 
 def folder_of(path: str) -> str:
-    """The absolute path of a bag that is named on the command line."""
+    """Return the absolute path of a bag that the command line names."""
     return os.path.abspath(os.path.join(current_process().cwd or '', path))
 
 
 def new_folder() -> str:
-    """A folder that is not there yet, named after date and time of day as in ROS 2; several of one second are numbered."""
+    """Return the path of a new folder, named after date and time as in ROS 2; several in one second get numbers."""
     name = folder_of(time.strftime('rosbag2_%Y_%m_%d-%H_%M_%S'))
     numbered = (f'{name}_{number}' for number in range(1, 1_000_000))
     return name if not os.path.exists(name) else next(other for other in numbered if not os.path.exists(other))
 
 
 def found_bag(path: str) -> str:
-    """The folder of the bag at `path`, which is that folder or a file in it.
+    """Return the folder of the bag at `path`, which is that folder or a file in it.
 
-    :raises RuntimeError: when there is no bag; begins with the words of ROS 2.
+    :raises RuntimeError: when there is no bag; the message begins like that of ROS 2.
     """
     folder = folder_of(path)
     if os.path.isfile(folder):
@@ -44,7 +44,7 @@ def found_bag(path: str) -> str:
     if os.path.isfile(os.path.join(folder, 'metadata.yaml')):
         return folder
     text = f"'{path}' has no metadata.yaml" if os.path.exists(folder) else f"bag path '{path}' does not exist!"
-    raise RuntimeError(with_help(f'[ERROR] [ros2bag]: {text}', 'give the folder that `ros2 bag record` made'))
+    raise RuntimeError(with_help(f'[ERROR] [ros2bag]: {text}', 'give the folder that `ros2 bag record` created'))
 
 
 def require_rosbags() -> None:
@@ -58,9 +58,9 @@ def require_rosbags() -> None:
 
 @contextmanager
 def opened(path: str) -> Iterator[Any]:
-    """The reader of the bag at `path`.
+    """Return a reader of the bag at `path`.
 
-    :raises RuntimeError: when there is no bag, or one that cannot be read.
+    :raises RuntimeError: when there is no bag, or it cannot be read.
     """
     require_rosbags()
     from rosbags.rosbag2 import Reader
@@ -70,7 +70,7 @@ def opened(path: str) -> Iterator[Any]:
     try:
         reader = Reader(Path(folder))
         reader.open()
-    except Exception as error:  # what rosbags raises for a file that is cut or changed depends on the kind of storage
+    except Exception as error:  # the error of rosbags for a damaged file depends on the storage format
         raise unreadable(path, error) from None
     try:
         yield reader
@@ -79,9 +79,9 @@ def opened(path: str) -> Iterator[Any]:
 
 
 def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
-    """The messages of an opened bag: (connection, time, bytes).
+    """Yield the messages of an opened bag: (connection, time, bytes).
 
-    :raises RuntimeError: when the file is cut or changed.
+    :raises RuntimeError: when the file is damaged.
     """
     rows = reader.messages(**span)
     while True:
@@ -95,12 +95,12 @@ def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
 
 
 def event_kind(data: bytes) -> int:
-    """What a serialized service event tells: 0 request sent, 1 request received, 2 response sent, 3 response received."""
-    return data[4]  # behind the four bytes that say how it is encoded
+    """Return the kind of a serialized service event: 0 request sent, 1 request received, 2 response sent, 3 response received."""
+    return data[4]  # the first four bytes describe the encoding
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """The bag, and how much to say of it."""
+    """Add the bag, and how much to print."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
 
@@ -119,7 +119,7 @@ def _lines(folder: str, content: dict[str, Any]) -> list[str]:
     files = content['relative_file_paths']
     size = sum(os.path.getsize(os.path.join(folder, name)) for name in files)
     start, length = content['starting_time']['nanoseconds_since_epoch'], content['duration']['nanoseconds']
-    if not content['message_count']:  # the times of nothing are the largest numbers there are
+    if not content['message_count']:  # without messages, the times are the largest possible numbers
         start = length = 0
     listed = content['topics_with_message_count']
     events = [each for each in listed if each['topic_metadata']['name'].endswith(EVENT_TOPIC)]
@@ -168,7 +168,7 @@ def _moment(nanoseconds: int) -> str:
 
 
 class Keys:
-    """Reads what was pressed, without waiting. In a terminal each comes at once; its own mode comes back at the end."""
+    """Reads pressed keys without waiting. A terminal sends each key at once; `close` restores the mode of the terminal."""
 
     def __init__(self) -> None:
         process = current_process()
@@ -179,7 +179,7 @@ class Keys:
             tty.setcbreak(0)
 
     def pressed(self) -> str:
-        """The keys that were pressed since the last look."""
+        """Return the keys pressed since the last call."""
         keys = ''
         while not self._is_over and self._input.is_ready():
             key = self._input.read(1)

@@ -1,4 +1,4 @@
-"""The `metadata.yaml` of a bag, from whoever made it: read with a schema, so that nothing above has to doubt it."""
+"""The `metadata.yaml` of a bag from any source, checked against a schema, so that callers can trust it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.engine.recording.schema import Check, each, number, text
 
 ROOT = 'rosbag2_bagfile_information'
 LONGEST_BYTES = 10_000_000
-_HELP = 'give a bag that `ros2 bag record` made, or record it again'
+_HELP = 'give a bag that `ros2 bag record` created, or record it again'
 
 
 def _count(value: Any) -> bool:
@@ -19,7 +19,7 @@ def _count(value: Any) -> bool:
 
 
 def _inside(value: Any) -> bool:
-    """The path of a file in the bag's own folder."""
+    """Return whether a path is in the bag's own folder."""
     return text(value) and '\0' not in value and not os.path.isabs(value) and '..' not in value.split('/')
 
 
@@ -40,16 +40,16 @@ TOPIC: dict[str, tuple[Check, str]] = {
 
 
 def unreadable(path: str, why: object) -> RuntimeError:
-    """The error for a bag that cannot be read."""
+    """Return the error for a bag that cannot be read."""
     reason = ' '.join(str(why).split())[:200] or type(why).__name__
     return RuntimeError(with_help(f"[ERROR] [ros2bag]: '{path}' cannot be read: {reason}", _HELP))
 
 
 def read_metadata(path: str, folder: str) -> dict[str, Any]:
-    """What the metadata of the bag in a folder say.
+    """Return the metadata of the bag in a folder.
 
-    :param path: how the user named the bag.
-    :raises RuntimeError: they are no metadata of a bag; the message names the entry.
+    :param path: the name that the user gave for the bag.
+    :raises RuntimeError: when the metadata are invalid; the message names the entry.
     """
     import yaml
 

@@ -1,4 +1,4 @@
-"""`ros2 bag play`: publish what a bag holds, at the times of its messages, with a clock and a pause key if wanted."""
+"""`ros2 bag play`: publish the messages of a bag at their times, with an optional clock and a pause key."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ CLOCK_HZ = 40.0
 
 
 class Player:
-    """One bag and the publishers for its topics.
+    """A bag and the publishers for its topics.
 
-    :ivar messages: (nanoseconds after the beginning, what publishes, message) in order of time.
+    :ivar messages: (nanoseconds after the beginning, publisher, message) in order of time.
     """
 
     def __init__(self, node: Node, arguments: argparse.Namespace) -> None:
@@ -46,7 +46,7 @@ class Player:
             self._log.info('Press SPACE for Pause/Resume')
 
     def load(self, path: str) -> None:
-        """Read the bag and make publishers, or clients for recorded requests.
+        """Read the bag and create publishers, or clients for recorded requests.
 
         :raises RuntimeError: when there is no bag.
         """
@@ -72,7 +72,7 @@ class Player:
         return bool(self._arguments.publish_service_requests and connection.topic.endswith(EVENT_TOPIC))
 
     def _sender(self, connection: Any) -> tuple[Callable[[Any], object], Any] | None:
-        """What sends the messages of a topic, and their class; None when their type is not known here."""
+        """Return what sends the messages of a topic, and their class; None if their type is unknown here."""
         topic = self._names.get(connection.topic, connection.topic)
         try:
             cls = current_registry().get(connection.msgtype)
@@ -86,7 +86,7 @@ class Player:
             return None
 
     def play_once(self) -> bool:
-        """Publish all messages; False when ROS 2 was shut down meanwhile."""
+        """Publish all messages; return False if ROS 2 was shut down in the meantime."""
         cli_node.pause(self._node, self._arguments.delay)
         self._log.info('Playback until timestamp: -1')
         begin_ns, rate = self._sim.now_ns, self._arguments.rate
@@ -106,7 +106,7 @@ class Player:
         return bool(self._node.context.ok())
 
     def _wait_until(self, begin_ns: int, offset_ns: int) -> int:
-        """Wait for a moment of the playback, and as long as it is paused; returns when the playback would have begun."""
+        """Wait for a moment of the playback, longer if it is paused; return the shifted start time of the playback."""
         while self._node.context.ok() and (self._is_paused or self._sim.now_ns < begin_ns + offset_ns):
             before_ns = self._sim.now_ns
             look_ns = before_ns + LOOK_AT_KEYS_NS
@@ -121,7 +121,7 @@ class Player:
         return begin_ns
 
     def _clock(self) -> Callable[[int], None]:
-        """What publishes a time in nanoseconds to /clock."""
+        """Return a function that publishes a time in nanoseconds to /clock."""
         clock_class = interface_class('rosgraph_msgs/msg/Clock', 'msg')
         publisher = self._node.create_publisher(clock_class, '/clock', 1)
 
@@ -134,9 +134,9 @@ class Player:
 
 
 def _message(path: str, data: Any, cls: Any) -> Any:
-    """The message in bytes of a bag.
+    """Deserialize the message from the bytes of a bag.
 
-    :raises RuntimeError: they are no such message.
+    :raises RuntimeError: when the bytes are not such a message.
     """
     from edulaunch.ros.serialization.cdr import deserialize
 
@@ -147,7 +147,7 @@ def _message(path: str, data: Any, cls: Any) -> Any:
 
 
 def _rate_hz(text: str) -> float:
-    """A number above zero; ros2bag words its errors unlike the other commands."""
+    """Return a positive number; ros2bag has other error messages than the other commands."""
     try:
         rate = float(text)
     except ValueError:
@@ -158,7 +158,7 @@ def _rate_hz(text: str) -> float:
 
 
 def play_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which messages, under which names, and how fast."""
+    """Add the choice of messages, their names, and the speed."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument(
         '-r', '--rate', type=_rate_hz, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
@@ -174,7 +174,7 @@ def play_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_play_times(parser: argparse.ArgumentParser) -> None:
-    """From when to when, how often, and under which clock."""
+    """Add start, end, repetition and clock."""
     parser.add_argument(
         '--clock',
         type=_rate_hz,
@@ -195,7 +195,7 @@ def _add_play_times(parser: argparse.ArgumentParser) -> None:
 
 
 def play_verb(arguments: argparse.Namespace) -> None:
-    """Publish each message at its time; ends after the last one unless looping. SPACE pauses and goes on."""
+    """Publish each message at its time; end after the last one unless looping. SPACE pauses and resumes."""
     with cli_node.cli_node(name='rosbag2_player') as node:
         player = Player(node, arguments)
         player.load(arguments.bag_path)

@@ -1,4 +1,4 @@
-"""`ros2 bag record`: record topics into a bag folder that any rosbag2 reads, written with `rosbags`."""
+"""`ros2 bag record`: record topics in a bag folder that any rosbag2 can read, written with `rosbags`."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 BagMessage = tuple[int, str, Any]
-"""Time of arrival in ns, topic, wire tuple; in place of that the bytes of a message that came over a real network."""
+"""Time of arrival in ns, topic, and wire tuple; a message from a real network has its bytes instead of the tuple."""
 SEPARATOR = '=' * 80
 
 
 class BagTopic:
-    """Takes the messages of a topic straight from the graph: no turn of the recorder for each, no copy.
+    """Takes the messages of a topic directly from the graph, so that the recorder needs no turn or copy for each.
 
-    :param publishers: those there are; the subscription is as reliable and as durable as all of them are.
+    :param publishers: the publishers of the topic; the subscription requests the QoS that all of them offer.
     :param messages: what arrives is appended here.
     """
 
@@ -68,7 +68,7 @@ def _suitable(offered: list[qos.QoS]) -> qos.QoS:
 
 
 def record_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of ROS 2 that choose topics and the place of the bag."""
+    """Add the options of ROS 2 that choose topics and the place of the bag."""
     parser.add_argument('topics', nargs='*', help='List of topics to record.')
     parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
     parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
@@ -90,7 +90,7 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_discovery(parser: argparse.ArgumentParser) -> None:
-    """How topics are found."""
+    """Add the options for discovery."""
     parser.add_argument(
         '-p',
         '--polling-interval',
@@ -103,7 +103,7 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
 
 
 def record_verb(arguments: argparse.Namespace) -> str | None:
-    """Record until interrupted; then write the bag into the folder where the command runs. SPACE pauses and goes on."""
+    """Record until interrupted; then write the bag to the folder where the command runs. SPACE pauses and resumes."""
     wanted = [*arguments.topics, *arguments.more_topics, *map(_event_topic, arguments.services)]
     if not (
         wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
@@ -119,7 +119,7 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
     with cli_node.cli_node(name='rosbag2_recorder', signals='SIGTERM') as node:
         recorder = BagRecorder(node, [names.absolute(name) for name in wanted], arguments)
-        with suppress(KeyboardInterrupt):  # this is how one ends a recording
+        with suppress(KeyboardInterrupt):  # Ctrl-C is the usual end of a recording
             recorder.record()
         recorder.write(folder, arguments.storage)
     return None
@@ -130,7 +130,7 @@ def _event_topic(service: str) -> str:
 
 
 class BagRecorder:
-    """Subscribes to topics as they appear, and keeps what is published."""
+    """Subscribes to topics as they appear, and keeps their messages."""
 
     def __init__(self, node: Node, wanted: list[str], arguments: argparse.Namespace) -> None:
         self._node = node
@@ -145,7 +145,7 @@ class BagRecorder:
         self.messages: list[BagMessage] = []
 
     def record(self) -> None:
-        """Listen until ROS 2 is shut down. Raises KeyboardInterrupt on Ctrl-C."""
+        """Record until ROS 2 is shut down. Raise KeyboardInterrupt on Ctrl-C."""
         self._log.info('Press SPACE for pausing/resuming')
         self._log.info('Listening for topics...')
         self._log.info('Event publisher thread: Starting')
@@ -196,7 +196,7 @@ class BagRecorder:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str, storage: str) -> None:
-        """Write the bag, and say that the recording is over."""
+        """Write the bag, and report the end of the recording."""
         self._log.info('Event publisher thread: Exiting')
 
         write_bag(folder, storage, list(self.topics.values()), self.messages)
@@ -204,7 +204,7 @@ class BagRecorder:
 
 
 class Topic(Protocol):
-    """What a bag says of a topic."""
+    """Return the entry of a topic in the metadata."""
 
     name: str
     cls: Any
@@ -216,10 +216,10 @@ def write_bag(
 ) -> None:
     """Write `metadata.yaml` and one storage file.
 
-    :param folder: to be made; must not exist.
+    :param folder: a folder that must not exist yet.
     :param storage: 'mcap' or 'sqlite3'.
-    :param messages: in order of time.
-    :param registry: of the message types (default: those that can be imported).
+    :param messages: the messages in order of time.
+    :param registry: has the message types (default: all types that can be imported).
     """
     from rosbags.rosbag2 import StoragePlugin, Writer
 
@@ -245,11 +245,11 @@ def write_bag(
     with open(path, encoding='utf-8') as file:
         text = file.read()
     with open(path, 'w', encoding='utf-8') as file:
-        file.write(text.replace('ros_distro: rosbags\n', 'ros_distro: jazzy\n'))  # rosbags names itself
+        file.write(text.replace('ros_distro: rosbags\n', 'ros_distro: jazzy\n'))  # rosbags writes its own name here
 
 
 def definition(registry: Registry, type_name: str) -> str:
-    """The text of a message and of all messages in it, as bag files carry it."""
+    """Return the definition of a message and all nested messages, in the form of bag files."""
     texts: dict[str, str] = {}
     waiting = [type_name]
     while waiting:
@@ -277,7 +277,7 @@ def _type(field_type: FieldType) -> str:
 
 
 def _short(name: str) -> str:
-    """'geometry_msgs/msg/Point' as bag files write it."""
+    """Return the name of a type, such as 'geometry_msgs/msg/Point', in the form of bag files."""
     return name.replace('/msg/', '/')
 
 

@@ -1,4 +1,4 @@
-"""The node that a command uses, and waiting in simulated time."""
+"""The node of a command, and functions that wait in simulated time."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 DISCOVERY_S = 0.5
-"""How long a command of ROS 2 listens before it trusts what it knows of the graph."""
+"""A command of ROS 2 waits this many seconds before it relies on its knowledge of the graph."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options about discovery that most verbs have."""
+    """Add the options for discovery that most verbs have."""
     parser.add_argument(
         '--spin-time',
         type=float,
@@ -33,11 +33,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 @contextmanager
 def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, signals: str = 'ALL') -> Iterator[Node]:
-    """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
+    """Start ROS 2 with one node for the duration of a command; its default name is `_ros2cli_<pid>`.
 
-    :param arguments: with them the command first waits until the graph is known; without, it begins at once.
-    :param signals: which of them shut ROS 2 down, by the name of `SignalHandlerOptions`: a command that still has something to do
-        after Ctrl-C leaves it out.
+    :param arguments: with them, the command first waits until the graph is known; without them, it starts immediately.
+    :param signals: the signals that shut ROS 2 down, by the name of `SignalHandlerOptions`; a command that still has work after
+        Ctrl-C leaves out that signal.
     """
     import rclpy
     from rclpy.parameter import Parameter
@@ -58,11 +58,11 @@ def cli_node(arguments: argparse.Namespace | None = None, name: str | None = Non
 
 
 def discover(node: Node, arguments: argparse.Namespace) -> None:
-    """Wait as long as it takes to know the graph.
+    """Wait until the graph is known.
 
-    In ROS 2 the first command listens for half a second and starts a daemon, which answers those that come
-    later at once. Here the graph is known once the simulation is half a second old: commands of a launch file
-    see what was started beside them.
+    In ROS 2, the first command waits for half a second and starts a daemon, which answers later commands
+    immediately. Here the graph is known when the simulation is half a second old. Thus commands of a launch file
+    see the processes that started beside them.
     """
     host: Any = current_process().host
     if arguments.spin_time is not None:
@@ -77,7 +77,7 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
 
 
 def pause(node: Node, seconds: float) -> bool:
-    """Let simulated time pass; False when ROS 2 was shut down meanwhile.
+    """Let simulated time pass; return False if ROS 2 was shut down in the meantime.
 
     :raises KeyboardInterrupt: on Ctrl-C.
     """
@@ -85,7 +85,7 @@ def pause(node: Node, seconds: float) -> bool:
 
 
 def pause_until(node: Node, at_ns: int) -> bool:
-    """Let time pass until the simulated time `at_ns`; see :func:`pause`."""
+    """Wait until the simulated time `at_ns`; see :func:`pause`."""
     sim = current_task().sim
     while sim.now_ns < at_ns and node.context.ok():
         node.context.park(at_ns)
@@ -93,14 +93,14 @@ def pause_until(node: Node, at_ns: int) -> bool:
 
 
 class NoAnswer(RuntimeError):
-    """A service is not there, or has not answered in time."""
+    """A service does not exist, or has not answered in time."""
 
 
 def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float | None] = (None,), **fields: Any) -> Any:
     """Call a service and wait for its response.
 
-    :param waits_s: seconds to wait for it, one after the other (None: for ever); before each but the first a note says that it
-        has not answered.
+    :param waits_s: seconds to wait for it, one period after the other (None: forever). Each period except the first begins
+        with a note that the service has not answered.
     :raises NoAnswer: when the last wait is over.
     :raises RuntimeError: when there is no response because ROS 2 was shut down.
     """
@@ -130,8 +130,8 @@ def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float
 
 
 def no_answer(service: str, seconds: float) -> str:
-    """Why a node may not answer."""
+    """Return why a node may not answer."""
     name = service.rpartition('/')[0]
     return (
-        f'{name} has not answered for {seconds:g} s: it does not spin, one of its callbacks takes long, or it has no such service'
+        f'{name} has not answered for {seconds:g} s: it may not spin, a callback may take long, or it may not have this service'
     )

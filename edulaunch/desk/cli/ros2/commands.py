@@ -1,7 +1,7 @@
-"""`ros2 ...` inside the simulation: which commands there are, reading a command line, and running it.
+"""`ros2 ...` inside the simulation: list the commands, parse a command line, and run it.
 
-A command has verbs, or does its work itself (no verbs listed). Only the file of the wanted command is loaded. argparse is used as
-ros2cli uses it, written to the streams of the running process.
+A command has verbs, or does its work itself (an empty table of verbs). Only the file of the chosen command is loaded. argparse
+is used as in ros2cli, and writes to the streams of the running process.
 """
 
 from __future__ import annotations
@@ -148,34 +148,34 @@ MODULES = {
     'topic hz': 'topic_measuring',
     'wtf': 'doctor',
 }
-"""Verbs that have a file beside that of their command, and commands that stand in the file of another one."""
+"""Verbs with a file of their own, and commands in the file of another command."""
 NOT_HERE = {
-    'control': 'ros2_control is not here',
+    'control': 'edulaunch has no ros2_control',
     'plugin': 'plugins are C++ libraries, which cannot run here',
     'security': 'a simulated machine has no network to protect',
     'trace': 'every run is recorded: see `edulaunch recording`',
 }
-"""Commands that ROS 2 has on many machines, and why they are not here."""
+"""Commands that many ROS 2 installations have, and why edulaunch does not have them."""
 WIDTH = 100
 BUFFERING = '--use-python-default-buffering'
 BUFFERING_HELP = f"""  {BUFFERING}
-                        accepted; each line is written at once, whoever reads it
+                        accepted; each line is always written immediately
 """
 INTERRUPTED = 2
-"""What the `ros2` command returns after Ctrl-C: the number of the signal."""
+"""The exit code of `ros2` after Ctrl-C: the number of the signal."""
 
 
 class Verb(NamedTuple):
-    """What a verb (or a command without verbs) takes, and what it does."""
+    """The arguments of a verb (or of a command without verbs), and its function."""
 
     add_arguments: Callable[[argparse.ArgumentParser], None]
     main: Callable[[argparse.Namespace], Any]
 
 
 def load(command: str, verb: str | None) -> Verb:
-    """The functions `VERB_arguments` and `VERB_verb` of the command's file.
+    """Return the functions `VERB_arguments` and `VERB_verb` of the command's file.
 
-    Of commands without verbs, and where all verbs are one, they begin with the command's name, or with that of the file.
+    For commands without verbs, and if one function serves all verbs, VERB is the name of the command or of the file.
     """
     home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
     names = vars(import_module(f'edulaunch.desk.cli.ros2.{home}'))
@@ -184,7 +184,7 @@ def load(command: str, verb: str | None) -> Verb:
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that writes where the simulated program writes, of a fixed width."""
+    """A parser that writes to the streams of the simulated program, with a fixed width."""
 
     def __init__(self, prog: str, description: str) -> None:
         super().__init__(
@@ -196,8 +196,8 @@ class Parser(argparse.ArgumentParser):
         (process.streams.stderr if file is sys.stderr else process.streams.stdout).write(message)
 
     def parse(self, words: Sequence[str]) -> argparse.Namespace:
-        """As `parse_args`, but optional words may stand behind options too: argparse allows that in newer
-        Pythons only."""
+        """Do the same as `parse_args`, but also accept optional words after options: argparse allows that only in newer
+        versions of Python."""
         arguments, others = self.parse_known_args(words)
         for action in self._get_positional_actions():
             if action.nargs == '*':
@@ -215,7 +215,7 @@ class Parser(argparse.ArgumentParser):
         return arguments
 
     def error(self, message: str) -> NoReturn:
-        """Usage and message on standard error, with the nearest option when one is unknown; status 2."""
+        """Print usage and message on standard error, with the nearest known option; exit with status 2."""
         self.print_usage(sys.stderr)
         unknown = message.partition('unrecognized arguments: ')[2].split()
         near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
@@ -223,10 +223,10 @@ class Parser(argparse.ArgumentParser):
 
 
 def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
-    """What does as `ros2 WORDS...` says, and its arguments.
+    """Return the function for `ros2 WORDS...`, and its arguments.
 
     :raises SystemExit: 0 after showing help, 2 after an error.
-    :raises UnusableInput: for an option of one of our own plug-ins that is not installed.
+    :raises UnusableInput: for an option of a plug-in of edulaunch that is not installed.
     """
     words = words[words[:1] == [BUFFERING] :]
     command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
@@ -246,7 +246,7 @@ def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
 
 
 def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], text: str = '') -> str:
-    """The first word, which must be one of the known ones; without one, help is shown."""
+    """Return the first word, which must be a known one; without a word, show help."""
     option = '' if text else f' [{BUFFERING}]'
     usage = f'usage: {prog} [-h]{option} Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
     if not words or words[0] in ('-h', '--help'):
@@ -275,9 +275,9 @@ def _listed(known: dict[str, str]) -> str:
 
 
 def main(process: Process) -> int:
-    """Run the command line of `process` (`process.argv`, 'ros2' first) inside it; returns its exit code.
+    """Run the command line of `process` (`process.argv`, 'ros2' first) inside it; return its exit code.
 
-    As in ROS 2 a verb's error text goes to standard error with status 1, and wrong usage has status 2.
+    As in ROS 2, the error message of a verb goes to standard error with status 1, and wrong usage has status 2.
     """
 
     try:
@@ -292,7 +292,7 @@ def main(process: Process) -> int:
 
 
 def _exit_code(process: Process, outcome: Any) -> int:
-    """A verb returns None or a number, or the text of its error."""
+    """Convert the result of a verb (None, a number, or an error message) to an exit code."""
     if isinstance(outcome, str):
         process.streams.stderr.write(outcome + '\n')
         return 1

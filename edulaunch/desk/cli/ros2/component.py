@@ -1,4 +1,4 @@
-"""`ros2 component`: what is in containers and what could be, loading and unloading."""
+"""`ros2 component`: list, load and unload the components of containers."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ CONTAINER_PACKAGE, CONTAINER_EXECUTABLE, CONTAINER_NAME = 'rclcpp_components', '
 
 
 def _container_arguments(parser: argparse.ArgumentParser) -> None:
-    """The container."""
+    """Add the container."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', help='Container node name')
 
 
 def _component_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which component, and as what node."""
+    """Add the component and the properties of its node."""
     parser.add_argument('package_name', help='Package name where the component can be found')
     parser.add_argument('plugin_name', help='Type name of the component, such as composition::Talker')
     parser.add_argument('-n', '--node-name', help='Component node name')
@@ -40,14 +40,14 @@ def _component_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _containers(node: Node) -> list[str]:
-    """The full names of all containers, sorted."""
+    """Return the full names of all containers, sorted."""
     return sorted(name.removesuffix(_LIST) for name, _ in node.get_service_names_and_types() if name.endswith(_LIST))
 
 
 def container(node: Node, name: str) -> str:
-    """The full name of the container that the command line names.
+    """Return the full name of the container that the command line names.
 
-    :raises RuntimeError: when there is none of that name; in the words of ROS 2.
+    :raises RuntimeError: when no container has this name, with the message of ROS 2.
     """
     name, known = names.absolute(name), _containers(node)
     if name not in known:
@@ -58,7 +58,7 @@ def container(node: Node, name: str) -> str:
 
 
 def components(node: Node, name: str) -> list[tuple[int, str]]:
-    """Number and full name of each node in a container."""
+    """Return number and full name of each node in a container."""
     from composition_interfaces.srv import ListNodes
 
     answer = cli_node.call(node, name + _LIST, ListNodes)
@@ -66,7 +66,7 @@ def components(node: Node, name: str) -> list[tuple[int, str]]:
 
 
 def load(node: Node, name: str, arguments: argparse.Namespace) -> str | None:
-    """Load a component into a container and say so; returns the text of an error."""
+    """Load a component into a container and report it; return an error message on failure."""
     from composition_interfaces.srv import LoadNode
 
     answer = cli_node.call(
@@ -89,16 +89,16 @@ def load(node: Node, name: str, arguments: argparse.Namespace) -> str | None:
 
 
 def _level(word: str | None) -> int:
-    """A severity by name, as the service wants it; 0 when none is given.
+    """Return the number of a severity name for the service; 0 without a name.
 
-    :raises RuntimeError: for a word that is none.
+    :raises RuntimeError: for an unknown severity.
     """
     from rclpy.logging import get_logging_severity_from_string
 
     try:
         return 0 if word is None else int(get_logging_severity_from_string(word))
     except RuntimeError:
-        raise RuntimeError(with_help(f"'{word}' is no log level", 'one of: debug, info, warn, error, fatal')) from None
+        raise RuntimeError(with_help(f"'{word}' is not a log level", 'one of: debug, info, warn, error, fatal')) from None
 
 
 def _parameter(text: str) -> Any:
@@ -107,19 +107,19 @@ def _parameter(text: str) -> Any:
 
     name, sign, value = text.partition(':=')
     if not sign:
-        raise RuntimeError(with_help(f"'{text}' is no parameter", 'write it as name:=value'))
+        raise RuntimeError(with_help(f"'{text}' is not a parameter", 'write name:=value'))
     return Parameter(name=name, value=get_parameter_value(value))
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """One container, or all."""
+    """Add the container; without one, list all containers."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', nargs='?', help='Container node name to list components from')
     parser.add_argument('--containers-only', action='store_true', help='List found containers nodes only')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print each container and, two spaces further in, number and name of its nodes."""
+    """Print each container, followed by the number and name of each of its nodes, indented by two spaces."""
     wanted = arguments.container_node_name
     with cli_node.cli_node(arguments) as node:
         for name in _containers(node) if wanted is None else [container(node, wanted)]:
@@ -130,33 +130,33 @@ def list_verb(arguments: argparse.Namespace) -> None:
 
 
 def load_arguments(parser: argparse.ArgumentParser) -> None:
-    """The container and the component."""
+    """Add the container and the component."""
     _container_arguments(parser)
     _component_arguments(parser)
 
 
 def load_verb(arguments: argparse.Namespace) -> str | None:
-    """Ask the container, and print the number that the node has there."""
+    """Load the component, and print the number of its node in the container."""
     with cli_node.cli_node(arguments) as node:
         return load(node, container(node, arguments.container_node_name), arguments)
 
 
 def standalone_arguments(parser: argparse.ArgumentParser) -> None:
-    """The component, and the name of the container."""
+    """Add the component, and the name of the container."""
     cli_node.add_arguments(parser)
     _component_arguments(parser)
     parser.add_argument('-c', '--container-node-name', default=None, help='Name of the container node')
 
 
 def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
-    """Start the container, load the component, and wait for the end of the container."""
+    """Start the container, load the component, and wait until the container ends."""
     from edulaunch.engine.processes.children import Child
 
     process = current_process()
     name = arguments.container_node_name or f'{CONTAINER_NAME}{process.pid}'
     path = process.index.find_executable(CONTAINER_PACKAGE, CONTAINER_EXECUTABLE)
     if path is None:
-        return with_help('No container found to run the component in', f'{CONTAINER_PACKAGE} is not here')
+        return with_help('No container found to run the component in', f'{CONTAINER_PACKAGE} is not installed')
     container = Child(process, [path, '--ros-args', '-r', f'__node:={name}'])
     try:
         with cli_node.cli_node(arguments) as node:
@@ -169,12 +169,12 @@ def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
 
 
 def types_arguments(parser: argparse.ArgumentParser) -> None:
-    """One package, or all."""
+    """Add the package; without one, list all packages."""
     parser.add_argument('package_name', nargs='?', help='Package name to list components from')
 
 
 def types_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the types, under the name of their package when no package is given."""
+    """Print the types, below the name of their package if the user names no package."""
     wanted, packages = arguments.package_name, _registered()
     if wanted is not None and wanted not in packages:
         return with_help(f"Cannot find package '{wanted}' or it has no components", did_you_mean(wanted, packages))
@@ -187,7 +187,7 @@ def types_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _registered() -> dict[str, list[str]]:
-    """The types of each package, as its components.txt or, for an installed one, the ament index lists them."""
+    """Return the types of each package from its components.txt or, for an installed package, from the ament index."""
     from ament_index_python import get_resource, get_resources
 
     index, found = current_process().index, {}
@@ -203,13 +203,13 @@ def _registered() -> dict[str, list[str]]:
 
 
 def unload_arguments(parser: argparse.ArgumentParser) -> None:
-    """The container and the numbers."""
+    """Add the container and the numbers."""
     _container_arguments(parser)
     parser.add_argument('component_uid', nargs='+', type=int, help='Unique ID of the component node to be unloaded')
 
 
 def unload_verb(arguments: argparse.Namespace) -> str | None:
-    """Unload one after another; ends at the first that fails."""
+    """Unload the components in order; stop at the first failure."""
     from composition_interfaces.srv import UnloadNode
 
     with cli_node.cli_node(arguments) as node:

@@ -1,7 +1,7 @@
-"""`ros2 doctor` (or `ros2 wtf`): looks at the packages and the graph, and says what may be wrong, or all that it looks at.
+"""`ros2 doctor` (or `ros2 wtf`): check the packages and the graph, and print warnings or a full report.
 
-Beside it what else asks for the machine itself: `ros2 daemon` (there is none, and none is needed), and `ros2 multicast`, a
-datagram between the terminals of one simulated machine, which it never leaves.
+The file also has `ros2 daemon`, which is not needed here, and `ros2 multicast`, which sends a datagram between
+the terminals of one simulated machine.
 """
 
 from __future__ import annotations
@@ -21,26 +21,26 @@ if TYPE_CHECKING:
 UNCHECKED_TOPICS = ('/parameter_events', '/rosout')
 Rows = list[tuple[str, str]]
 GAP = 4
-"""Columns between the longest name and the colon."""
+"""Columns between the longest name and its colon."""
 ANSWERS = {'start': 'The daemon has not been started', 'status': 'The daemon is not running', 'stop': 'The daemon is not running'}
 CHANNEL = '/_multicast'
-"""The hidden topic that stands for the network of the machine."""
+"""The hidden topic that represents the network of the machine."""
 
 
 class Found(NamedTuple):
-    """The lines that a check has to say."""
+    """Return the warnings of a check."""
 
     warnings: list[str]
     errors: list[str]
 
 
 def run_checks(node: Node, exclude_packages: bool) -> dict[str, Found]:
-    """The outcome of each check by its name."""
+    """Return the outcome of each check by its name."""
     return {name: check(node) for name, check in CHECKS.items() if not (exclude_packages and name == 'package')}
 
 
 def known_topics(node: Node) -> list[tuple[str, int, int]]:
-    """Name, publishers and subscriptions of each topic that is no part of ROS 2 itself."""
+    """Return name, publishers and subscriptions of each topic that is not internal to ROS 2."""
     return [
         (name, node.count_publishers(name), node.count_subscribers(name))
         for name, _ in node.get_topic_names_and_types()
@@ -49,7 +49,7 @@ def known_topics(node: Node) -> list[tuple[str, int, int]]:
 
 
 def connected_pairs(node: Node) -> Iterator[tuple[str, Any, Any, bool, str]]:
-    """Each publisher with each subscription of its topic: topic, both ends, whether they fit, and why not."""
+    """Yield each publisher with each subscription of its topic: topic, both endpoints, whether their QoS fits, and why not."""
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
     for topic, _ in node.get_topic_names_and_types():
@@ -60,7 +60,7 @@ def connected_pairs(node: Node) -> Iterator[tuple[str, Any, Any, bool, str]]:
 
 
 def _nothing(node: Node) -> Found:
-    """The simulated machine has one platform and no network, so nothing can be wrong with them."""
+    """Return no warnings: the simulated machine has one platform and no network."""
     return Found([], [])
 
 
@@ -84,7 +84,7 @@ def _compatibility(node: Node) -> Found:
 
 
 def _warning(text: str) -> str:
-    """A warning as ROS 2 prints it, with a file and line of ros2doctor: one for all, as no line of ours may be in a recording."""
+    """Return a warning in the form of ROS 2, always with the same file and line, because recordings have no lines of our code."""
     return f'ros2doctor/api/topic.py: 42: UserWarning: {text}'
 
 
@@ -98,8 +98,10 @@ CHECKS: dict[str, Callable[[Node], Found]] = {
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """A report instead of the checks, and what counts."""
-    parser.add_argument('check', nargs='?', choices=('hello',), help='hello: say that terminals of this machine hear each other')
+    """Add the choice of a report, and what counts."""
+    parser.add_argument(
+        'check', nargs='?', choices=('hello',), help='hello: check that the terminals of this machine reach each other'
+    )
     shown = parser.add_mutually_exclusive_group()
     shown.add_argument('-r', '--report', action='store_true', help='Print all reports.')
     shown.add_argument('-rf', '--report-failed', action='store_true', help='Print reports of failed checks only.')
@@ -108,9 +110,9 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Print warnings, and how many checks passed; 1 when one failed."""
+    """Print warnings, and how many checks passed; return 1 if a check failed."""
     if arguments.check == 'hello':
-        say('All terminals of this simulated machine hear each other: there is no network between them.')
+        say('All terminals share this simulated machine, so no network is between them.')
         return 0
     with cli_node.cli_node(argparse.Namespace(spin_time=None, no_daemon=False)) as node:
         if arguments.report:
@@ -203,21 +205,21 @@ SECTIONS: dict[str, tuple[str, Callable[[Node], Rows]]] = {
 
 
 def daemon_arguments(parser: argparse.ArgumentParser) -> None:
-    """There are none."""
+    """Add no arguments."""
 
 
 def daemon_verb(arguments: argparse.Namespace) -> None:
-    """Print that it does not run, and why that is well."""
-    say(f'{ANSWERS[arguments.verb]}: none is needed here, every command asks the simulated machine itself')
+    """Print that no daemon runs, and why none is needed."""
+    say(f'{ANSWERS[arguments.verb]}: none is needed here, because each command queries the simulated machine directly')
 
 
 def multicast_arguments(parser: argparse.ArgumentParser) -> None:
-    """How long to wait."""
-    parser.add_argument('--timeout', type=float, default=None, help='Maximum time to wait for datagrams (default: for ever)')
+    """Add the time to wait."""
+    parser.add_argument('--timeout', type=float, default=None, help='Maximum time to wait for datagrams (default: forever)')
 
 
 def multicast_verb(arguments: argparse.Namespace) -> str | None:
-    """Send a greeting, or wait for one; returns the text of an error."""
+    """Send a datagram, or wait for one; return an error message on failure."""
     from std_msgs.msg import String
 
     if arguments.verb == 'receive':

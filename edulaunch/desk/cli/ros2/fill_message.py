@@ -1,4 +1,4 @@
-"""From the words of a command line: the class of a type, and a message filled from YAML."""
+"""Convert words of a command line to the class of a type, and to a message filled from YAML."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ Stamp = Callable[[Any], None]
 """Sets one time field of a message."""
 
 HEADER, TIME = 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'
-_YAML_HELP = 'write the fields in braces, with a blank after each colon: "{x: 2.0, name: \'turtle2\'}"'
+_YAML_HELP = 'write the fields in braces, with a space after each colon: "{x: 2.0, name: \'turtle2\'}"'
 EXAMPLES = {'msg': 'geometry_msgs/msg/Twist', 'srv': 'turtlesim/srv/Spawn', 'action': 'turtlesim/action/RotateAbsolute'}
 
 
 class FillError(Exception):
-    """A value cannot stand in its field. The text begins as that of ROS 2; a line of help may follow."""
+    """A value does not fit its field. The message begins as in ROS 2; a line of help may follow."""
 
     def __init__(self, text: str, help: str | None = None) -> None:
         super().__init__(f'Failed to populate field: {text}' + ('' if help is None else f'\n  help: {help}'))
 
 
 def parse_values(text: str) -> dict[str, Any]:
-    """The fields that a YAML text gives.
+    """Return the fields of a YAML string.
 
-    :raises FillError: when it is no YAML or no dictionary; in the words of ROS 2's commands.
+    :raises FillError: when it is not valid YAML or not a dictionary, with the message of ROS 2.
     """
     import yaml
 
@@ -48,7 +48,7 @@ def parse_values(text: str) -> dict[str, Any]:
 
 
 class ValuesError(FillError):
-    """The values are no dictionary."""
+    """The values are not a dictionary."""
 
     def __init__(self, text: str) -> None:
         Exception.__init__(self, text)
@@ -57,8 +57,8 @@ class ValuesError(FillError):
 def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = False) -> list[Stamp]:
     """Set the fields that `values` names; numbers are converted to the field's type, as ROS 2's commands do.
 
-    :param stamps: whether `header: auto` and `now` for a time field mean the time of sending.
-    :returns: what sets those times, to be called with a Time before each sending.
+    :param stamps: whether `header: auto` and a time field `now` mean the time of sending.
+    :returns: a function that sets these times; call it with a Time before each sending.
     :raises FillError: for an unknown field, or a value that does not fit.
     """
     found: list[Stamp] = []
@@ -67,7 +67,7 @@ def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = Fal
         field = fields.get(name)
         if field is None:
             listed = f'the fields of {message.TYPE} are: {", ".join(fields) or "(none)"}'
-            blank = f'put a blank after the colon: {str(name).replace(":", ": ", 1)}' if ':' in str(name) else None
+            blank = f'put a space after the colon: {str(name).replace(":", ": ", 1)}' if ':' in str(name) else None
             raise FillError(
                 f'{type(message).__name__!r} object has no attribute {name!r}', blank or did_you_mean(str(name), fields) or listed
             )
@@ -120,7 +120,7 @@ def _list(field: Field, value: Any) -> Any:
 
 
 def _plain(field_type: FieldType, value: Any) -> Any:
-    """A number, text or truth value as the field's type: 2 becomes 2.0 in a float field."""
+    """Convert a number, string or boolean to the field's type: 2 becomes 2.0 in a float field."""
     kind = field_type.kind
     assert kind is not None
     if type(value) is kind.python:
@@ -131,9 +131,9 @@ def _plain(field_type: FieldType, value: Any) -> Any:
 
 
 def interface_class(text: str, kind: str) -> Any:
-    """The class of 'pkg/msg/Name' (`kind` 'msg', 'srv' or 'action'; the short form 'pkg/Name' will do).
+    """Return the class of 'pkg/msg/Name' (`kind` is 'msg', 'srv' or 'action'); the short form 'pkg/Name' is allowed.
 
-    :raises InterfaceError: when there is no such type; its help names the nearest one.
+    :raises InterfaceError: when there is no such type; the help names the nearest one.
     """
     parts = text.split('/')
     if len(parts) == 2:

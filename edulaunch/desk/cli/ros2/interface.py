@@ -1,4 +1,4 @@
-"""`ros2 interface`: messages, services and actions, and how they are defined."""
+"""`ros2 interface`: list messages, services and actions, and show their definitions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ KINDS = (('msg', 'Messages'), ('srv', 'Services'), ('action', 'Actions'))
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 interface list`."""
+    """Add the options and arguments of `ros2 interface list`."""
     for kind, heading in KINDS:
         parser.add_argument(
             f'-{kind[0]}', f'--only-{kind}s', dest=kind, action='store_true', help=f'Print out only {heading.lower()}'
@@ -25,7 +25,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the types of each kind under a heading."""
+    """Print the types of each kind below a heading."""
     chosen = [kind for kind, _ in KINDS if getattr(arguments, kind)]
     for kind, heading in KINDS:
         if not chosen or kind in chosen:
@@ -34,12 +34,12 @@ def list_verb(arguments: argparse.Namespace) -> None:
 
 
 def package_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 interface package`."""
+    """Add the options and arguments of `ros2 interface package`."""
     parser.add_argument('package_name', help="Name of the ROS package (e.g. 'example_interfaces')")
 
 
 def package_verb(arguments: argparse.Namespace) -> str | None:
-    """Print their types, sorted."""
+    """Print the types of the package, sorted."""
     registry, package = current_registry(), arguments.package_name
     if not registry.has(package):
         return with_help(f"Unknown package '{package}'", did_you_mean(package, registry.packages()))
@@ -48,25 +48,25 @@ def package_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def packages_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 interface packages`."""
+    """Add the options and arguments of `ros2 interface packages`."""
     list_arguments(parser)
 
 
 def packages_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the packages, sorted."""
     registry = current_registry()
     chosen = [kind for kind, _ in KINDS if getattr(arguments, kind)]
     say_lines([name for name in registry.packages() if not chosen or any(registry.has(name, kind) for kind in chosen)])
 
 
 def proto_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 interface proto`."""
+    """Add the options and arguments of `ros2 interface proto`."""
     parser.add_argument('type', help="Show an interface prototype (e.g. 'example_interfaces/msg/String')")
     parser.add_argument('--no-quotes', action='store_true', help='if true output has no outer quotes.')
 
 
 def proto_verb(arguments: argparse.Namespace) -> None:
-    """Print what a new message holds; of a service the request, of an action the goal."""
+    """Print the default values of a message, of the request of a service, or of the goal of an action."""
     cls = current_registry().get(arguments.type)
     cls = getattr(cls, 'Request', getattr(cls, 'Goal', cls))
     text = message_yaml(cls())
@@ -74,7 +74,7 @@ def proto_verb(arguments: argparse.Namespace) -> None:
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 interface show`."""
+    """Add the options and arguments of `ros2 interface show`."""
     parser.add_argument('type', help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
     group = parser.add_mutually_exclusive_group()
     group.add_argument(
@@ -84,7 +84,7 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def show_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the file, each nested field followed by its definition, one tab further in."""
+    """Print the file; each nested field is followed by its definition, indented by a tab."""
     registry, name = current_registry(), arguments.type
     package = name.partition('/')[0]
     try:
@@ -106,7 +106,7 @@ def _lines(registry: Registry, name: str, level: int, comments: bool, all_commen
 
 
 def _nested_types(spec: InterfaceSpec) -> dict[int, str]:
-    """The types of fields that are interfaces themselves, by line of the file."""
+    """Return the types of fields that are interfaces themselves, by line of the file."""
     parts = (
         (spec,)
         if isinstance(spec, MessageSpec)
@@ -118,7 +118,7 @@ def _nested_types(spec: InterfaceSpec) -> dict[int, str]:
 
 
 def _without_comment(line: str) -> str:
-    """The line up to the first # that stands in no quotation."""
+    """Return the line up to the first # outside quotation marks."""
     quote = ''
     for position, character in enumerate(line):
         if quote:

@@ -1,4 +1,4 @@
-"""`ros2 launch`: a launch file in this process (its options are those of `edulaunch launch`, too). `ros2 run`: a program."""
+"""`ros2 launch` runs a launch file in this process; `edulaunch launch` has the same options. `ros2 run` runs a program."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launc
 
 
 def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """How to launch, or only to look."""
+    """Add the options to launch, or only to show the launch file."""
     parser.add_argument(
         '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
     )
@@ -44,9 +44,9 @@ def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
-    """The launch configurations that hold the prefix.
+    """Return the launch configurations that contain the prefix.
 
-    :raises UnusableInput: for a filter without a prefix, with ROS 2's text.
+    :raises UnusableInput: for a filter without a prefix, with the message of ROS 2.
     """
     if arguments.launch_prefix is None and arguments.launch_prefix_filter is not None:
         raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
@@ -55,9 +55,9 @@ def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to launch, how, and with which arguments."""
+    """Add the launch file, its options and its arguments."""
     add_launch_arguments(parser)
-    parser.add_argument('--view', action='store_true', help='open the live page in a browser while it runs')
+    parser.add_argument('--view', action='store_true', help='open the live view in a browser while it runs')
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
@@ -66,9 +66,9 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def launch_verb(arguments: argparse.Namespace) -> int:
-    """Launch it and wait for the end; returns launch's exit code.
+    """Launch the file and wait for its end; return launch's exit code.
 
-    :raises UnusableInput: when there is no such package or file, or an argument without `:=`; in the words of ROS 2.
+    :raises UnusableInput: for an unknown package or file, or an argument without `:=`, with the message of ROS 2.
     """
     from ros2launch import api
 
@@ -99,7 +99,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
-    """The path of the launch file, from the folder of the terminal, and a launch argument that stands where its name could."""
+    """Return the path of the launch file from the folder of the terminal, and a launch argument given in place of its name."""
     word, name = arguments.package_name, arguments.launch_file_name
     path = os.path.join(process.cwd or '', word)
     is_argument = name is not None and ':=' in name
@@ -109,7 +109,7 @@ def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, 
 
 
 def run_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 run`."""
+    """Add the options and arguments of `ros2 run`."""
     parser.add_argument('--prefix', help='Prefix command, which should go before the executable')
     parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
     parser.add_argument('package_name', help='Name of the ROS package')
@@ -118,7 +118,7 @@ def run_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run_verb(arguments: argparse.Namespace) -> int | str:
-    """Run it to its end; returns its exit code."""
+    """Run the program to its end; return its exit code."""
     from edulaunch.advice.workspace.not_needed import WINDOWS, shown_by
 
     process = current_process()
@@ -147,7 +147,7 @@ def run_verb(arguments: argparse.Namespace) -> int | str:
 
 
 def run_child(process: Process, spec: ProcessSpec) -> int:
-    """Run a program that writes to the streams of `process` and gets its Ctrl-C; returns its return code."""
+    """Run a program that writes to the streams of `process` and receives its Ctrl-C; return its return code."""
     from edulaunch.engine.processes.children import inherit_terminal
 
     task = current_task()
@@ -172,5 +172,7 @@ def _not_found(index: Index, package: str, executable: str) -> str:
         return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package, current_process().cwd)))
     native = index.native_executables(package)
     if executable in native:
-        return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')
+        return with_help(
+            'No executable found', f'{executable} is compiled from C++ ({native[executable]}), which cannot run here'
+        )
     return with_help('No executable found', help_of_facts(missing_executable(index, package, executable)))

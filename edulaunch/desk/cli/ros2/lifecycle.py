@@ -1,4 +1,4 @@
-"""`ros2 lifecycle`: the states of managed nodes, and transitions."""
+"""`ros2 lifecycle`: show the states of lifecycle nodes, and trigger transitions."""
 
 from __future__ import annotations
 
@@ -19,34 +19,34 @@ _SERVICE, _TYPE = '/get_state', 'lifecycle_msgs/srv/GetState'
 
 
 def _common_arguments(parser: argparse.ArgumentParser) -> None:
-    """Discovery, and whether hidden nodes count."""
+    """Add the options for discovery and hidden nodes."""
     cli_node.add_arguments(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
 
 
 def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
-    """The full names of all lifecycle nodes, sorted: those that serve their state."""
+    """Return the full names of all lifecycle nodes, sorted: the nodes with a service for their state."""
     served = (name for name, types in node.get_service_names_and_types() if name.endswith(_SERVICE) and _TYPE in types)
     return sorted(name for service in served if include_hidden or not names.is_hidden(name := service.removesuffix(_SERVICE)))
 
 
 class LifecycleNodeOf(node_parameters.OtherNode):
-    """The lifecycle node `name`."""
+    """Access to the lifecycle node `name`."""
 
     PACKAGE = 'lifecycle_msgs'
 
     def state(self) -> str:
-        """Label and number of its state."""
+        """Return label and number of its state."""
         state = self._call('get_state', 'GetState').current_state
         return f'{state.label} [{state.id}]'
 
     def transitions(self, every: bool = False) -> list[Any]:
-        """Descriptions of the transitions that it can make now, or of all."""
+        """Return the descriptions of the possible transitions, or of all transitions."""
         service = 'get_transition_graph' if every else 'get_available_transitions'
         return list(self._call(service, 'GetAvailableTransitions').available_transitions)
 
     def change(self, number: int) -> bool:
-        """Make a transition; whether that went well."""
+        """Trigger a transition; return whether it succeeded."""
         from lifecycle_msgs.msg import Transition
 
         return bool(self._call('change_state', 'ChangeState', transition=Transition(id=number)).success)
@@ -54,9 +54,9 @@ class LifecycleNodeOf(node_parameters.OtherNode):
 
 @contextmanager
 def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
-    """The one that the command line names.
+    """Return the lifecycle node that the command line names.
 
-    :raises NodeNotFound: when there is none of that name; in the words of ROS 2.
+    :raises NodeNotFound: when no lifecycle node has this name, with the message of ROS 2.
     """
     name = names.absolute(arguments.node_name)
     with cli_node.cli_node(arguments) as node:
@@ -69,18 +69,18 @@ def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
 
 
 def described(transition: Any) -> str:
-    """A transition as ROS 2 lists it."""
+    """Return a transition in the form of ROS 2."""
     return f'- {transition.label} [{transition.id}]'
 
 
 def get_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 lifecycle get`."""
+    """Add the options and arguments of `ros2 lifecycle get`."""
     _common_arguments(parser)
     parser.add_argument('node_name', nargs='?', help='Name of the ROS node')
 
 
 def get_verb(arguments: argparse.Namespace) -> None:
-    """Print label and number of the state; of all nodes with their names before them."""
+    """Print label and number of the state; for all nodes, print their names before them."""
     if arguments.node_name is not None:
         with lifecycle_node(arguments) as one:
             say(one.state())
@@ -91,14 +91,14 @@ def get_verb(arguments: argparse.Namespace) -> None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 lifecycle list`."""
+    """Add the options and arguments of `ros2 lifecycle list`."""
     _common_arguments(parser)
     parser.add_argument('node_name', help='Name of the ROS node')
     parser.add_argument('-a', '--all', action='store_true', help='Display all existing transitions')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print each with the state that it starts from and the one that it leads to."""
+    """Print each transition with its start state and its goal state."""
     with lifecycle_node(arguments) as node:
         for found in node.transitions(arguments.all):
             say(described(found.transition))
@@ -110,7 +110,7 @@ nodes_arguments = node_command.list_arguments
 
 
 def nodes_verb(arguments: argparse.Namespace) -> None:
-    """Print their full names, sorted."""
+    """Print the full names of the nodes, sorted."""
     with cli_node.cli_node(arguments) as node:
         found = _lifecycle_nodes(node, arguments.all)
     if arguments.count_nodes:
@@ -120,14 +120,14 @@ def nodes_verb(arguments: argparse.Namespace) -> None:
 
 
 def set_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 lifecycle set`."""
+    """Add the options and arguments of `ros2 lifecycle set`."""
     _common_arguments(parser)
     parser.add_argument('node_name', help='Name of the ROS node')
     parser.add_argument('transition', help='The lifecycle transition')
 
 
 def set_verb(arguments: argparse.Namespace) -> str | None:
-    """Print how it went; status 0 either way, as in ROS 2. One that the node cannot make now is an error."""
+    """Print the result; return 0 in both cases, as in ROS 2. A transition that is not possible now is an error."""
     with lifecycle_node(arguments) as node:
         possible = [found.transition for found in node.transitions()]
         number = next((one.id for one in possible if arguments.transition in (one.label, str(one.id))), None)

@@ -1,4 +1,4 @@
-"""What verbs share that listen: the class of a topic, `--filter EXPR`, how messages are printed, and the `--qos-*` options."""
+"""Shared by verbs that subscribe: the class of a topic, `--filter EXPR`, the form of messages, and the `--qos-*` options."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ POLICIES = {
 
 
 def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wait: bool = False) -> Any:
-    """The class of `type_text`, else of what is published; or the text of an error.
+    """Return the class of `type_text` or, without one, of the published type; return an error message on failure.
 
-    :param wait: whether to wait, with a warning, until the topic appears.
+    :param wait: whether to wait with a warning until the topic appears.
     """
     if type_text is not None:
         try:
@@ -67,9 +67,9 @@ def _types(node: Node, name: str) -> list[str]:
 
 
 def message_filter(expression: str | None) -> Callable[[Any], bool]:
-    """A test of messages; everything passes when there is no expression. It is the user's own code, as in ROS 2.
+    """Return a test for messages; without an expression, all pass. The expression is the user's own code, as in ROS 2.
 
-    :raises RuntimeError: when it is no expression; the test raises it when the expression fails for a message.
+    :raises RuntimeError: for an invalid expression; the test raises it when the expression fails for a message.
     """
     if expression is None:
         return lambda message: True
@@ -88,7 +88,7 @@ def message_filter(expression: str | None) -> Callable[[Any], bool]:
 
 
 def add_printing_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which parts of a message, and in which form."""
+    """Add the options for the parts of a message, and for its form."""
     parser.add_argument('--csv', action='store_true', help='Output all recursive fields separated by commas')
     parser.add_argument('--field', metavar='FIELD', help='Echo a selected field of a message')
     parser.add_argument('-f', '--full-length', action='store_true', help='Output all elements for arrays, bytes, and string')
@@ -108,7 +108,7 @@ def add_printing_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class Printer:
-    """Prints what the options ask for; `done` is set after the first when only one is wanted."""
+    """Prints the parts that the options choose; `done` is set after the first message if only one is wanted."""
 
     def __init__(self, arguments: argparse.Namespace, done: Any) -> None:
         self._arguments = arguments
@@ -137,9 +137,9 @@ class Printer:
 
 
 def _member(message: Any, name: str) -> Any:
-    """A field, also of the form `points[0]`.
+    """Return a field, which may have the form `points[0]`.
 
-    :raises RuntimeError: when there is no such field; in the words of ROS 2.
+    :raises RuntimeError: for an unknown field, with the message of ROS 2.
     """
     name, bracket, index = name.partition('[')
     try:
@@ -154,7 +154,7 @@ def _member(message: Any, name: str) -> Any:
 
 
 def add_qos_arguments(parser: argparse.ArgumentParser, default: str) -> None:
-    """A preset, and each policy over it."""
+    """Add a QoS preset, and options that override each policy."""
     parser.add_argument(
         '--qos-profile', choices=PRESETS, default=default, help=f'Quality of service preset profile (default: {default})'
     )
@@ -166,12 +166,12 @@ def add_qos_arguments(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def is_qos_chosen(arguments: argparse.Namespace) -> bool:
-    """Whether the command line says anything about reliability or durability."""
+    """Return whether the command line sets reliability or durability."""
     return arguments.qos_reliability is not None or arguments.qos_durability is not None
 
 
 def qos_profile(arguments: argparse.Namespace) -> QoSProfile:
-    """The profile that the options say."""
+    """Return the QoS profile that the options describe."""
     from rclpy import qos
 
     preset = qos.QoSPresetProfiles.get_from_short_key(arguments.qos_profile)

@@ -1,4 +1,4 @@
-"""Names in the graph with their types, as the commands of topics, services, actions and nodes list them."""
+"""Names in the graph with their types, as the commands for topics, services, actions and nodes list them."""
 
 from __future__ import annotations
 
@@ -17,33 +17,33 @@ _MARK, _TYPE_END = '/_action/feedback', '_FeedbackMessage'
 
 
 def is_hidden(name: str) -> bool:
-    """Whether a name is left out by default: one of its tokens starts with an underscore."""
+    """Return whether a name is hidden: one of its tokens starts with an underscore."""
     return any(token.startswith('_') for token in name.split('/'))
 
 
 def visible(names_and_types: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    """The entries without those of hidden names, unless they are wanted."""
+    """Return the entries, without hidden names unless they are wanted."""
     return [entry for entry in names_and_types if include_hidden or not is_hidden(entry[0])]
 
 
 def absolute(name: str) -> str:
-    """A node name with the slash that commands add."""
+    """Return a node name with a leading slash."""
     return name if name.startswith('/') else f'/{name}'
 
 
 def node_names(node: Node, include_hidden: bool = True) -> list[str]:
-    """The full names of all nodes, sorted."""
+    """Return the full names of all nodes, sorted."""
     return sorted(name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name))
 
 
 def add_name_arguments(parser: argparse.ArgumentParser, what: str, purpose: str, example: str) -> None:
-    """The options about discovery, and the name of a topic, service or action."""
+    """Add the options for discovery, and the name of a topic, service or action."""
     cli_node.add_arguments(parser)
     parser.add_argument(f'{what}_name', help=f"Name of the ROS {what} to {purpose} (e.g. '{example}')")
 
 
 def add_find_arguments(parser: argparse.ArgumentParser, what: str, example: str) -> None:
-    """What all verbs `find` take."""
+    """Add the arguments that all `find` verbs have."""
     cli_node.add_arguments(parser)
     parser.add_argument(f'{what}_type', help=f"Name of the ROS {what} type to filter for (e.g. '{example}')")
     _add_count(parser, what)
@@ -51,7 +51,7 @@ def add_find_arguments(parser: argparse.ArgumentParser, what: str, example: str)
 
 
 def add_list_arguments(parser: argparse.ArgumentParser, what: str) -> None:
-    """What all verbs `list` of names with types take."""
+    """Add the arguments of all `list` verbs for names with types."""
     cli_node.add_arguments(parser)
     parser.add_argument('-t', '--show-types', action='store_true', help=f'Additionally show the {what} type')
     _add_count(parser, what)
@@ -63,12 +63,12 @@ def _add_count(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def add_hidden(parser: argparse.ArgumentParser, what: str) -> None:
-    """Whether hidden names count."""
+    """Return whether hidden names count."""
     parser.add_argument(f'--include-hidden-{what}s', action='store_true', help=f'Consider hidden {what}s as well')
 
 
 def say_names(names_and_types: NamesAndTypes, arguments: argparse.Namespace) -> None:
-    """Print names, with types or counted as the options say."""
+    """Print names, with types or as a count, depending on the options."""
     if arguments.count:
         say(str(len(names_and_types)))
         return
@@ -77,7 +77,7 @@ def say_names(names_and_types: NamesAndTypes, arguments: argparse.Namespace) -> 
 
 
 def say_found(names_and_types: NamesAndTypes, type_name: str, count: bool) -> None:
-    """Print the names that have a type, or how many they are."""
+    """Print the names that have a type, or their number."""
     found = [name for name, types in names_and_types if type_name in types]
     if count:
         say(str(len(found)))
@@ -86,29 +86,29 @@ def say_found(names_and_types: NamesAndTypes, type_name: str, count: bool) -> No
 
 
 def types_of(name: str, names_and_types: Iterable[tuple[str, list[str]]]) -> list[str]:
-    """The types of a name, none when nobody uses it."""
+    """Return the types of a name; an empty list if no node uses it."""
     return next((types for known, types in names_and_types if known == name), [])
 
 
 def say_types(name: str, names_and_types: NamesAndTypes) -> int:
-    """Print the types of a name; status 1 in silence when nobody uses it, as in ROS 2."""
+    """Print the types of a name; return 1 without a message if no node uses it, as in ROS 2."""
     types = types_of(name, names_and_types)
     say_lines(types)
     return 0 if types else 1
 
 
 def servers_by_node(node: Node, name: str, namespace: str) -> NamesAndTypes:
-    """The actions that a node serves: it publishes their feedback."""
+    """Return the actions that a node serves: it publishes their feedback."""
     return _actions(node.get_publisher_names_and_types_by_node(name, namespace))
 
 
 def clients_by_node(node: Node, name: str, namespace: str) -> NamesAndTypes:
-    """The actions that a node uses: it listens to their feedback."""
+    """Return the actions that a node uses: it subscribes to their feedback."""
     return _actions(node.get_subscriber_names_and_types_by_node(name, namespace))
 
 
 def action_names_and_types(node: Node) -> NamesAndTypes:
-    """All actions that are served or used."""
+    """Return all actions with a server or a client."""
     return _actions(node.get_topic_names_and_types())
 
 

@@ -1,4 +1,4 @@
-"""`ros2 node`: which nodes there are, and what one has."""
+"""`ros2 node`: list nodes, and show one with its topics, services and actions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 node info`."""
+    """Add the options and arguments of `ros2 node info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', help='Fully qualified node name to request information with given spin time')
     parser.add_argument('--include-hidden', action='store_true', help='Display hidden topics, services, and actions as well')
@@ -55,14 +55,14 @@ def _sections(node: Node, wanted: str) -> list[tuple[str, names.NamesAndTypes]]:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 node list`."""
+    """Add the options and arguments of `ros2 node list`."""
     cli_node.add_arguments(parser)
     parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
     parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print their full names, sorted."""
+    """Print the full names of the nodes, sorted."""
     with cli_node.cli_node(arguments) as node:
         found = names.node_names(node, arguments.all)
     if arguments.count_nodes:

@@ -1,4 +1,4 @@
-"""Reading and changing the parameters of another node through its services."""
+"""Read and change the parameters of another node through its services."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class NodeNotFound(RuntimeError):
 
 
 def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
-    """The node, and how long to wait for it."""
+    """Add the node, and how long to wait for it."""
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
@@ -52,7 +52,7 @@ def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = Fals
 
 
 class OtherNode:
-    """The node `name`, as seen from the node of a command. `PACKAGE` has the types of its services."""
+    """The parameters of the node `name`, accessed from the node of a command. `PACKAGE` has the types of its services."""
 
     PACKAGE: str
     WAITS_S: Sequence[float | None] = (None,)
@@ -68,47 +68,47 @@ class OtherNode:
 
 
 class ParametersOf(OtherNode):
-    """The parameters of the node `name`."""
+    """Create clients for the parameters of the node `name`."""
 
     PACKAGE = 'rcl_interfaces'
     WAITS_S = (1.0, 9.0)
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
-        """Sorted names of all, or of those under some prefixes."""
+        """Return the sorted names of all parameters, or of those below some prefixes."""
         response = self._call('list_parameters', 'ListParameters', prefixes=prefixes or [])
         return sorted(response.result.names)
 
     def values(self, parameters: list[str]) -> list[Any]:
-        """Their ParameterValues; none at all when one is not declared."""
+        """Return the ParameterValues of some names; an empty list if one of them is not declared."""
         return list(self._call('get_parameters', 'GetParameters', names=parameters).values)
 
     def all_values(self) -> dict[str, Any]:
-        """All that have a value, as plain Python data, sorted by name."""
+        """Return all parameters with a value as plain Python data, sorted by name."""
         known = self.names()
         values = self.values(known)
-        if len(values) < len(known):  # one without a value makes the whole answer empty
+        if len(values) < len(known):  # one parameter without a value makes the whole response empty
             given = [(name, self.values([name])) for name in known]
             return {name: python_value(found[0]) for name, found in given if found}
         return {name: python_value(value) for name, value in zip(known, values, strict=True)}
 
     def descriptors(self, parameters: list[str]) -> list[Any]:
-        """Their descriptors; none at all when one is not declared."""
+        """Return the descriptors of some names; an empty list if one of them is not declared."""
         return list(self._call('describe_parameters', 'DescribeParameters', names=parameters).descriptors)
 
     def set(self, messages: list[Any]) -> list[Any]:
-        """Set each for itself; the results."""
+        """Set each parameter on its own; return the results."""
         return list(self._call('set_parameters', 'SetParameters', parameters=messages).results)
 
     def help_for(self, parameter: str) -> str | None:
-        """One line of help for a name that the node does not have."""
+        """Return one line of help for a name that the node does not have."""
         return did_you_mean(parameter, self.names())
 
 
 @contextmanager
 def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
-    """The parameters of the node that the command line names, when it is there in time.
+    """Return the parameters of the node that the command line names, when it appears in time.
 
-    :raises NodeNotFound: when it is not; in the words of ROS 2.
+    :raises NodeNotFound: when it does not appear, with the message of ROS 2.
     """
     name = names.absolute(arguments.node_name)
     with cli_node.cli_node(arguments) as node:
@@ -127,7 +127,7 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
 
 
 def python_value(value: Any) -> Any:
-    """A ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
+    """Return a ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
     from rclpy.parameter import parameter_value_to_python
 
     found = parameter_value_to_python(value)
@@ -137,13 +137,13 @@ def python_value(value: Any) -> Any:
 
 
 def type_help(reason: str) -> str | None:
-    """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
+    """Suggest how to write a value that was refused for its type; in YAML the spelling determines the type."""
     found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 
 
 def nested_text(values: dict[str, Any], node_name: str) -> str:
-    """Parameters as the text of a parameter file; dots in names nest."""
+    """Return the content of a parameter file; names with dots are nested."""
     import yaml
 
     tree: dict[str, Any] = {}

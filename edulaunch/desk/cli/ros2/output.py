@@ -1,4 +1,4 @@
-"""What commands write, one write per text, and numbers that they are given."""
+"""The output of commands, one write per message, and the numbers in their arguments."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ def complain(text: str) -> None:
 
 
 def with_help(text: str, help: str | None) -> str:
-    """An error text, with one line that says what to try when there is one."""
+    """Return an error message, followed by a line that suggests what to try, if there is a suggestion."""
     return text if help is None else f'{text}\n  help: {help}'
 
 
 def say_lines(lines: Sequence[str]) -> None:
-    """Print each on a line of its own."""
+    """Print each item on a line of its own."""
     for line in lines:
         say(line)
 
 
 def positive_float(text: str) -> float:
-    """A number above zero. Raises ArgumentTypeError for others, with the text of ROS 2."""
+    """Return a positive number. Raise ArgumentTypeError for others, with the message of ROS 2."""
     return _positive(float(text))
 
 
 def positive_int(text: str) -> int:
-    """A whole number above zero. Raises ArgumentTypeError for others, with the text of ROS 2."""
+    """Return a positive whole number. Raise ArgumentTypeError for others, with the message of ROS 2."""
     return _positive(int(text))
 
 

@@ -1,4 +1,4 @@
-"""`ros2 param`: the parameters of nodes, read, set, and in files."""
+"""`ros2 param`: read, set, save and load the parameters of nodes."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from edulaunch.engine.processes.current import current_process
 
 
 def delete_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param delete`."""
+    """Add the options and arguments of `ros2 param delete`."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
 
 
 def delete_verb(arguments: argparse.Namespace) -> None:
-    """Set it to nothing and print how that went; status 0 either way, as in ROS 2."""
+    """Delete the parameter and print the result; return 0 in both cases, as in ROS 2."""
     from rcl_interfaces.msg import Parameter
 
     with node_parameters.parameters_of(arguments) as parameters:
@@ -32,13 +32,13 @@ def delete_verb(arguments: argparse.Namespace) -> None:
 
 
 def describe_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param describe`."""
+    """Add the options and arguments of `ros2 param describe`."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_names', nargs='+', help='Names of the parameters')
 
 
 def describe_verb(arguments: argparse.Namespace) -> str | None:
-    """Print what the node says of each."""
+    """Print the descriptor of each parameter."""
     with node_parameters.parameters_of(arguments) as parameters:
         descriptors = parameters.descriptors(arguments.parameter_names)
         if not descriptors:
@@ -64,14 +64,14 @@ def _lines(descriptor: Any) -> list[str]:
 
 
 def dump_arguments(parser: argparse.ArgumentParser) -> None:
-    """The node, and where to write."""
+    """Add the node, and the place of the output."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('--output-dir', help='The folder where the generated file is saved, as NODE.yaml')
     parser.add_argument('--print', action='store_true', help='accepted; without --output-dir everything is printed')
 
 
 def dump_verb(arguments: argparse.Namespace) -> str | None:
-    """Print them, or save them, as `--params-file` and `ros2 param load` read them."""
+    """Print or save the parameters in the form that `--params-file` and `ros2 param load` read."""
     if arguments.print:
         complain("WARNING: '--print' is deprecated; this utility prints to stdout by default")
     with node_parameters.parameters_of(arguments) as parameters:
@@ -92,14 +92,14 @@ def dump_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def get_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param get`."""
+    """Add the options and arguments of `ros2 param get`."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('--hide-type', action='store_true', help='Hide the type information')
 
 
 def get_verb(arguments: argparse.Namespace) -> str | None:
-    """Print it with its type."""
+    """Print the value with its type."""
     name = arguments.parameter_name
     with node_parameters.parameters_of(arguments) as parameters:
         values = parameters.values([name])
@@ -114,13 +114,13 @@ def get_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _label(kind: int) -> str:
-    """'Double value is:', 'Byte values are:'"""
+    """Return 'Double value is:' or 'Byte values are:'."""
     word, _, array = node_parameters.TYPE_WORDS[kind].partition(' ')
     return f'{word.capitalize()} {"values are" if array else "value is"}:'
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param list`."""
+    """Add the options and arguments of `ros2 param list`."""
     node_parameters.add_node_arguments(parser, optional=True)
     parser.add_argument('--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes')
     parser.add_argument('--param-type', action='store_true', help='Print parameter types with parameter names')
@@ -128,7 +128,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print names, under the name of their node when no node is given."""
+    """Print the names, below the name of their node if the user names no node."""
     if arguments.node_name is not None:
         with node_parameters.parameters_of(arguments) as parameters:
             _say(parameters, arguments, heading=False)
@@ -157,7 +157,7 @@ def _say(parameters: node_parameters.ParametersOf, arguments: argparse.Namespace
 
 
 def load_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param load`."""
+    """Add the options and arguments of `ros2 param load`."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_file', help='Parameter file')
     parser.add_argument(
@@ -166,7 +166,7 @@ def load_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def load_verb(arguments: argparse.Namespace) -> str | None:
-    """Set each of them and print how that went."""
+    """Set each parameter and print the result."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
     path = os.path.join(current_process().cwd or '', arguments.parameter_file)
@@ -176,7 +176,7 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
         except OSError as error:
             return with_help(
                 f"[Errno {error.errno}] {error.strerror}: '{arguments.parameter_file}'",
-                'the path counts from the folder where the command runs',
+                'give the path from the folder where the command runs',
             )
         results = parameters.set(list(found.values()))
     for name, result in zip(found, results, strict=True):
@@ -188,14 +188,14 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def set_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 param set`."""
+    """Add the options and arguments of `ros2 param set`."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('value', help='Value of the parameter, read as YAML')
 
 
 def set_verb(arguments: argparse.Namespace) -> None:
-    """Set it and print how that went; status 0 either way, as in ROS 2."""
+    """Set the parameter and print the result; return 0 in both cases, as in ROS 2."""
     import yaml
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value
@@ -204,7 +204,7 @@ def set_verb(arguments: argparse.Namespace) -> None:
     try:
         value = get_parameter_value(arguments.value)
     except yaml.YAMLError as error:
-        help = f"""to mean text, put it into quotation marks twice: '"{arguments.value}"'"""
+        help = f"""for a string, use two kinds of quotation marks: '"{arguments.value}"'"""
         raise RuntimeError(with_help(str(error), help)) from None
     with node_parameters.parameters_of(arguments) as parameters:
         result = parameters.set([Parameter(name=name, value=value)])[0]

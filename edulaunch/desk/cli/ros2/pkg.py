@@ -1,4 +1,4 @@
-"""`ros2 pkg`: which packages there are, where, with which programs; and a new one."""
+"""`ros2 pkg`: list packages, their folders and their programs, and create a package."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from edulaunch.errors import PackageError
 
 
 def create_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 pkg create`."""
+    """Add the options and arguments of `ros2 pkg create`."""
     from edulaunch.desk.cli.pkg import add_create_arguments
 
     add_create_arguments(parser)
 
 
 def create_verb(arguments: argparse.Namespace) -> str | None:
-    """Make it below the folder of the program that asks, and say what is made."""
+    """Create the package below the folder of the calling program, and print what is created."""
     from edulaunch.advice.workspace.new_package import create_package
     from edulaunch.desk.cli.pkg import described_package
 
@@ -34,13 +34,13 @@ def create_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def executables_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 pkg executables`."""
+    """Add the options and arguments of `ros2 pkg executables`."""
     parser.add_argument('package_name', nargs='?', help='Name of the package to list its executables')
     parser.add_argument('--full-path', action='store_true', help='Show the full path of each executable')
 
 
 def executables_verb(arguments: argparse.Namespace) -> str | None:
-    """Print each with its package."""
+    """Print each program with its package."""
     index, wanted = current_process().index, arguments.package_name
     packages = sorted(index.packages())
     if wanted is not None and wanted not in packages:
@@ -53,16 +53,16 @@ def executables_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """None, as in ROS 2."""
+    """Add no arguments, as in ROS 2."""
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print their names, sorted."""
+    """Print the names of the packages, sorted."""
     say_lines(sorted(current_process().index.packages()))
 
 
 def prefix_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 pkg prefix`."""
+    """Add the options and arguments of `ros2 pkg prefix`."""
     parser.add_argument('package_name', help='The package name')
     parser.add_argument('--share', action='store_true', help='Show share directory for the package')
 
@@ -78,13 +78,13 @@ def prefix_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def xml_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 pkg xml`."""
+    """Add the options and arguments of `ros2 pkg xml`."""
     parser.add_argument('package_name', help='The package name')
     parser.add_argument('-t', '--tag', help='The XML tag to output, e.g. version')
 
 
 def xml_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the file, or the text of a tag."""
+    """Print the file, or the content of one tag."""
     from xml.etree import ElementTree
 
     index, package = current_process().index, arguments.package_name

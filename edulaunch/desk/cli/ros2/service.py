@@ -1,4 +1,4 @@
-"""`ros2 service`: which services there are, calling one, and listening to its calls."""
+"""`ros2 service`: list services, call one, and echo its calls."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 PATIENCE_S = 5.0
-"""After so long without the service we say what may be wrong; ROS 2 waits for ever in silence."""
+"""After this many seconds without the service, suggest what may be wrong; ROS 2 waits forever without a message."""
 HOW = 'configure_introspection() of the server or the client switches it on'
 
 
 def find_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 service find`."""
+    """Add the options and arguments of `ros2 service find`."""
     names.add_find_arguments(parser, 'service', 'rcl_interfaces/srv/ListParameters')
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the services, sorted."""
     with cli_node.cli_node(arguments) as node:
         services = names.visible(node.get_service_names_and_types(), arguments.include_hidden_services)
     names.say_found(services, arguments.service_type, arguments.count)
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 service info`."""
+    """Add the options and arguments of `ros2 service info`."""
     names.add_name_arguments(parser, 'service', 'get info', '/add_two_ints')
 
 
@@ -53,13 +53,13 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 service list`."""
+    """Add the options and arguments of `ros2 service list`."""
     names.add_list_arguments(parser, 'service')
     names.add_hidden(parser, 'service')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the services, sorted."""
     with cli_node.cli_node(arguments) as node:
         own = f'{node.get_fully_qualified_name()}/'
         services = [entry for entry in node.get_service_names_and_types() if not entry[0].startswith(own)]
@@ -67,18 +67,18 @@ def list_verb(arguments: argparse.Namespace) -> None:
 
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 service type`."""
+    """Add the options and arguments of `ros2 service type`."""
     names.add_name_arguments(parser, 'service', 'get type', '/talker/list_parameters')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print it; status 1 in silence when there is no such service, as in ROS 2."""
+    """Print the type; return 1 without a message if there is no such service, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
         return names.say_types(arguments.service_name, node.get_service_names_and_types())
 
 
 def call_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 service call`."""
+    """Add the options and arguments of `ros2 service call`."""
     parser.add_argument('service_name', help="Name of the ROS service to call to (e.g. '/add_two_ints')")
     parser.add_argument('service_type', help="Type of the ROS service (e.g. 'std_srvs/srv/Empty')")
     group = parser.add_mutually_exclusive_group()
@@ -88,7 +88,7 @@ def call_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def call_verb(arguments: argparse.Namespace) -> str | None:
-    """Call it once, or again and again at a rate."""
+    """Call the service once, or repeatedly at a rate."""
     try:
         cls = interface_class(arguments.service_type, 'srv')
     except InterfaceError as error:
@@ -143,7 +143,7 @@ def _request(node: Node, client: Client, request: Any, rate: float | None) -> No
 
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
-    """The service, its type, and how events are printed."""
+    """Add the service, its type, and the form of the events."""
     names.add_name_arguments(parser, 'service', 'echo', '/add_two_ints')
     parser.add_argument('service_type', nargs='?', help="Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')")
     listening.add_printing_arguments(parser)
@@ -153,7 +153,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | None:
-    """Print each event that comes, until interrupted."""
+    """Print each event until interrupted."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:

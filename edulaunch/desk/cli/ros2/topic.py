@@ -1,4 +1,4 @@
-"""`ros2 topic echo|find|info|list|pub|type`. (`topic_measuring` has the others.)"""
+"""`ros2 topic echo|find|info|list|pub|type`. `topic_measuring` has the other verbs."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
 
 
 def find_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic find`."""
+    """Add the options and arguments of `ros2 topic find`."""
     names.add_find_arguments(parser, 'topic', 'std_msgs/msg/String')
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the topics, sorted."""
     with cli_node.cli_node(arguments) as node:
         topics = names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
     names.say_found(topics, arguments.topic_type, arguments.count)
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic info`."""
+    """Add the options and arguments of `ros2 topic info`."""
     names.add_name_arguments(parser, 'topic', 'get info', '/chatter')
     parser.add_argument(
         '-v', '--verbose', action='store_true', help='Print each endpoint with its node, type and quality of service'
@@ -39,7 +39,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
-    """Print type and counts; with -v each endpoint too."""
+    """Print type and counts; with -v, print each endpoint too."""
     topic, end = arguments.topic_name, '\n\n' if arguments.verbose else '\n'
     with cli_node.cli_node(arguments) as node:
         topics = node.get_topic_names_and_types()
@@ -58,14 +58,14 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic list`."""
+    """Add the options and arguments of `ros2 topic list`."""
     names.add_list_arguments(parser, 'topic')
     names.add_hidden(parser, 'topic')
     parser.add_argument('-v', '--verbose', action='store_true', help='List full details about each topic')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print them, sorted."""
+    """Print the topics, sorted."""
     with cli_node.cli_node(arguments) as node:
         topics = names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
         if not arguments.verbose or arguments.count:
@@ -85,18 +85,18 @@ def _say_details(node: Node, topics: names.NamesAndTypes, heading: str, side: st
 
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic type`."""
+    """Add the options and arguments of `ros2 topic type`."""
     names.add_name_arguments(parser, 'topic', 'get type', '/chatter')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print it; status 1 in silence when there is no such topic, as in ROS 2."""
+    """Print the type; return 1 without a message if there is no such topic, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
         return names.say_types(arguments.topic_name, node.get_topic_names_and_types())
 
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic echo`."""
+    """Add the options and arguments of `ros2 topic echo`."""
     names.add_name_arguments(parser, 'topic', 'listen to', '/chatter')
     parser.add_argument('message_type', nargs='?', help="Type of the ROS message (e.g. 'std_msgs/msg/String')")
     listening.add_printing_arguments(parser)
@@ -107,7 +107,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | int | None:
-    """Print each message that comes, until interrupted."""
+    """Print each message until interrupted."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:
@@ -123,7 +123,7 @@ def echo_verb(arguments: argparse.Namespace) -> str | int | None:
 
 
 def _suitable_profile(node: Node, topic: str, arguments: argparse.Namespace) -> QoSProfile:
-    """Sensor data, but as reliable and as durable as all publishers are; what only some offer is said."""
+    """Return the sensor data profile, with reliability and durability that match all publishers; warn if only some match."""
     from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
     profile = listening.qos_profile(arguments)
@@ -147,7 +147,7 @@ def _suitable_profile(node: Node, topic: str, arguments: argparse.Namespace) -> 
 
 
 def pub_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic pub`."""
+    """Add the options and arguments of `ros2 topic pub`."""
     names.add_name_arguments(parser, 'topic', 'publish to', '/chatter')
     parser.add_argument('message_type', help="Type of the ROS message (e.g. 'std_msgs/String')")
     group = parser.add_mutually_exclusive_group()
@@ -161,7 +161,7 @@ def pub_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_times(parser: argparse.ArgumentParser) -> None:
-    """How often, and for whom."""
+    """Add the rate, and the number of subscriptions to wait for."""
     times = parser.add_mutually_exclusive_group()
     times.add_argument('-1', '--once', action='store_true', help='Publish one message and exit')
     times.add_argument('-t', '--times', type=int, default=0, help='Publish this number of times and then exit')
@@ -181,7 +181,7 @@ def _add_times(parser: argparse.ArgumentParser) -> None:
 
 
 def pub_verb(arguments: argparse.Namespace) -> str | None:
-    """Publish the message once, some times, or until interrupted."""
+    """Publish the message once, several times, or until interrupted."""
     try:
         cls = interface_class(arguments.message_type, 'msg')
     except InterfaceError as error:
@@ -202,7 +202,7 @@ def pub_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _wait_for_subscriptions(node: Node, publisher: Publisher, arguments: argparse.Namespace, default: int) -> str | None:
-    """Look each 0.1 s, and say each second that we wait."""
+    """Wait for subscriptions: check every 0.1 s, and print a line each second."""
     wanted = default if arguments.wait_matching_subscriptions is None else arguments.wait_matching_subscriptions
     looks = 0
     while publisher.get_subscription_count() < wanted:

@@ -1,4 +1,4 @@
-"""`ros2 topic bw|delay|hz`: how many bytes come, how old messages are when they come, and how often."""
+"""`ros2 topic bw|delay|hz`: measure the bandwidth, the age and the rate of messages."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ REPORT_EVERY_NS = 1_000_000_000
 
 
 class Measure(Protocol):
-    """Takes messages, gives reports."""
+    """Takes messages and creates reports."""
 
     def take(self, message: Any, now_ns: int) -> None:
-        """One message (serialized when the measure asks for raw bytes)."""
+        """Take one message (serialized if the measure wants raw bytes)."""
 
     def report(self) -> str | None:
-        """The lines to print, None when there is nothing to say."""
+        """Return the lines to print, or None."""
 
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
-    """The topic, and how many messages count."""
+    """Add the topic, and how many messages count."""
     names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
     parser.add_argument(
         '-w',
@@ -39,7 +39,7 @@ def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
 def listen(
     arguments: argparse.Namespace, measure: Measure, *, verb: str, heading: str | None = None, raw: bool = False
 ) -> str | None:
-    """Feed the measure and print its reports until interrupted; returns the text of an error."""
+    """Feed the measure and print its reports until interrupted; return an error message on failure."""
     import rclpy
     from rclpy.qos import qos_profile_sensor_data
 
@@ -57,7 +57,7 @@ def listen(
 
 
 class Reports:
-    """Prints a report with the first message that comes a second or more after the last one."""
+    """Prints a report with the first message at least a second after the last report."""
 
     def __init__(self, measure: Measure) -> None:
         self._measure = measure
@@ -77,19 +77,19 @@ class Reports:
 
 
 def mean(values: list[float]) -> float:
-    """The arithmetic mean."""
+    """Return the arithmetic mean."""
     return sum(values) / len(values)
 
 
 def spread(values: list[float], window: int) -> str:
-    """The line with the least and the largest value, and the (population) standard deviation."""
+    """Return the line with the smallest and the largest value, and the (population) standard deviation."""
     middle = mean(values)
     deviation = mean([(value - middle) ** 2 for value in values]) ** 0.5
     return f'\tmin: {min(values):.3f}s max: {max(values):.3f}s std dev: {deviation:.5f}s window: {window}'
 
 
 def bw_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic bw`."""
+    """Add the options and arguments of `ros2 topic bw`."""
     _common_arguments(parser, 100)
 
 
@@ -99,17 +99,17 @@ def bw_verb(arguments: argparse.Namespace) -> str | None:
 
 
 class Bandwidth:
-    """Times and sizes of the last messages."""
+    """Measures the times and sizes of the last messages."""
 
     def __init__(self, window: int) -> None:
         self._taken: deque[tuple[int, int]] = deque(maxlen=window)
 
     def take(self, message: bytes, now_ns: int) -> None:
-        """Note when it came and how long it is, CDR header included."""
+        """Record time of arrival and length, including the CDR header."""
         self._taken.append((now_ns, len(message)))
 
     def report(self) -> str | None:
-        """The two lines of ROS 2."""
+        """Return the two lines of ROS 2."""
         seconds = (current_task().sim.now_ns - self._taken[0][0]) / 1e9
         if seconds <= 0:
             return None
@@ -130,7 +130,7 @@ def _unit(size: float) -> tuple[str, float]:
 
 
 def delay_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic delay`."""
+    """Add the options and arguments of `ros2 topic delay`."""
     _common_arguments(parser, 10000)
 
 
@@ -140,29 +140,31 @@ def delay_verb(arguments: argparse.Namespace) -> str | None:
 
 
 class Delay:
-    """The last delays."""
+    """Measures the last delays."""
 
     def __init__(self, window: int) -> None:
         self._delays: deque[float] = deque(maxlen=window)
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Note how long ago its header was stamped.
+        """Record how long ago the header was stamped.
 
-        :raises RuntimeError: for a message without header; in the words of ROS 2.
+        :raises RuntimeError: for a message without a header, with the message of ROS 2.
         """
         if not hasattr(message, 'header'):
-            raise RuntimeError('msg does not have header\n  help: only stamped messages tell when they were made')
+            raise RuntimeError(
+                'msg does not have header\n  help: only messages with a header have the time when they were created'
+            )
         stamp = message.header.stamp
         self._delays.append((now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) / 1e9)
 
     def report(self) -> str:
-        """The two lines of ROS 2."""
+        """Return the two lines of ROS 2."""
         values = list(self._delays)
         return f'average delay: {mean(values):.3f}\n{spread(values, len(values))}'
 
 
 def hz_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 topic hz`."""
+    """Add the options and arguments of `ros2 topic hz`."""
     _common_arguments(parser, 10000)
     parser.add_argument('--filter', metavar='EXPR', help="only measure messages matching the Python expression, as in 'm.x > 1'")
     parser.add_argument('--wall-time', action='store_true', help='accepted; simulated time is the only one here')
@@ -174,7 +176,7 @@ def hz_verb(arguments: argparse.Namespace) -> str | None:
 
 
 class Rate:
-    """Intervals between the last messages."""
+    """Measures the intervals between the last messages."""
 
     def __init__(self, window: int, expression: str | None) -> None:
         self._intervals: deque[float] = deque(maxlen=max(1, window - 1))
@@ -182,7 +184,7 @@ class Rate:
         self._passes = listening.message_filter(expression)
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Note when it came."""
+        """Record the time of arrival."""
         if not self._passes(message):
             return
         if self._last_ns is not None:
@@ -190,7 +192,7 @@ class Rate:
         self._last_ns = now_ns
 
     def report(self) -> str | None:
-        """The two lines of ROS 2."""
+        """Return the two lines of ROS 2."""
         if not self._intervals:
             return None
         values = list(self._intervals)

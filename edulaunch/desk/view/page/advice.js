@@ -1,6 +1,6 @@
-/* What the rules say of a run: a list in the head of the desk, and a sentence for each mark on a node, a topic or a frame. */
+/* The advice on a run: a list in the header, and a sentence for each mark on a node, a topic or a frame. */
 
-/* What is to be said: the rules' sentences where they were asked, else what the engine noticed by itself. */
+/* The advice to show: the findings of the rules if the user asked for them, otherwise the notes of the engine. */
 function sayings(store) {
   if (store.advice) return store.advice;
   const rows = store.notes.filter(row => row.kind === 'incompatible');
@@ -8,7 +8,7 @@ function sayings(store) {
   return rows.filter(row => !seen.has(text(row)) && seen.add(text(row))).map(row => ({ t: row.t, subject: {}, text: text(row), rule: row.kind }));
 }
 
-/* The sentences about one thing that are true at a time. */
+/* The advice on one subject that applies at a time. */
 const sayingsOf = (store, kind, name, time) => (store.advice || []).filter(row => row.t <= time + 1e-7 && row.subject[kind] === name);
 
 const sentences = rows => rows.map(row => make('p', { class: 'bad' }, `⚠ ${row.text}`, make('span', { class: 'soft' }, ` (${row.rule})`)));
@@ -19,7 +19,7 @@ class AlertsView {
     this.sum = make('summary', {});
     this.list = make('ul', {});
     this.box = make('details', { class: 'alerts', hidden: true }, this.sum, this.list);
-    this.ask = button('Look for mistakes', 'let the rules look at what has happened so far', () => desk.send({ op: 'advise' }));
+    this.ask = button('Look for mistakes', 'check the run so far for common mistakes', () => desk.send({ op: 'advise' }));
     this.ask.hidden = !desk.live;
   }
   update() {
@@ -28,7 +28,7 @@ class AlertsView {
     this.key = key;
     this.box.hidden = !rows.length;
     this.sum.textContent = `⚠ ${rows.length}`;
-    this.sum.setAttribute('aria-label', `${rows.length} things to look at`);
+    this.sum.setAttribute('aria-label', `${rows.length} problems`);
     this.list.replaceChildren(...rows.map(row => make('li', {}, this.item(row))));
   }
   item(row) {

@@ -39,13 +39,13 @@ class TimelineView {
       if (process.to <= this.to) { pen.fillStyle = colours.ink; pen.fillText(process.code ? `✗ ${process.code}` : '✓', Math.min(at(end) + 2, this.width - 24), y + 11); }
       y += 17;
     }
-    head('topics: messages in each stretch');
+    head('topics: messages over time');
     for (const topic of topics) {
       name(topic.name);
       this.density(pen, topic.t, at, y);
       y += 17;
     }
-    if (store.tracks.size) head('tf: from the stamp of the newest transform to now');
+    if (store.tracks.size) head('tf: age of the newest transform');
     for (const track of store.tracks.values()) {
       name(`${track.fixed ? '(static) ' : ''}${track.parent} → ${track.child}`);
       const number = track.at(time);

@@ -1,9 +1,9 @@
-/* What the page knows: columns that only grow, fed by deltas of a timeline (edulaunch/desk/view/timeline.py). Times are seconds. */
+/* The data of the page: columns that only grow, filled by the deltas of a timeline (edulaunch/desk/view/timeline.py). Times are in seconds. */
 
 const FINE = 10000, KEPT_S = 600;
 
 class Grow {
-  /* Numbers that are appended, in one typed array. */
+  /* Numbers in one typed array that grows. */
   constructor() { this.a = new Float64Array(256); this.n = 0; this.whole = 0; }
   push(value) {
     if (this.n === this.a.length) {
@@ -13,7 +13,7 @@ class Grow {
     }
     this.a[this.n++] = value;
   }
-  /* Steps in units of 1/scale, `[n]` for n steps of 0, null for what is not a finite number. */
+  /* Append steps in units of 1/scale; `[n]` means n steps of 0, and null means a value that is not finite. */
   steps(steps, scale) {
     for (const step of steps) {
       if (step === null) { this.push(NaN); continue; }
@@ -26,7 +26,7 @@ class Grow {
     }
   }
   drop(count) { this.a.copyWithin(0, count, this.n); this.n -= count; }
-  /* Number of entries up to and with `value`; the column must ascend. */
+  /* Return the number of entries up to and including `value`; the column must ascend. */
   upTo(value) {
     let low = 0, high = this.n;
     while (low < high) {
@@ -163,9 +163,9 @@ class Store {
     }
     launch.order = launch.steps.filter(step => step?.order > 0).sort((a, b) => a.order - b.order);
   }
-  /* When the oldest message is from that is here. */
+  /* The time of the oldest message here. */
   first() { return Math.min(this.now, ...[...this.topics.values()].filter(topic => topic.t.n).map(topic => topic.t.a[0])); }
-  /* A desk that is open for hours keeps the last ten minutes; graph, processes and parameters are kept whole. */
+  /* A live view that is open for hours keeps the messages of the last ten minutes, and all of graph, processes and parameters. */
   forgetBefore(time) {
     this.from = time;
     for (const topic of this.topics.values()) topic.forgetBefore(time);

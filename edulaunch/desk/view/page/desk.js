@@ -1,9 +1,9 @@
-/* The desk: what is shown where, the bar of time, the keyboard, and the words that go to the machine. */
+/* The live view: its layout, the bar of time, the keyboard, and the requests to the machine. */
 
 const TICK_S = 0.016, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 0];
 
 class Desk {
-  /* `link` is null for a recording; else {send(words), on(handler)} to a machine that lives. */
+  /* `link` is null for a recording, and {send(request), on(handler)} for a live machine. */
   constructor(root, link, options = {}) {
     Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1 });
     this.store.grows = this.live;
@@ -26,10 +26,10 @@ class Desk {
     this.title = make(this.options.whole ? 'h1' : 'strong', {}, 'edulaunch');
     this.state = make('span', { class: 'state', role: 'status' });
     this.alerts = new AlertsView(this);
-    this.save = button('Export', 'save what has happened as a page that plays it, from disk and without a network', () => this.send({ op: 'export' }));
+    this.save = button('Export', 'save the run so far as a page that replays it, from disk and without a network', () => this.send({ op: 'export' }));
     this.save.hidden = !this.live;
     this.net = button('Network', 'join the real ROS 2 network, or leave it', () => this.send({ op: 'network', on: !this.machine.network }));
-    this.dark = button('◐', 'dark or light', () => { this.own = true; this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'); });
+    this.dark = button('◐', 'switch between dark and light', () => { this.own = true; this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'); });
     this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.net, this.save, this.dark));
   }
   stage() {
@@ -71,22 +71,22 @@ class Desk {
   }
   bar() {
     this.play = button('', 'play or pause (space bar)', () => this.toggle());
-    this.what = make('select', { 'aria-label': 'what one step is' }, ...[['tick', 'one tick'], ['message', 'one message'], ...(this.live ? [['callback', 'one callback']] : [])].map(([value, text]) => make('option', { value }, text)));
+    this.what = make('select', { 'aria-label': 'size of a step' }, ...[['tick', 'one tick'], ['message', 'one message'], ...(this.live ? [['callback', 'one callback']] : [])].map(([value, text]) => make('option', { value }, text)));
     this.pace = make('select', { 'aria-label': 'speed' }, ...SPEEDS.map(value => make('option', { value }, value ? `${value}×` : 'fastest')));
     this.pace.value = 1;
     this.pace.addEventListener('change', () => { this.speed = Number(this.pace.value); if (this.live) this.send({ op: 'speed', speed: this.speed }); });
     this.slider = make('input', { type: 'range', min: 0, max: 1000000, step: 1, value: 0, 'aria-label': 'time in the run' });
     this.slider.addEventListener('input', () => this.seek(this.from + Number(this.slider.value) / 1e6 * (this.store.now - this.from)));
     this.clock = make('output', { class: 'clock mono' });
-    this.now = button('● Live', 'show what happens now', () => { this.follow = true; this.redraw(); });
-    this.again = button('Continue from here', 'run the launch again with the same seed and inputs up to this instant, and go on', () => this.send({ op: 'continue', time: this.time }));
+    this.now = button('● Live', 'return to the present', () => { this.follow = true; this.redraw(); });
+    this.again = button('Continue from here', 'run the launch again with the same seed and inputs up to this instant, and continue from there', () => this.send({ op: 'continue', time: this.time }));
     for (const control of [this.now, this.again]) control.hidden = true;
     this.box.append(make('footer', { role: 'group', 'aria-label': 'time' }, this.play, button('⇤', 'one step back', () => this.step(-1)),
-      button('⇥', 'one step on', () => this.step(1)), this.what, make('label', {}, 'speed ', this.pace), this.slider, this.clock, this.now, this.again));
+      button('⇥', 'one step forward', () => this.step(1)), this.what, make('label', {}, 'speed ', this.pace), this.slider, this.clock, this.now, this.again));
   }
   pad() {
     const ways = [['↺', 0, 2, 'turn left'], ['↑', 2, 0, 'forward'], ['↓', -2, 0, 'backward'], ['↻', 0, -2, 'turn right']];
-    this.who = make('select', { 'aria-label': 'who is driven' });
+    this.who = make('select', { 'aria-label': 'turtle or robot to drive' });
     const stick = make('div', { class: 'stick', role: 'img', 'aria-label': 'joystick: drag to drive' }, make('i', {}));
     const drive = event => {
       const box = stick.getBoundingClientRect(), part = (value, size) => Math.max(-1, Math.min(1, value / size * 2 - 1));
@@ -105,7 +105,7 @@ class Desk {
     this.drivebar.append(make('label', {}, 'drive ', this.who), ...ways.map(([text, linear, angular, title]) => button(text, title, () => this.drive(linear, angular))), stick,
       make('span', { class: 'soft' }, 'or click the picture and use the arrow keys'));
   }
-  /* A recording is there from its start, a machine that ran for long only from where its memory begins. */
+  /* A recording is complete; a machine that has run for long has dropped its oldest messages. */
   get from() { return this.live ? this.store.from : 0; }
   get shown() { return this.views[this.tab][0]; }
   open(name) {
@@ -118,7 +118,7 @@ class Desk {
     this.panel.replaceChildren(this.shown.box);
     this.redraw();
   }
-  /* The theme of JupyterLab where the view is in one, else that of the system; the button ◐ overrides both. */
+  /* The theme is that of JupyterLab, or of the system elsewhere; the button ◐ overrides both. */
   follows(given) {
     const system = matchMedia('(prefers-color-scheme: dark)'), { body } = document;
     const wanted = () => given || (body?.dataset.jpThemeLight ? (body.dataset.jpThemeLight === 'false' ? 'dark' : 'light') : system.matches ? 'dark' : 'light');
@@ -139,7 +139,7 @@ class Desk {
   }
   log(process) { this.views.log[0].choose(process); this.open('log'); }
   plot(topic, path) { this.views.plot[0].add(topic.name, path); this.open('plot'); }
-  /* Show what a sentence is about. */
+  /* Show the subject of an advice. */
   point(kind, name, time) {
     if (!this.live && this.time < time) this.seek(time);
     const tab = kind === 'frame' ? 'frames' : 'graph';
@@ -153,7 +153,7 @@ class Desk {
     if (this.live) this.send({ op: 'drive', turtle: this.who.value, linear, angular }); }
   send(words) { this.link?.send(words); }
 
-  /* What a machine says: a timeline delta, its state, output of the terminal, or a sentence. */
+  /* Handle a message of the machine: a timeline delta, its state, output of the terminal, or a notice. */
   hear(message) {
     if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].restart(); this.follow = true; }
     if (message.delta) this.store.apply(message.delta);
@@ -230,7 +230,7 @@ class Desk {
     event.preventDefault();
     event.stopPropagation();
   }
-  /* Tables are read by people: five times a second is enough while time passes, always when it stands still. */
+  /* People cannot read tables faster than five times a second; while time is paused, each change is shown. */
   isTimeToTell(view) {
     const now = performance.now(), moves = this.playing || (this.live && this.follow && this.machine.running);
     if (moves && now - (view.toldAt || 0) < 200) return false;
@@ -258,7 +258,7 @@ class Desk {
     this.marks();
     if (this.playing) this.redraw(); else this.before = 0;
   }
-  /* A window of turtlesim whose program has ended takes one line; a click shows it again. */
+  /* The window of a turtlesim that has ended is collapsed to one line; a click opens it again. */
   fold(view) {
     const { world } = view, { store } = this, last = world.kind === 'turtlesim' ? store.nodes.filter(node => node?.name === world.node && node.from <= this.time + 1e-7).pop() : null;
     const gone = Boolean(last && last.to <= this.time + 1e-7) && (this.worldViews.length > 1 || this.live);
@@ -303,8 +303,8 @@ class Desk {
     this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
     this.box.classList.toggle('over', Boolean(this.ended));
     if (!this.ended && this.saidAt && performance.now() - this.saidAt < 6000) return;
-    this.state.textContent = this.ended || (store.planned ? 'planned; nothing runs' : !this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
-      : (!this.machine.running ? 'paused' : this.stopped() ? 'stopped: every program has ended' : 'running') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
+    this.state.textContent = this.ended || (store.planned ? 'planned; nothing runs' : !this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'continues' : 'is paused')
+      : (!this.machine.running ? 'paused' : this.stopped() ? 'stopped: every program has ended' : 'running') + (this.from ? `, shown from ${this.from.toFixed(0)} s: older messages are dropped` : ''));
   }
 }
 
@@ -315,15 +315,15 @@ function button(text, title, action) {
   return element;
 }
 
-/* A desk in a shadow root of its own, so that neither page spoils the other's looks. */
+/* A live view in its own shadow root, so that neither page changes the style of the other. */
 function openDesk(host, link, options) {
-  host.setAttribute('data-lm-suppress-shortcuts', 'true');  /* a notebook keeps its own keys out: what is typed here is ours */
+  host.setAttribute('data-lm-suppress-shortcuts', 'true');  /* the notebook's keyboard shortcuts are off while the live view has the focus */
   const root = host.shadowRoot || host.attachShadow({ mode: 'open' });
   root.replaceChildren(make('style', {}, STYLE));
   return new Desk(root, link, options);
 }
 
-/* A timeline as `packed` (page.py) writes it: base64 behind a letter that says whether it is deflated. */
+/* Read a timeline that `packed` (page.py) has written: base64 after a letter that shows whether it is deflated. */
 async function unpacked(text) {
   let stream = new Blob([Uint8Array.from(atob(text.slice(1)), letter => letter.charCodeAt(0))]).stream();
   if (text[0] === 'z') stream = stream.pipeThrough(new DecompressionStream('deflate'));

@@ -1,4 +1,4 @@
-/* Small words for making elements and canvases. Texts are always texts: nothing that a program wrote becomes markup. */
+/* Short functions that create elements and canvases. Strings never become markup, whatever a program has written. */
 
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -17,7 +17,7 @@ function drawing(tag, attributes = {}, ...children) {
   return element;
 }
 
-/* The pen of a canvas of a size in CSS pixels, sharp on any screen. */
+/* Return the drawing context of a canvas with a size in CSS pixels, sharp on any screen. */
 function sized(canvas, width, height) {
   const ratio = Math.max(1, window.devicePixelRatio || 1), [w, h] = [width, height].map(side => Math.max(1, Math.round(side * ratio)));
   if (canvas.width !== w || canvas.height !== h) {

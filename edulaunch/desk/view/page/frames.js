@@ -1,4 +1,4 @@
-/* tf frames: from above or in 3D, as seen from a chosen frame; the tf tree; and a lookup made by hand. */
+/* The tf frames from above or in 3D relative to a chosen frame, the tf tree, and a manual lookup. */
 
 const MOST_NAMES = 60, FEW = 16, GLYPH_PX = 16;
 
@@ -8,8 +8,8 @@ class FramesView {
     this.turn = { yaw: -0.6, pitch: 0.55 };
     this.glyphs = new Map();
     this.box = make('div', { class: 'pane' });
-    this.fixed = make('select', { 'aria-label': 'fixed frame: as seen from' });
-    this.mode = make('select', { 'aria-label': 'how frames are drawn' });
+    this.fixed = make('select', { 'aria-label': 'fixed frame' });
+    this.mode = make('select', { 'aria-label': 'projection of the frames' });
     for (const [value, text] of [['3d', 'in 3D'], ['above', 'from above']]) this.mode.append(make('option', { value }, text));
     this.canvas = make('canvas', { role: 'img', tabindex: 0 });
     this.table = make('table', { class: 'small' });
@@ -40,7 +40,7 @@ class FramesView {
     const box = make('fieldset', { class: 'probe' });
     this.target = make('select', { 'aria-label': 'target frame' });
     this.source = make('select', { 'aria-label': 'source frame' });
-    this.when = make('input', { type: 'number', step: 0.01, placeholder: 'latest', 'aria-label': 'time in seconds; empty: latest' });
+    this.when = make('input', { type: 'number', step: 0.01, placeholder: 'latest', 'aria-label': 'time in seconds (empty for the latest)' });
     this.answer = make('output', { class: 'mono' });
     this.spans = make('canvas', { class: 'spans', role: 'img' });
     box.append(make('legend', {}, 'lookup_transform'), make('label', {}, 'target ', this.target), make('label', {}, 'source ', this.source),
@@ -67,7 +67,7 @@ class FramesView {
     const pen = sized(this.canvas, width, height);
     pen.fillStyle = this.desk.colours.field;
     pen.fillRect(0, 0, width, height);
-    if (!names.length) { note(pen, 'nobody has broadcast a transform yet', width, height, this.desk.colours.soft); return; }
+    if (!names.length) { note(pen, 'No transforms have been broadcast yet.', width, height, this.desk.colours.soft); return; }
     const seen = tree.seenFrom(this.fixed.value);
     this.project(seen, width, height);
     this.floor(pen);
@@ -110,7 +110,7 @@ class FramesView {
     for (let x = from(0); x <= to(0) + 1e-9; x += step) line(pen, [this.at([x, from(1), this.low]), this.at([x, to(1), this.low])]);
     for (let y = from(1); y <= to(1) + 1e-9; y += step) line(pen, [this.at([from(0), y, this.low]), this.at([to(0), y, this.low])]);
   }
-  /* All axes of one colour in one stroke: there may be hundreds of frames. */
+  /* Draw all axes of one colour in one stroke, because there may be hundreds of frames. */
   axes(pen, poses) {
     const tip = (pose, axis) => this.at(turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length));
     const high = this.mode.value === 'above' ? [] : poses.filter(pose => Math.abs(pose.p[2] - this.low) > 1e-3);
@@ -121,7 +121,7 @@ class FramesView {
       if (poses.length <= FEW) this.letters(pen, poses, axis, colour);
     }
   }
-  /* A letter at each tip: colours alone do not tell the axes apart. */
+  /* Draw a letter at each tip, because colours alone do not distinguish the axes for everyone. */
   letters(pen, poses, axis, colour) {
     const letter = this.glyph('xyz'[axis.indexOf(1)], colour), half = GLYPH_PX / 2;
     for (const pose of poses) {
@@ -129,7 +129,7 @@ class FramesView {
       if (Math.hypot(x - px, y - py) > 9) pen.drawImage(letter, x - half, y - half, GLYPH_PX, GLYPH_PX);
     }
   }
-  /* A letter with a rim, drawn once: text with a rim is dear. */
+  /* Draw each outlined letter once, because outlined text is slow to draw. */
   glyph(letter, colour) {
     const key = letter + colour + this.desk.colours.field;
     if (!this.glyphs.has(key)) {
@@ -166,7 +166,7 @@ class FramesView {
     const head = make('tr', {}, ...['frame', 'parent', 'x', 'y', 'z', 'yaw', 'age'].map(text => make('th', {}, text)));
     const name = frame => {
       if (!this.marked(frame, time)) return frame;
-      const mark = make('button', { type: 'button', class: 'field bad', title: 'what is to be said of this frame' }, `⚠ ${frame}`);
+      const mark = make('button', { type: 'button', class: 'field bad', title: 'show the advice on this frame' }, `⚠ ${frame}`);
       mark.addEventListener('click', () => this.point('frame', frame));
       return mark;
     };
@@ -192,7 +192,7 @@ class FramesView {
     }
     this.bars(found, time);
   }
-  /* What the buffer held of each link of the chain, and what was asked. */
+  /* Draw which times the buffer has for each link of the chain, and the requested time. */
   bars(found, time) {
     const spans = found.spans || [], width = this.box.clientWidth - 28, height = spans.length ? 16 * spans.length + 18 : 1;
     const pen = sized(this.spans, width, height);
@@ -224,7 +224,7 @@ class TreeView {
   }
   mark(name, time) {
     if (!sayingsOf(this.desk.store, 'frame', name, time).length) return name;
-    const mark = make('button', { type: 'button', class: 'field bad', title: 'what is to be said of this frame' }, `⚠ ${name}`);
+    const mark = make('button', { type: 'button', class: 'field bad', title: 'show the advice on this frame' }, `⚠ ${name}`);
     mark.addEventListener('click', () => this.desk.point('frame', name, time));
     return mark;
   }
@@ -254,8 +254,8 @@ class TreeView {
         if (below.length) entry.append(make('ul', {}, ...below));
         return entry;
       };
-      this.box.replaceChildren(roots.length ? make('ul', { class: 'tree' }, ...roots.map(root => item(root))) : 'nobody has broadcast a transform yet');
-      if (roots.length > 1) this.box.prepend(make('p', { class: 'bad' }, `${roots.length} trees that never meet: no transform leads from one to another`));
+      this.box.replaceChildren(roots.length ? make('ul', { class: 'tree' }, ...roots.map(root => item(root))) : 'No transforms have been broadcast yet.');
+      if (roots.length > 1) this.box.prepend(make('p', { class: 'bad' }, `${roots.length} separate trees: no transform connects them`));
     }
     for (const [child, about] of this.said || []) {
       const link = tree.links.get(child);

@@ -1,4 +1,4 @@
-/* Nodes and topics in layers; edges light up as messages pass; a click tells about a box. */
+/* Nodes and topics in layers. Edges light up when messages pass, and a click on a box shows its details. */
 
 const QUIET_TOPICS = new Set(['/rosout', '/parameter_events']);
 const NODE_SERVICES = /\/(describe_parameters|get_parameters|get_parameter_types|list_parameters|set_parameters|set_parameters_atomically|get_type_description)$/;
@@ -7,7 +7,7 @@ const LIT_S = 0.25;
 /* Nodes of commands such as `ros2 topic echo` are hidden, as ROS 2 hides them. */
 const hidden = node => node.name.split('/').pop().startsWith('_') && node.name !== '/_desk';
 
-/* Straight stretches and S-curves in turn. */
+/* Straight lines and S-curves in turn. */
 function wayOf(points, right) {
   return points.map(([x, y], i) => {
     if (!i) return `M${x} ${y}`;
@@ -25,14 +25,14 @@ class GraphView {
     this.services = make('input', { type: 'checkbox' });
     const bar = make('div', { class: 'tools' }, make('label', {}, this.unused, ' topics with one end'), make('label', {}, this.services, ' services and actions'));
     this.sheet = drawing('svg', { role: 'group' });
-    this.told = make('div', { class: 'told', 'aria-live': 'polite' }, 'Click a node or a topic to see what is known about it.');
-    this.frame = make('div', { class: 'scroll graph', tabindex: 0, role: 'region', 'aria-label': 'node graph; plus and minus change its size, 0 fits it' }, this.sheet);
-    bar.append(button('+', 'larger', () => this.zoomed(1.25)), button('−', 'smaller', () => this.zoomed(0.8)), button('Fit', 'fit the graph into the width', () => this.zoomed(0)));
+    this.told = make('div', { class: 'told', 'aria-live': 'polite' }, 'Click a node or a topic to see its details.');
+    this.frame = make('div', { class: 'scroll graph', tabindex: 0, role: 'region', 'aria-label': 'node graph; press plus or minus to zoom, 0 to fit the width' }, this.sheet);
+    bar.append(button('+', 'zoom in', () => this.zoomed(1.25)), button('−', 'zoom out', () => this.zoomed(0.8)), button('Fit', 'fit the graph to the width', () => this.zoomed(0)));
     this.box.append(bar, this.frame, this.told);
     this.hand();
     for (const control of [this.unused, this.services]) control.addEventListener('change', () => { this.key = null; desk.redraw(); });
   }
-  /* The boxes and arrows at a time. */
+  /* Compute the boxes and arrows at a time. */
   read(time) {
     const { store } = this.desk, alive = store.nodes.filter(node => node && store.alive(node, time) && !hidden(node));
     const names = new Map(), boxes = new Map(), edges = [];
@@ -58,7 +58,7 @@ class GraphView {
       if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked && !sayingsOf(store, 'topic', box.name, time).length) continue;
       if (box.kind !== 'topic' && !box.from.size) continue;
       box.mark = box.kind !== 'topic' ? (box.to.size ? '' : 'no server')
-        : box.name === '/tf_static' && !(box.from.size && box.to.size) ? ''  /* every tf listener hears it; without static frames nobody speaks */
+        : box.name === '/tf_static' && !(box.from.size && box.to.size) ? ''  /* every tf listener subscribes to it, but without static frames it has no publisher */
           : !box.from.size ? 'no publisher' : !box.to.size ? 'no subscriber' : this.misfit(box, time);
       boxes.set(box.id, box);
       for (const node of box.from) edges.push({ from: node, to: box.id, box });
@@ -104,7 +104,7 @@ class GraphView {
     }
     if (this.chosen) this.tell(time);
   }
-  /* A sentence is about this box: it is chosen, and told of. */
+  /* An advice is about this box: choose it, and show its details. */
   point(kind, name) {
     const { boxes } = this.read(this.desk.time), box = [...boxes.values()].find(found => found.kind === kind && found.name === name);
     if (!box) return;
@@ -112,11 +112,11 @@ class GraphView {
     this.tell(this.desk.time, true);
     this.told.scrollIntoView({ block: 'nearest' });
   }
-  /* Boxes of the size of their texts in layers; see layout.js. */
+  /* Arrange boxes in layers; each is as large as its text (see layout.js). */
   lay({ boxes, edges }) {
     const all = [...boxes.values()], place = new Map(all.map((box, i) => [box.id, i]));
     if (!all.length) { this.sheet.replaceChildren(); this.paths = []; return; }
-    for (const box of all) {  /* the namespace small above the name: a chain of nodes has to fit into a column */
+    for (const box of all) {  /* the namespace is small, above the name, so that a chain of nodes fits in a column */
       const cut = box.name.lastIndexOf('/');
       [box.space, box.base] = cut > 0 ? [box.name.slice(0, cut), box.name.slice(cut)] : ['', box.name];
       box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14, ...(box.unknown || []).map(text => text.length * 6.3 + 14)) + 20;
@@ -144,7 +144,7 @@ class GraphView {
     this.sheet.setAttribute('viewBox', `0 0 ${found.width} ${found.height}`);
     this.fit();
   }
-  /* As large as the width at hand allows, or as somebody wants it. */
+  /* The size fits the available width, unless the user has zoomed. */
   fit() {
     if (!this.size) return;
     const [width, height] = this.size, room = this.frame.clientWidth - 2, wide = room / width;
@@ -157,7 +157,7 @@ class GraphView {
     this.zoom = by ? Math.max(0.2, Math.min(4, now * by)) : 0;
     this.fit();
   }
-  /* Drag to move the picture; + and - make it larger and smaller, 0 fits it. */
+  /* Drag moves the picture; + and - zoom, 0 fits it to the width. */
   hand() {
     const { frame } = this;
     let from = null;

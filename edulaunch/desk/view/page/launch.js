@@ -14,7 +14,7 @@ class LaunchView {
     this.box = make('div', { class: 'pane launch' });
     this.which = make('select', { 'aria-label': 'launch' });
     this.which.addEventListener('change', () => { this.chosen = this.cursor = null; this.again(); });
-    this.backward = button('◀ Back', 'back to the action or event before this one', () => this.back());
+    this.backward = button('◀ Back', 'back to the previous action or event', () => this.back());
     this.into = button('Next action ▶', 'to the next action, also into an include or a group', () => this.go('into'));
     this.next = button('Over ↷', 'to the next action after this include or group', () => this.go('next'));
     this.event = button('Next event ⚡', 'to the next event that launch processes', () => this.go('event'));
@@ -40,9 +40,9 @@ class LaunchView {
     else { this.cursor = 0; this.go('into'); }
   }
 
-  /* Steps in the order in which launch came to them; those a launch file wrote, and events. */
+  /* The steps in the order in which launch reached them: actions of launch files, and events. */
   stops_of(launch) { return launch.order.filter(row => row.kind === 'event' || (row.file && !HIDDEN_STEPS.has(row.kind))); }
-  /* Whether launch had come to a step at the instant that is shown. */
+  /* Whether launch had reached a step at the shown instant. */
   came(row, time) { return row.order > 0 && (this.cursor === null ? row.t <= time + 1e-7 && row.number !== this.launch.at : row.order < this.cursor); }
   here() {
     const { launch } = this;
@@ -50,7 +50,7 @@ class LaunchView {
     if (this.cursor !== null) return launch.order.find(row => row.order === this.cursor) || null;
     return this.desk.follow && launch.at !== null ? launch.steps[launch.at] || null : null;
   }
-  /* The number in the order up to which everything has been, at the instant that is shown. */
+  /* The number of steps that launch had reached at the shown instant. */
   reached() {
     const here = this.here();
     if (this.cursor !== null) return this.cursor;
@@ -75,7 +75,7 @@ class LaunchView {
       desk.send({ op: 'launch', pid: launch.pid, way, file, line });
       this.again();
     } else if (found) this.show(found);
-    else desk.say(way === 'line' ? 'the launch does not come to this line after this instant' : way === 'event' ? 'no event follows' : 'no action follows');
+    else desk.say(way === 'line' ? 'the launch does not reach this line after this instant' : way === 'event' ? 'no event follows' : 'no action follows');
   }
   back() {
     const { launch } = this;
@@ -91,13 +91,13 @@ class LaunchView {
     this.again();
     this.scrollTo = true;
   }
-  /* The slider or the clock moved: the order of steps of one instant no longer counts. */
+  /* The slider or the clock moved, so the order of steps within one instant no longer matters. */
   moved() { if (this.cursor !== null) { this.cursor = null; this.key = null; } }
   wanted() {
     const text = this.place.value.trim().match(/^(.*):(\d+)$/);
     return text ? [text[1], Number(text[2])] : null;
   }
-  run() { if (this.wanted()) this.go('line'); else this.desk.say('write the file and the line, such as demo.launch.py:12'); }
+  run() { if (this.wanted()) this.go('line'); else this.desk.say('give a file and a line, such as demo.launch.py:12'); }
 
   draw(time) {
     if (this.desk.live && this.desk.follow) this.moved();
@@ -107,7 +107,7 @@ class LaunchView {
       this.names = names;
       const before = this.which.value;
       this.which.replaceChildren(...launches.map(one => make('option', { value: one.pid }, `${one.name} (pid ${one.pid})`)));
-      this.which.value = launches.length ? launches[launches.length - 1].pid : '';  /* the newest: it is what somebody just started */
+      this.which.value = launches.length ? launches[launches.length - 1].pid : '';  /* the newest launch, which the user has just started */
       if (this.which.value !== before) this.chosen = this.cursor = null;
     }
     this.which.hidden = launches.length < 2;
@@ -115,7 +115,7 @@ class LaunchView {
     if (this.stops.checked !== Boolean(machine.steps_launches)) this.stops.checked = Boolean(machine.steps_launches);
     const { launch } = this;
     if (!launch) {
-      if (this.key !== 'nothing') { this.key = 'nothing'; this.tree.replaceChildren(make('p', { class: 'soft' }, live ? 'No launch file runs here yet. Launch one, and its actions appear.' : 'This recording does not contain the steps of a launch.')); this.told.replaceChildren(); this.events.replaceChildren(); this.where.textContent = ''; }
+      if (this.key !== 'nothing') { this.key = 'nothing'; this.tree.replaceChildren(make('p', { class: 'soft' }, live ? 'No launch file runs here yet. Launch one to see its actions.' : 'This recording does not contain the steps of a launch.')); this.told.replaceChildren(); this.events.replaceChildren(); this.where.textContent = ''; }
       return;
     }
     if (!this.key || this.desk.isTimeToTell(this)) this.tell(launch, time);
@@ -137,7 +137,7 @@ class LaunchView {
     this.told.replaceChildren(...(chosen ? this.about(launch, chosen, states[chosen.number], time) : []));
     this.list(launch, time);
   }
-  /* What became of a step: a class for its looks, and words. */
+  /* The state of a step: a class for its style, and a description. */
   state(row, time) {
     if (!this.came(row, time)) return ['waiting', row.parent >= 0 && !this.cursorBefore(row) && row.order === 0 ? this.waits(row, time) : 'waiting'];
     if (row.state === 'failed') return ['failed', `failed: ${row.error}`];
@@ -175,7 +175,7 @@ class LaunchView {
     const fired = (row.fired_at || []).find(at => this.past(at, time, row));
     if (fired !== undefined) return ['taken', `ran out at ${fired.toFixed(2)} s`];
     const shutdown = this.launch.order.find(event => event.event === 'Shutdown' && this.came(event, time));
-    return shutdown ? ['left', 'cancelled by the shutdown'] : ['waiting', `runs out at ${row.due.toFixed(2)} s`];
+    return shutdown ? ['left', 'cancelled by the shutdown'] : ['waiting', `fires at ${row.due.toFixed(2)} s`];
   }
   branch(launch, parent, states, here) {
     const list = make('ul', {});
@@ -201,7 +201,7 @@ class LaunchView {
     }
     return list;
   }
-  /* What is known of one step. */
+  /* The details of one step. */
   about(launch, row, [, words], time) {
     const rows = [make('p', {}, make('b', {}, row.text), ' ', make('span', { class: 'mono' }, place(row))), make('p', {}, `State: ${words}.`)];
     if (row.condition) rows.push(make('p', {}, `Condition: ${row.condition}`));
@@ -214,7 +214,7 @@ class LaunchView {
     rows.push(this.context(launch, row));
     return rows;
   }
-  /* From the first value that was given to the one that counts. */
+  /* The origins of a value, from the first one to the effective one. */
   chain(steps) {
     if (!steps.length) return make('span', { class: 'soft' }, 'nothing sets it');
     return make('ol', { class: 'chain' }, ...steps.map(step => make('li', { class: step.counts ? 'counts' : 'lost' }, `${shownValue(step.value)} — ${step.origin}`,
@@ -225,7 +225,7 @@ class LaunchView {
     return make('div', { class: 'tools' }, button('Stop', `send SIGINT to ${row.process}, as Ctrl-C does`, () => ask('stop')), button('Kill', `send SIGKILL to ${row.process}`, () => ask('kill')),
       button('Restart', `start ${row.process} again`, () => ask('restart')), button('Log', `show the log of ${row.process}`, () => this.desk.log(row.process)));
   }
-  /* Launch configurations and environment as launch had them before a step. */
+  /* The launch configurations and the environment before a step. */
   context(launch, row) {
     const found = { configurations: new Map(), environment: new Map() }, until = row.order || this.reached();
     for (const step of launch.order) {
@@ -234,7 +234,7 @@ class LaunchView {
         if (value === null && kind === 'configurations') found.configurations.delete(name); else found[kind]?.set(name, value);
       }
     }
-    const own = { ros_namespace: 'namespace', ros_remaps: 'remaps', global_params: 'parameters for all nodes' }, lines = [];
+    const own = { ros_namespace: 'namespace', ros_remaps: 'remappings', global_params: 'parameters for all nodes' }, lines = [];
     for (const [name, text] of Object.entries(own)) {
       const value = found.configurations.get(name);
       if (value !== undefined && String(value).length) lines.push([text, Array.isArray(value) ? value.map(one => Array.isArray(one) ? one.join(' → ') : one).join(', ') : value]);

@@ -1,4 +1,4 @@
-/* Boxes in layers, and ways for the arrows between them that cross no box: `edulaunch/canvas/layout.py` says how and why.
+/* Boxes in layers, and paths for the arrows between them that cross no box. `edulaunch/canvas/layout.py` explains the method.
    tests/canvas/layouts.json has cases that both files pass. */
 
 const MARGIN = 12, BETWEEN_LAYERS = 44, BETWEEN_BOXES = 16, JOINT = 10, PORT = 9, SWEEPS = 12, ORDER_SWEEPS = 8;
@@ -23,7 +23,7 @@ function backEdges(count, edges) {
   return back;
 }
 
-/* The layer of each item: the longest way to it. */
+/* Return the layer of each item: the length of the longest path to it. */
 function ranksOf(count, edges) {
   const rank = Array(count).fill(0), before = range(count).map(() => []), after = range(count).map(() => []);
   for (const [a, b] of edges) { before[b].push(a); after[a].push(b); }
@@ -47,7 +47,7 @@ function crossingsOf(layers, links) {
   return total;
 }
 
-/* The layers with the order of items that lets the fewest arrows cross. */
+/* Return the layers with the order of items that has the fewest crossing arrows. */
 function orderedLayers(layers, chains) {
   const links = chains.flatMap(chain => chain.slice(1).map((b, i) => [chain[i], b])), before = new Map(), after = new Map();
   for (const [a, b] of links) { put(before, b, a); put(after, a, b); }
@@ -69,7 +69,7 @@ function orderedLayers(layers, chains) {
   return best;
 }
 
-/* The places nearest to the wishes that keep the order and the distances. */
+/* Return the positions nearest to the desired ones that keep the order and the distances. */
 function apart(wishes, layer, breadths, count) {
   const offsets = [0], blocks = [];
   for (let i = 1; i < layer.length; i++) offsets.push(offsets[i - 1] + (breadths[layer[i - 1]] + breadths[layer[i]]) / 2 + (layer[i - 1] < count && layer[i] < count ? BETWEEN_BOXES : BETWEEN_BOXES / 2));

@@ -1,4 +1,4 @@
-/* The link of the page beside a terminal: a web socket to the server that the page came from. The page asks for each delta. */
+/* The connection of the page beside a terminal: a web socket to the server of the page. The page asks for each delta. */
 
 const SHOWN_EVERY_MS = 33;
 
@@ -12,6 +12,6 @@ function socketLink() {
     hear(message);
     if (message.delta) setTimeout(() => requestAnimationFrame(() => send({ op: 'next' })), SHOWN_EVERY_MS - 8);
   });
-  socket.addEventListener('close', () => hear({ ended: 'the machine or the server of this page has ended; the page keeps what it has received', machine: { running: false } }));
+  socket.addEventListener('close', () => hear({ ended: 'The machine or the server of this page has ended. The page still shows everything up to then.', machine: { running: false } }));
   return { send, on: handler => handlers.push(handler) };
 }

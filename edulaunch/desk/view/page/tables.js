@@ -3,7 +3,7 @@
 const LEVELS = [[50, 'FATAL'], [40, 'ERROR'], [30, 'WARN'], [20, 'INFO'], [10, 'DEBUG']];
 const levelName = level => (LEVELS.find(([value]) => level >= value) || [0, 'DEBUG'])[1];
 
-/* A parameter's value as a parameter file has it: doubles have a point. */
+/* A parameter's value in the form of a parameter file: doubles have a decimal point. */
 function written({ value, double }) {
   if (Array.isArray(value)) return `[${value.map(entry => written({ value: entry, double })).join(', ')}]`;
   return typeof value === 'string' ? value : double && Number.isInteger(value) ? value.toFixed(1) : JSON.stringify(value);
@@ -20,14 +20,14 @@ class LogView {
     this.desk = desk;
     this.box = make('div', { class: 'pane' });
     this.process = make('select', { 'aria-label': 'process' });
-    this.level = make('select', { 'aria-label': 'from this level up' }, ...[10, 20, 30, 40, 50].map(value => make('option', { value }, levelName(value))));
-    this.word = make('input', { type: 'search', placeholder: 'word', 'aria-label': 'lines with this word' });
+    this.level = make('select', { 'aria-label': 'lowest level' }, ...[10, 20, 30, 40, 50].map(value => make('option', { value }, levelName(value))));
+    this.word = make('input', { type: 'search', placeholder: 'word', 'aria-label': 'show lines with this word' });
     this.table = make('table', { class: 'small log' });
     this.sheet = make('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'log lines' }, this.table);
     this.box.append(make('div', { class: 'tools' }, this.process, make('label', {}, 'from ', this.level), this.word), this.sheet);
     for (const control of [this.process, this.level, this.word]) control.addEventListener('input', () => { this.key = null; desk.redraw(); });
   }
-  /* Show the lines of one process, even if it has written none yet. */
+  /* Show the lines of one process, even before its first line. */
   choose(process) {
     if (![...this.process.options].some(option => option.value === process)) this.process.append(make('option', { value: process }, process));
     this.process.value = process;
@@ -110,7 +110,7 @@ class ParameterView {
     const said = this.desk.store.descriptors.get(row.node + ' ' + row.name);
     return said?.description ? make('span', { class: 'soft about' }, said.description) : '';
   }
-  /* What a value is changed with: a slider where a range was declared, a box for true or false, else text as `ros2 param set` takes it. */
+  /* The control for a value: a slider for a declared range, a checkbox for a boolean, and otherwise a text field as for `ros2 param set`. */
   value(row) {
     const said = this.desk.store.descriptors.get(row.node + ' ' + row.name) || {}, label = `${row.node} ${row.name}`, text = written(row);
     if (!this.desk.live || said.fixed) return make('span', {}, text, said.fixed ? make('span', { class: 'soft' }, ' read-only') : '');
@@ -139,7 +139,7 @@ class ParameterView {
 
 const PANES = 2, KEYS = { ArrowUp: '\x1b[A', ArrowDown: '\x1b[B', ArrowRight: '\x1b[C', ArrowLeft: '\x1b[D', Enter: '\r', Escape: '\x1b', Backspace: '\x7f', Tab: '\t' };
 
-/* The terminals of a living machine side by side; of a recording, what its programs wrote. */
+/* The terminals of a live machine side by side; for a recording, the output of its programs. */
 class TerminalView {
   constructor(desk) {
     this.panes = Array.from({ length: desk.live ? PANES : 1 }, (_, number) => new Pane(desk, number));
@@ -153,9 +153,9 @@ class Pane {
   constructor(desk, number) {
     Object.assign(this, { desk, number, past: [], at: 0, shown: 0, runs: false, keys: false });
     const which = `terminal ${number + 1}`;
-    this.sheet = make('pre', { class: 'terminal scroll', tabindex: 0, role: 'log', 'aria-live': 'polite', 'aria-label': desk.live ? `${which}: what was said` : 'what the programs wrote' });
+    this.sheet = make('pre', { class: 'terminal scroll', tabindex: 0, role: 'log', 'aria-live': 'polite', 'aria-label': desk.live ? `output of ${which}` : 'output of the programs' });
     this.sign = make('span', { class: 'mono' }, '$');
-    this.line = make('input', { type: 'text', class: 'mono', placeholder: number ? 'ros2 topic echo /turtle1/pose' : 'ros2 topic list', 'aria-label': number ? `a command for the machine, ${which}` : 'a command for the machine', spellcheck: 'false', autocomplete: 'off' });
+    this.line = make('input', { type: 'text', class: 'mono', placeholder: number ? 'ros2 topic echo /turtle1/pose' : 'ros2 topic list', 'aria-label': number ? `command for the machine, ${which}` : 'command for the machine', spellcheck: 'false', autocomplete: 'off' });
     this.stop = button('^C', `Ctrl-C for ${which}`, () => this.send({ op: 'interrupt' }));
     this.tools = make('div', { class: 'tools', hidden: !desk.live }, this.sign, this.line, this.stop);
     this.box = make('div', { class: 'term' }, this.sheet, this.tools);
@@ -195,7 +195,7 @@ class Pane {
     if (runs === undefined) return;
     Object.assign(this, { runs, keys });
     this.sign.textContent = keys ? '⌨' : runs ? '›' : '$';
-    this.sign.title = keys ? 'each key goes to the program; Shift-Tab leaves' : runs ? 'lines go to the program' : '';
+    this.sign.title = keys ? 'the program receives each key; press Shift-Tab to leave' : runs ? 'the program receives each line' : '';
   }
   write(text) {
     this.sheet.append(text.replace(/\x1b\[[0-9;?]*[A-Za-z]/g, ''));

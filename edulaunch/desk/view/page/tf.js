@@ -1,4 +1,4 @@
-/* tf as a listener that heard everything would know it: the tree at a time, poses in a fixed frame, and lookups with ROS 2's words. */
+/* tf from the view of a listener that received everything: the tree at a time, poses in a fixed frame, and lookups with ROS 2's error messages. */
 
 const CACHE_S = 10;
 
@@ -59,7 +59,7 @@ class Tree {
     }
     return found;
   }
-  /* Pose of every frame that hangs together with `fixed`, seen from there. */
+  /* Return the pose of every frame that is connected to `fixed`, relative to `fixed`. */
   seenFrom(fixed) {
     const root = this.root(fixed), back = inverse(this.pose(fixed)), found = new Map();
     for (const name of this.names()) if (this.root(name) === root) found.set(name, product(back, this.pose(name)));
@@ -67,7 +67,7 @@ class Tree {
   }
 }
 
-/* What the buffer holds of a track at a time: numbers of its first and last transform. */
+/* Return the numbers of the first and last transform of a track in the buffer at a time. */
 function held(track, time) {
   const last = track.at(time);
   let first = 0;
@@ -75,7 +75,7 @@ function held(track, time) {
   return [first, last];
 }
 
-/* A lookup as `lookup_transform(target, source, stamp)` made at `time`; stamp in seconds since the start, null for the latest. */
+/* Return the result of `lookup_transform(target, source, stamp)` at `time`; stamp is in seconds since the start, or null for the latest. */
 function lookup(store, target, source, stamp, time) {
   const tree = new Tree(store, time), known = new Set(tree.names());
   const absolute = value => (store.start + value).toFixed(6);

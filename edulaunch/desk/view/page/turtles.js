@@ -5,7 +5,7 @@ const SHELLS = [[112, 173, 88], [236, 152, 70], [204, 74, 62], [158, 126, 190], 
 const MARKS = ['', '●', '▲', '■', '◆', '✚'];
 const rgb = (colour, alpha = 1) => `rgba(${colour.join()},${alpha})`;
 
-/* A turtle or robot: where it was, by its pose or odometry topic. */
+/* A turtle or robot with its poses from its pose or odometry topic. */
 class Mover {
   constructor(store, topic, world, number) {
     Object.assign(this, { store, topic, world, number, walked: 0 });
@@ -22,7 +22,7 @@ class Mover {
     const of = axis => this.topic.value('pose.pose.orientation.' + axis, number);
     return 2 * Math.atan2(of('z'), of('w'));
   }
-  /* Pose at a time, between two messages in proportion; null where it was not there. */
+  /* Return the pose at a time, interpolated between two messages; null if it did not exist. */
   at(time) {
     const stamps = this.topic.t, i = this.topic.at(time);
     if (i < 0) return stamps.n && stamps.a[0] - time < 0.05 ? this.row(0) : null;
@@ -39,12 +39,12 @@ class Mover {
     const [x, y] = this.point(i);
     return { x, y, a: this.heading(i) + (this.base ? this.base.a : 0) };
   }
-  /* In the frame of the world, which may be one that stands still above the robot's own. */
+  /* Convert to the frame of the world, which may be a static ancestor of the robot's own frame. */
   point(i) {
     const x = this.x.a[i], y = this.y.a[i], { base } = this;
     return base ? [base.x + x * Math.cos(base.a) - y * Math.sin(base.a), base.y + x * Math.sin(base.a) + y * Math.cos(base.a)] : [x, y];
   }
-  /* What it looks like from above: its description, of its namespace or the nearest above, else a footprint within its namespace. */
+  /* Return its outline from above: the description of its namespace or the nearest parent, otherwise a footprint in its namespace. */
   outline() {
     const mine = this.topic.name.replace(/\/[^/]*$/, '');
     const near = this.store.robots.filter(row => row.described ? `${mine}/`.startsWith(`${row.name}/`) : row.name.startsWith(`${mine}/`));
@@ -53,7 +53,7 @@ class Mover {
   }
 }
 
-/* The frame that stands still above a frame, and where the frame is in it. */
+/* Return the topmost static ancestor of a frame, and the pose of the frame in it. */
 function stillRoot(store, frame) {
   let pose = IDENTITY;
   const above = new Map([...store.tracks.values()].filter(track => track.fixed && track.c[0].n).map(track => [track.child, track]));
@@ -65,7 +65,7 @@ function stillRoot(store, frame) {
   return { root: frame, base: { x: pose.p[0], y: pose.p[1], a: yawOf(pose.q) } };
 }
 
-/* The worlds of a store: a window for each turtlesim node, a field for each robot, one for all that share a frame that stands still. */
+/* Return the worlds of a store: a window for each turtlesim node, and a field for each robot or for all robots with a common static frame. */
 function readWorlds(store) {
   const windows = new Map();
   for (const topic of store.topics.values()) {
@@ -80,7 +80,7 @@ function readWorlds(store) {
     world.movers.push(Object.assign(new Mover(store, topic, world, world.movers.length), { base, frame }));
   }
   for (const world of windows.values()) {
-    if (world.kind === 'robot' && world.movers.length === 1) {  /* one alone is shown where it says that it is */
+    if (world.kind === 'robot' && world.movers.length === 1) {  /* a single robot is shown at its own odometry pose */
       const [mover] = world.movers;
       Object.assign(world, { title: mover.topic.name, frame: mover.frame });
       mover.base = null;
@@ -113,7 +113,7 @@ function wipesOf(store, world) {
 }
 
 class WorldView {
-  /* One world on a canvas; trails are kept on a layer of their own, so that each frame draws only what is new. */
+  /* One world on a canvas. Trails have their own layer, so that each frame draws only new parts. */
   constructor(desk, world) {
     Object.assign(this, { desk, world });
     this.figure = make('figure', { class: 'world' });
@@ -188,10 +188,10 @@ class WorldView {
     if (this.desk.options.axes) this.axes(pen, time);
     this.names(pen);
     const said = this.here.map(({ mover, pose }) => `${mover.name} at (${pose.x.toFixed(2)}, ${pose.y.toFixed(2)})`).join(', ');
-    this.canvas.setAttribute('aria-label', `${this.world.title} at ${time.toFixed(2)} seconds: ${said || 'nobody is there'}`);
+    this.canvas.setAttribute('aria-label', `${this.world.title} at ${time.toFixed(2)} seconds: ${said || 'empty'}`);
     return this.here;
   }
-  /* Draw the trails up to a time on the layer: only the new part, or all again after going back, a wipe or a change of size. */
+  /* Draw the trails up to a time on the layer: only the new part, or everything after going back, a wipe or a change of size. */
   trails(time) {
     const pen = this.layer.getContext('2d'), since = Math.max(-1, ...this.world.wipes.filter(wipe => wipe <= time));
     const key = [this.side, this.left, this.scale, since, this.desk.options.colours, this.world.movers.map(mover => mover.pens.length)].join();
@@ -237,7 +237,7 @@ class WorldView {
     for (const [x, y] of stones) pen.fillText(mover.marks, x, y + 4);
     pen.textAlign = 'start';
   }
-  /* Whether a trail comes to its next mark between two poses: whose it is must be seen without its colour, too. */
+  /* Return whether a trail reaches its next mark between two poses. Marks identify trails without colour. */
   passes(mover, i) {
     const before = Math.floor(mover.walked / MARK_EVERY_PX);
     mover.walked += Math.hypot(mover.x.a[i + 1] - mover.x.a[i], mover.y.a[i + 1] - mover.y.a[i]) * this.scale;
@@ -286,7 +286,7 @@ class WorldView {
     pen.drawImage(stamp, -side / 2, -side / 2, side, side);
     pen.restore();
   }
-  /* A robot as it describes itself, in its real size; where that is small its nose is not. */
+  /* Draw a robot from its description, at its real size. The nose of a small robot is enlarged. */
   shape(pen, parts, colour) {
     const reach = Math.max(...parts.flatMap(([, corners]) => corners.flat().map(Math.abs))), grow = Math.max(1, 15 / (reach * this.scale));
     pen.scale(this.scale, -this.scale);
@@ -299,7 +299,7 @@ class WorldView {
       });
     }
   }
-  /* A body drawn once for each colour and size: a turtle has twenty lines, and there may be a hundred turtles. */
+  /* Draw each colour and size of a body once, because a turtle has twenty lines and there may be a hundred turtles. */
   stamp(draw, colour, size) {
     const key = [draw.name, colour, size, this.ratio].join();
     if (this.stamps?.key !== this.side) this.stamps = { key: this.side, known: new Map() };
@@ -333,7 +333,7 @@ class WorldView {
       if (!own.has(name)) this.here.push({ label: name, place: [x, y] });
     }
   }
-  /* Names beside what they belong to, moved aside where they would overlap; only the one under the pointer in a crowd. */
+  /* Draw names beside their turtles, moved where they would overlap; in a crowd, draw only the name under the pointer. */
   names(pen) {
     const crowd = this.here.length > 14;
     pen.font = '12px system-ui, sans-serif';
@@ -397,7 +397,7 @@ function line(pen, points) {
   pen.stroke();
 }
 
-/* Many lines of one look in one stroke. */
+/* Draw many lines of one style in one stroke. */
 function strokes(pen, lines, colour, width, dash = []) {
   pen.strokeStyle = colour;
   pen.lineWidth = width;

@@ -1,4 +1,4 @@
-/* The link of a notebook's widget: messages to the kernel. Nothing here knows which notebook it is in.
+/* The connection of a notebook's widget: messages to the kernel. The code works in any notebook front end.
    The kernel shows what is new by itself, for a while after each `next`: a page that nobody sees costs nothing. */
 
 const ASK_EVERY_MS = 500, MOST_UNANSWERED = 8;
@@ -10,10 +10,10 @@ function render({ model, el }) {
   const take = message => { if (message.page === page) { asked = 0; hear(message); } };
   model.on('msg:custom', take);
   openDesk(el, { send, on: handler => handlers.push(handler) }, { tab: model.get('tab') });
-  /* A kernel that was restarted never answers, and each question to it is an error in the console: the page stops asking. */
+  /* A restarted kernel never answers, and each request causes an error in the console, so the page stops asking. */
   const ask = () => {
     if (document.hidden || asked > MOST_UNANSWERED) return;
-    if (asked++ === MOST_UNANSWERED) hear({ ended: 'no answer from the kernel: a cell is running, or the kernel was restarted and the cell has to run again', machine: { running: false } });
+    if (asked++ === MOST_UNANSWERED) hear({ ended: 'The kernel does not answer: wait for the running cell, or run this cell again if the kernel was restarted.', machine: { running: false } });
     else send({ op: 'next' });
   };
   const timer = setInterval(ask, ASK_EVERY_MS);

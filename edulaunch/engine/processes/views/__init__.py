@@ -1,7 +1,7 @@
 """Views: what standard modules look like from inside a simulated program.
 
-Each is a module of its own per process, with the real module's names, except for those that would leave the simulation:
-the clock, chance, threads, the process and its environment.
+Each is a separate module per process, with the real module's names. Names that would leave the simulation are replaced: the
+clock, random numbers, threads, the process and its environment.
 """
 
 from __future__ import annotations

@@ -197,7 +197,7 @@ def make_path(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_io(view: ModuleType, process: Process) -> ModuleType:
-    """`io.open` is the program's own `open`, on which `pathlib` stands too."""
+    """`io.open` is the program's own `open`, which `pathlib` uses, too."""
     view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
     copy_names(view, io)
     return view

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def make_builtins(view: ModuleType, process: Process) -> ModuleType:
-    """`builtins`, whose names are those that the program's code uses: what it adds or replaces there is its own."""
+    """`builtins` with the names that the program's code uses: it has its own additions and replacements."""
     view.__dict__.update(_private_builtins(process, process.loader.import_))
     return view
 
@@ -58,7 +58,7 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
         raise SystemExit(code)
 
     def private_breakpoint(*_: Any, **__: Any) -> None:
-        process.note('breakpoint', f'{process.name} called breakpoint(): it has no terminal, so it goes on')
+        process.note('breakpoint', f'{process.name} called breakpoint(): it has no terminal, so it continues')
 
     return {
         **builtins.__dict__,
@@ -130,7 +130,7 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_util(view: ModuleType, process: Process) -> ModuleType:
-    """`importlib.util`: finds the program's own modules; one that is made from a spec runs as the program's own."""
+    """`importlib.util`, which finds the program's own modules; a module created from a spec runs as the program's own."""
     import importlib.util as real_util
 
     loader = process.loader

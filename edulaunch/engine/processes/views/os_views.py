@@ -29,7 +29,7 @@ CPUS = 4
 
 
 class Reader(io.StringIO):
-    """What `os.popen` gives: the output of a command; closing it gives the exit status."""
+    """The result of `os.popen`: the output of a command, with a method `close` that returns the exit status."""
 
     def __init__(self, text: str, status: int) -> None:
         super().__init__(text)
@@ -42,8 +42,8 @@ class Reader(io.StringIO):
 
 
 def make_os(view: ModuleType, process: Process) -> ModuleType:
-    """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
-    `system` and `popen` are those of `subprocess`; `urandom` repeats.
+    """`environ` is the process's own dict, and `urandom` repeats. `kill` reaches simulated processes by their simulated pid and
+    nothing else; `system` and `popen` are those of `subprocess`.
     """
     chance: list[Any] = []
 
@@ -88,7 +88,7 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _recorded_reads(process: Process) -> dict[str, Any]:
-    """What tells of the real machine: the recording says that it was asked."""
+    """Record that the program has asked for a fact about the real machine."""
     return {name: PlainFunction(noting(process, f'os.{name}', getattr(os, name))) for name in REAL_MACHINE if hasattr(os, name)}
 
 

@@ -1,5 +1,5 @@
-"""What the simulated machine has not: modules that can be imported, because many are by accident, and that tell when they are
-used what to use in their place.
+"""Modules that the simulated machine does not have. They can be imported, because many programs import them without need, and
+their use raises an error that suggests a replacement.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
-    """`_tkinter`, on which the whole of `tkinter` stands: opening a window raises `TclError`."""
+    """`_tkinter`, which the whole of `tkinter` needs: opening a window raises `TclError`."""
     import _tkinter as real
 
     view.__dict__['create'] = _refused('create', real.TclError, NO_DISPLAY, SCREEN)

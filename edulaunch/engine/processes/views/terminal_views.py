@@ -183,7 +183,7 @@ def _check(process: Process, signum: int, handler: Any) -> None:
 
 
 def _interrupted_frame() -> FrameType | None:
-    """Where the program stood: its innermost frame that is none of the engine's."""
+    """Return the current place of the program: its innermost frame outside the engine."""
     frame: FrameType | None = sys._getframe()
     while frame is not None and is_engine(frame.f_code.co_filename):
         frame = frame.f_back

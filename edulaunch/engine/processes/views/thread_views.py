@@ -37,7 +37,7 @@ class Threads:
         return self.by_task.get(current_task(), self.main)
 
     def alive(self) -> list[Thread]:
-        """Those that have begun and not ended."""
+        """Return the threads that have begun and not ended."""
         return [thread for thread in self.by_task.values() if thread.is_alive()]
 
 
@@ -114,7 +114,7 @@ class Thread:
         return self.ident
 
     def start(self) -> None:
-        """Run the thread up to where it first waits, as CPython nearly always does; then the caller goes on."""
+        """Run the thread up to its first wait, as CPython nearly always does; then the caller continues."""
         if self._started:
             raise RuntimeError('threads can only be started once')
         self._started = True

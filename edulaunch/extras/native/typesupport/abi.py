@@ -1,6 +1,6 @@
-"""The C structures and functions of rosidl and Fast CDR that type support consists of, for ctypes.
+"""The C structures and functions of rosidl and Fast CDR for type support, for ctypes.
 
-Layouts are those of the headers that rosidl installs for generated code: `message_type_support_struct.h`,
+The layouts are those of the headers that rosidl installs for generated code: `message_type_support_struct.h`,
 `service_type_support_struct.h`, `action_type_support_struct.h`, `message_introspection.h`, `rosidl_typesupport_fastrtps_cpp`'s
 `message_type_support.h` and the type descriptions of `rosidl_runtime_c`.
 """
@@ -11,17 +11,17 @@ import ctypes as c
 from typing import Any
 
 KEPT: list[object] = []
-"""What C code holds pointers to; types live as long as the program."""
+"""Objects to which C code has pointers; types live as long as the program."""
 
 
 def keep(made: Any) -> Any:
-    """Keep an object alive for good, and give it back."""
+    """Keep an object alive forever, and return it."""
     KEPT.append(made)
     return made
 
 
 def address_of(function: Any) -> int:
-    """Where a C function, or a Python function made callable from C, begins."""
+    """Return the address of a C function, or of a Python function made callable from C."""
     return c.cast(function, c.c_void_p).value or 0
 
 
@@ -106,7 +106,7 @@ class ActionSupport(c.Structure):
 
 
 class MessageCallbacks(c.Structure):
-    """What rmw_fastrtps calls to make CDR of a message and back."""
+    """The functions that rmw_fastrtps calls to convert a message to CDR and back."""
 
     _fields_ = (
         ('namespace', c.c_char_p),
@@ -116,7 +116,7 @@ class MessageCallbacks(c.Structure):
 
 
 class ServiceCallbacks(c.Structure):
-    """Of a service: its two messages."""
+    """The two messages of a service."""
 
     _fields_ = (('namespace', c.c_char_p), ('name', c.c_char_p), ('request', c.c_void_p), ('response', c.c_void_p))
 
@@ -167,7 +167,7 @@ class ServiceMembers(c.Structure):
 
 
 TO_SUPPORT = c.CFUNCTYPE(c.c_void_p, c.c_void_p, c.c_char_p)
-"""Asked for the variant of a type support that an identifier names."""
+"""Returns the variant of a type support that an identifier names."""
 GIVES_ADDRESS = c.CFUNCTYPE(c.c_void_p, c.c_void_p)
 
 libc = c.CDLL(None)
@@ -184,16 +184,16 @@ NO_VARIANTS = {
     'message': address_of(runtime.get_message_typesupport_handle_function),
     'service': address_of(runtime.get_service_typesupport_handle_function),
 }
-"""What a type support of one kind only answers with: itself, when it is asked for its own kind."""
+"""Returns a type support of one kind itself, if its own kind is requested."""
 
 
 def identifier(of: c.c_char_p) -> int:
-    """The address of an identifier's text."""
+    """Return the address of an identifier's string."""
     return c.cast(of, c.c_void_p).value or 0
 
 
 def chooser(fast: Any, introspected: Any) -> int:
-    """A C function that gives the variant of a type support which is asked for."""
+    """Return a C function that returns the requested variant of a type support."""
     known = {FASTRTPS.value: c.addressof(fast), INTROSPECTION.value: c.addressof(introspected)}
     return address_of(keep(TO_SUPPORT(lambda support, wanted: known.get(wanted))))
 
@@ -205,11 +205,11 @@ _in_capsule.restype, _in_capsule.argtypes = c.c_void_p, (c.py_object, c.c_char_p
 
 
 def capsule(address: int) -> object:
-    """A capsule around an address, as rclpy takes it from a class."""
+    """Return a capsule around an address, in the form that rclpy reads from a class."""
     made: object = _new_capsule(address, None, None)
     return made
 
 
 def capsule_address(made: object) -> int:
-    """The address in a capsule."""
+    """Return the address in a capsule."""
     return int(_in_capsule(made, None))

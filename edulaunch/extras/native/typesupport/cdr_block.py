@@ -1,4 +1,4 @@
-"""The two C functions that copy a message's CDR bytes into and out of Fast CDR's buffer."""
+"""The two C functions that copy a message's CDR bytes to and from Fast CDR's buffer."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _SIZE = 424242  # a length that no pointer or counter in a new object equals
 
 
 def _places() -> tuple[int, int, int]:
-    """Where a Cdr keeps its buffer, and a buffer the start and the length of its bytes: seen in objects that are made for it.
+    """Return where a Cdr stores its buffer, and where a buffer stores start and length of its bytes, from objects for this test.
 
-    :raises ImportError: this Fast CDR is laid out in another way.
+    :raises ImportError: when this Fast CDR has another layout.
     """
     memory, buffer, cdr = c.create_string_buffer(64), c.create_string_buffer(256), c.create_string_buffer(4096)
     _new_buffer(c.addressof(buffer), c.addressof(memory), _SIZE)
@@ -32,7 +32,7 @@ def _places() -> tuple[int, int, int]:
     try:
         return (_find(cdr, c.addressof(buffer)), _find(buffer, c.addressof(memory)), _find(buffer, _SIZE))
     except ValueError:
-        raise ImportError('this version of Fast CDR keeps its buffer in a way that edulaunch does not know') from None
+        raise ImportError('this version of Fast CDR stores its buffer in a layout that edulaunch does not know') from None
 
 
 def _find(block: c.Array[c.c_char], value: int) -> int:
@@ -44,7 +44,7 @@ _BUFFER, _START, _LENGTH = _places()
 
 
 def fill(block: int, body: bytes) -> None:
-    """Let a message be these CDR bytes (without header)."""
+    """Set the CDR bytes of a message (without header)."""
     held = abi.Block.from_address(block)
     if held.data:
         abi.libc.free(held.data)
@@ -53,20 +53,20 @@ def fill(block: int, body: bytes) -> None:
 
 
 def content(block: int) -> bytes:
-    """The CDR bytes that a message is."""
+    """Return the CDR bytes of a message."""
     held = abi.Block.from_address(block)
     return c.string_at(held.data, held.size) if held.size else b''
 
 
 def _serialize(block: int, cdr: int) -> bool:
-    """Write a message where the stream stands."""
+    """Write a message at the position of the stream."""
     held = abi.Block.from_address(block)
     _write(cdr, held.data, held.size)
     return True
 
 
 def _deserialize(cdr: int, block: int) -> bool:
-    """Take everything from where the stream stands to its end; the codec finds out where the message ends."""
+    """Read from the position of the stream to its end; the codec finds the end of the message."""
     buffer = c.c_size_t.from_address(cdr + _BUFFER).value
     end = c.c_size_t.from_address(buffer + _START).value + c.c_size_t.from_address(buffer + _LENGTH).value
     position = _position(cdr)
@@ -75,18 +75,18 @@ def _deserialize(cdr: int, block: int) -> bool:
 
 
 def _size(block: int) -> int:
-    """How many bytes a message takes."""
+    """Return the number of bytes of a message."""
     return int(abi.Block.from_address(block).size)
 
 
 def _largest_size(bounds: int) -> int:
-    """No type is known to be of one size, or to be bounded (the flags behind `bounds`)."""
+    """Report that no type has a fixed or bounded size (the flags behind `bounds`)."""
     c.c_uint8.from_address(bounds).value = 0
     return 0
 
 
 def _create() -> int:
-    """An empty message."""
+    """Create an empty message."""
     made: int = abi.libc.calloc(1, c.sizeof(abi.Block))
     return made
 
@@ -109,4 +109,4 @@ SIZE = _made(_size, c.c_uint32, c.c_void_p)
 LARGEST_SIZE = _made(_largest_size, c.c_size_t, c.c_void_p)
 CREATE = _made(_create, c.c_void_p)
 DESTROY = _made(_destroy, None, c.c_void_p)
-"""Where the C functions of all messages begin."""
+"""The addresses of the C functions of all messages."""

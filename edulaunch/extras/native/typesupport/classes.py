@@ -1,4 +1,4 @@
-"""Which classes the real rclpy is given: its own for what its C++ handles itself, ours for everything else."""
+"""Choose the classes for the real rclpy: its own for types that its C++ code handles itself, ours for all others."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from edulaunch.extras.native.typesupport.services import support_action, support
 ITS_OWN = frozenset(
     ('action_msgs', 'lifecycle_msgs', 'rcl_interfaces', 'rosgraph_msgs', 'service_msgs', 'type_description_interfaces')
 )
-"""Packages whose messages the C++ of rclpy makes and reads itself."""
+"""Packages whose messages the C++ code of rclpy itself creates and reads."""
 
 
 class SupportedClasses(Registry):
-    """A registry whose classes the real rclpy can use as they are."""
+    """A registry whose classes the real rclpy can use directly."""
 
     def _make(self, spec: Any) -> type[Any]:
         cls = super()._make(spec)
@@ -36,18 +36,18 @@ class SupportedClasses(Registry):
 
 
 class _Finder(InterfaceFinder):
-    """Makes them importable, in place of compiled ones of the same name."""
+    """Makes them importable in place of compiled classes of the same name."""
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
         return None if fullname.partition('.')[0] in ITS_OWN else super().find_spec(fullname, path, target)
 
 
 Layers = Sequence[tuple[Sequence[str], Sequence[str]]]
-"""Share folders, and the packages in them that a lower layer has; the lowest layer first."""
+"""Share folders, with the packages in them that a lower layer has; the lowest layer first."""
 
 
 def layered(layers: Layers) -> SupportedClasses:
-    """A registry over all the layers."""
+    """Return a registry over all the layers."""
     registry: SupportedClasses | None = None
     for roots, leave in layers:
         registry = SupportedClasses(roots, registry, leave)
@@ -58,7 +58,7 @@ def layered(layers: Layers) -> SupportedClasses:
 def install(layers: Layers) -> None:
     """Make interfaces importable for the real rclpy.
 
-    Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not the same.
+    Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not identical.
     """
     interrupts.defer()
     sys.meta_path.insert(0, _Finder(layered(layers)))

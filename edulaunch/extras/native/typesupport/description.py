@@ -1,4 +1,4 @@
-"""The type description, hash and source text of a type, as C structures: what `~/get_type_description` answers with."""
+"""The type description, hash and source text of a type, as C structures: the answer of `~/get_type_description`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.ros.serialization.type_description import type_description, type_
 
 
 def described(type_name: str, registry: Registry) -> tuple[int, int, int]:
-    """Three C functions that give the hash, the description and the sources of a type."""
+    """Return three C functions that return the hash, the description and the sources of a type."""
     version, _, digits = type_hash(type_name, registry.spec).partition('_')
     data = type_description(type_name, registry.spec)
     names = [type_name, *(each['type_name'] for each in data['referenced_type_descriptions'])]
@@ -55,7 +55,7 @@ def _field(data: dict[str, Any]) -> abi.DescribedField:
 
 
 def _source(type_name: str, registry: Registry) -> abi.Source:
-    """The text of a type's file; a part of a service or action has none of its own."""
+    """Return the text of a type's file; a part of a service or action has no text of its own."""
     is_part = '_' in type_name.rpartition('/')[2]
     text = '' if is_part else registry.text(type_name)
     return abi.Source(_string(type_name), _string('implicit' if is_part else type_name.split('/')[1]), _string(text))

@@ -1,4 +1,4 @@
-"""Ctrl-C while C code waits for a function of ours has to wait: C code knows no exceptions, and would go on with nothing."""
+"""Delay Ctrl-C while C code waits for one of our functions, because C code knows no exceptions and would use no result."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from types import FrameType
 
 SOON_S = 0.0002
 MOST_TRIES = 50
-"""So often it is put off where rclpy may be about to call C code: it may also be waiting for a service."""
+"""It is delayed this many times where rclpy may be about to call C code, because it may also be waiting for a service."""
 _tries = 0
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '')
 
 
 def defer() -> None:
-    """Let KeyboardInterrupt come only outside of type support."""
+    """Raise KeyboardInterrupt only outside type support."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _interrupt)
 
@@ -39,12 +39,12 @@ def _interrupt(signum: int, frame: FrameType | None) -> None:
 
 def _again() -> None:
     timer = threading.Timer(SOON_S, interrupt_main)
-    timer.daemon = True  # a program that ends meanwhile does not wait for it
+    timer.daemon = True  # a program that ends does not wait for it
     timer.start()
 
 
 def _calls_c(frame: FrameType) -> bool:
-    """Whether it is a function of rclpy that hands messages to C code; the executor does so where it takes them."""
+    """Return whether it is a function of rclpy that passes messages to C code; the executor does so when it takes them."""
     folder, file = os.path.split(frame.f_code.co_filename)
     return f'{folder}{os.sep}'.find(f'{os.sep}rclpy{os.sep}') >= 0 and (
         file != 'executors.py' or frame.f_code.co_name.startswith('_take')

@@ -14,7 +14,7 @@ from edulaunch.extras.native.typesupport.messages import members, message_suppor
 
 
 def _with_metaclass(cls: type[Any], make_support: Callable[[], Any], **attributes: Any) -> type[Any]:
-    """A class like `cls` whose metaclass carries its type support, made when it is asked for."""
+    """Return a class like `cls` whose metaclass has its type support, created at first use."""
     metaclass: Any = type(f'Metaclass_{cls.__name__}', (type(cls),), {'_TYPE_SUPPORT': None})
 
     def import_type_support(_: type) -> None:
@@ -27,7 +27,7 @@ def _with_metaclass(cls: type[Any], make_support: Callable[[], Any], **attribute
 
 
 def support_service(cls: type[Service], registry: Registry) -> type[Service]:
-    """A service class that the real rclpy can use."""
+    """Return a service class that the real rclpy can use."""
 
     def make_support() -> abi.ServiceSupport:
         for part in (cls.Request, cls.Response):
@@ -38,8 +38,10 @@ def support_service(cls: type[Service], registry: Registry) -> type[Service]:
 
 
 def service_support(cls: type[Service], registry: Registry) -> abi.ServiceSupport:
-    """The C type support of a service class. Its event message has type support, but nobody makes events: what the real rclpy
-    calls service introspection has to stay off for such a service."""
+    """Return the C type support of a service class.
+
+    Its event message has type support, but no code creates events. Service introspection of the real rclpy must stay off for it.
+    """
     package, kind, name = cls.TYPE.split('/')
     parts = (cls.Request, cls.Response, cls.Event)
     request, response, event = (c.addressof(message_support(part, registry)) for part in parts)
@@ -54,7 +56,7 @@ def service_support(cls: type[Service], registry: Registry) -> abi.ServiceSuppor
 
 
 def support_action(cls: type[Action], registry: Registry) -> type[Action]:
-    """An action class that the real rclpy can use; cancelling and status are of the real rclpy's own types."""
+    """Return an action class that the real rclpy can use; cancelling and status have the real rclpy's own types."""
     from action_msgs.msg import GoalStatusArray
     from action_msgs.srv import CancelGoal
 

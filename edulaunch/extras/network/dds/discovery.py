@@ -1,4 +1,4 @@
-"""Who is on the network: what DDS tells of endpoints, and ROS 2's topic `ros_discovery_info` of the nodes that they belong to."""
+"""Discovery: endpoints come from DDS, and the nodes that own them from ROS 2's topic `ros_discovery_info`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from edulaunch.ros.serialization.cdr import decode, encode
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
 AT_ONCE = 200
-"""How many pieces of news are looked at in one turn of the machine."""
+"""The number of discovery events handled in one turn of the machine."""
 ANY = 0x7F
 """Samples in any state."""
 OwnNode = tuple[str, str, Sequence[bytes], Sequence[bytes]]
@@ -39,9 +39,9 @@ OwnNode = tuple[str, str, Sequence[bytes], Sequence[bytes]]
 
 
 class Discovery:
-    """Follows who comes and goes, and tells who we are.
+    """Observes who joins and leaves, and announces our own nodes.
 
-    :param wake: called, in another thread, when there is news.
+    :param wake: called in another thread when there is news.
     """
 
     def __init__(self, participant: Any, wake: Callable[[], object]) -> None:
@@ -69,13 +69,13 @@ class Discovery:
         ]
 
     def tell(self, nodes: Sequence[OwnNode]) -> None:
-        """Let everybody know which of our endpoints belong to which node."""
+        """Announce which of our endpoints belong to which node."""
         cls = underlay_registry().get(INFO)
         wire = (self.own, tuple((namespace, name, _gids(readers), _gids(writers)) for namespace, name, readers, writers in nodes))
         ddspy_write(reference(self._teller), padded(encode(cls, wire)))
 
     def take(self) -> tuple[bool, bool]:
-        """Look at some of the news; returns whether there was any, and whether more may wait."""
+        """Handle some of the news; return whether there was any, and whether more may wait."""
         counts = []
         for reader, take, make in self._builtin:
             found = take(reference(reader), AT_ONCE, make, cqos_to_qos)
@@ -88,7 +88,7 @@ class Discovery:
         return any(counts), max(counts) >= AT_ONCE
 
     def graph(self) -> RemoteGraph:
-        """Everybody but us, without what links have for themselves."""
+        """Return all others on the network, without the internal nodes of links."""
         nodes = [node for nodes in self._nodes.values() for node in nodes if not node.name.startswith(MARK)]
         return RemoteGraph(
             nodes, [end for end in self._endpoints.values() if end.node is None or not end.node.name.startswith(MARK)]
@@ -131,7 +131,7 @@ class Discovery:
         if participant == self.own or topic is None or (found := remote_name(topic, type_name, is_writer)) is None:
             return
         if len(self._endpoints) >= MOST_ENDPOINTS and gid not in self._endpoints:
-            text = f'there are more than {MOST_ENDPOINTS} endpoints on the network: what comes later is not shown and not heard'
+            text = f'the network has more than {MOST_ENDPOINTS} endpoints: later ones are ignored'
             self.diagnostics.append(LinkDiagnostic('endpoints', text))
             return
         policies, type_hash = from_dds(qos)
@@ -143,21 +143,19 @@ class Discovery:
         self._participant_of.pop(gid, None)
 
     def _info(self, data: bytes) -> None:
-        """A participant tells its nodes."""
+        """Handle a participant's list of nodes."""
         try:
             participant, nodes = decode(underlay_registry().get(INFO), data)
         except InterfaceError as error:
             self.diagnostics.append(
-                LinkDiagnostic('ros_discovery_info', f'what somebody tells of its nodes makes no sense: {error}')
+                LinkDiagnostic('ros_discovery_info', f'a participant has published an invalid list of nodes: {error}')
             )
             return
-        if participant == self.own or participant in self._gone:  # the last that it said may be read after its end
+        if participant == self.own or participant in self._gone:  # its last message may be read after its end
             return
         if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
             self.diagnostics.append(
-                LinkDiagnostic(
-                    'participants', f'more than {MOST_PARTICIPANTS} programs tell of their nodes: the others are not shown'
-                )
+                LinkDiagnostic('participants', f'more than {MOST_PARTICIPANTS} programs announce nodes: the others are not shown')
             )
             return
         claimed: dict[RemoteNode, Sequence[bytes]] = {}
@@ -166,7 +164,7 @@ class Discovery:
             claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
         if len(nodes) > MOST_NODES:
             self.diagnostics.append(
-                LinkDiagnostic('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown')
+                LinkDiagnostic('nodes', f'one program announces {len(nodes)} nodes: only {MOST_NODES} of them are shown')
             )
         self._claim(participant, claimed)
 
@@ -187,12 +185,12 @@ class Discovery:
 
 
 def reference(entity: Any) -> Any:
-    """By what Cyclone DDS itself knows a reader or writer."""
+    """Return the handle of a reader or writer in Cyclone DDS."""
     return entity._ref
 
 
 def padded(cdr: bytes) -> bytes:
-    """DDS sends multiples of four bytes."""
+    """Return the bytes padded to a multiple of four, as DDS sends them."""
     return cdr + b'\0' * (-len(cdr) % 4)
 
 

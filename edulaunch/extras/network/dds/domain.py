@@ -1,4 +1,4 @@
-"""How far this computer looks for others: the domain's configuration, from ROS 2's variables."""
+"""The range of discovery: the configuration of a domain, from ROS 2's variables."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from cyclonedds.domain import Domain
 from edulaunch.extras.network.link import LinkError, Settings
 
 MOST_PARTICIPANTS = 32
-"""How many participants on one computer find each other without multicast, as in ROS 2's own configuration of Cyclone DDS."""
+"""The number of participants on one computer that find each other without multicast, as in ROS 2's Cyclone DDS configuration."""
 LOCALHOST = '127.0.0.1'
 LARGE_FRAGMENTS = '<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>8000B</FragmentSize>'
-"""On the loopback a packet may be as large as UDP allows. An image in the usual fragments of 1.3 kB overflows the buffers of its
+"""On the loopback, a packet may have UDP's maximum size. An image in the usual fragments of 1.3 kB overflows the buffers of its
 subscriber."""
 REPEATS = (
     '<HeartbeatInterval min="2ms" minsched="2ms" max="100ms">5ms</HeartbeatInterval>'
     '<MaxQueuedRexmitBytes>4MiB</MaxQueuedRexmitBytes>'
 )
-"""How soon a reliable publisher asks what is missing, while something is missing: by default after 100 ms."""
+"""A reliable publisher asks for missing samples this soon; the default is 100 ms."""
 
 
 class _Joined:
-    """A domain that this program is in: with which configuration, and how many links use it."""
+    """A domain of this program: its configuration, and the number of links that use it."""
 
     def __init__(self, number: int, text: str) -> None:
         self.text, self.domain, self.links = text, Domain(number, text), 0
@@ -36,9 +36,9 @@ _joined: dict[int, _Joined] = {}
 
 
 def join(settings: Settings) -> None:
-    """Be in a domain until :func:`leave`. Several links of one program share it.
+    """Join a domain until :func:`leave`. Several links of one program share it.
 
-    :raises LinkError: when there is none of that number, or this program is in it already with other settings.
+    :raises LinkError: for an invalid number, or when this program is in the domain with other settings.
     """
     number, text = settings.domain, configuration(settings)
     if number not in _joined:
@@ -50,12 +50,12 @@ def join(settings: Settings) -> None:
         except DDSException as error:
             raise LinkError(f'cannot join domain {number}: {error}') from None
     if _joined[number].text != text:
-        raise LinkError(f'this program is in domain {number} already, with other settings')
+        raise LinkError(f'this program is already in domain {number} with other settings')
     _joined[number].links += 1
 
 
 def _open_files() -> set[int]:
-    """The numbers of this program's open files, where the system tells."""
+    """Return the numbers of this program's open files, if the system reports them."""
     try:
         return set(map(int, os.listdir('/proc/self/fd')))
     except OSError:
@@ -63,7 +63,7 @@ def _open_files() -> set[int]:
 
 
 def _keep_on_loopback(files: set[int]) -> None:
-    """Take nothing from other devices: Cyclone DDS binds what it hears with to all addresses, and has no setting for it."""
+    """Accept nothing from other devices: Cyclone DDS binds its sockets to all addresses, and has no setting for that."""
     for number in files:
         with suppress(OSError), socket.socket(fileno=os.dup(number)) as ear:
             if ear.family == socket.AF_INET and ear.type == socket.SOCK_DGRAM:
@@ -71,23 +71,23 @@ def _keep_on_loopback(files: set[int]) -> None:
 
 
 def leave(number: int) -> None:
-    """A link has gone, and all that belonged to it."""
+    """A link and its entities have been closed."""
     joined = _joined[number]
     joined.links -= 1
     if not joined.links:
-        joined.domain.__del__()  # cyclonedds has no other way, and may forget it when the collector comes
+        joined.domain.__del__()  # cyclonedds has no other way, and the garbage collector may come late
         del _joined[number]
 
 
 def is_on_loopback(settings: Settings) -> bool:
-    """Whether this computer alone is meant."""
+    """Return whether only this computer is meant."""
     return settings.discovery_range == 'OFF' or (settings.discovery_range == 'LOCALHOST' and not settings.static_peers)
 
 
 def configuration(settings: Settings) -> str:
-    """Cyclone DDS's configuration: loopback alone, or the computer's network.
+    """Return Cyclone DDS's configuration: loopback only, or the computer's network.
 
-    On the loopback multicast is used too (it does not leave it): that is where programs without settings of their own call.
+    On the loopback, multicast is used, too (it stays there), because programs without settings announce themselves there.
     """
     peers = [] if settings.discovery_range == 'OFF' else list(settings.static_peers)
     on_loopback = is_on_loopback(settings)

@@ -1,4 +1,4 @@
-"""A link by cyclonedds, in this process: topics and the graph with everybody, services with those who use Cyclone DDS too."""
+"""A link with cyclonedds in this process: topics and graph with all peers, services only with Cyclone DDS peers."""
 
 from __future__ import annotations
 
@@ -44,15 +44,15 @@ from edulaunch.extras.network.link import (
 )
 
 HEADER, ID = 4, 16
-"""Bytes in front of a message, and of the id that rmw_cyclonedds puts between that and a request or reply."""
+"""Bytes before a message, and bytes of the id that rmw_cyclonedds puts between them and a request or reply."""
 AT_ONCE = 100
-"""How many messages of one subscription are taken in one turn of the machine."""
+"""The number of messages of one subscription that are taken in one turn of the machine."""
 SIDES = {PUBLISHER: ('', TOPIC), SUBSCRIPTION: (TOPIC, ''), SERVICE: (REQUEST, REPLY), CLIENT: (REPLY, REQUEST)}
-"""What each kind of endpoint reads and writes."""
+"""The readers and writers of each kind of endpoint."""
 
 
 class End:
-    """One endpoint of ours: what it is, and while it takes part, its reader and its writer."""
+    """One of our endpoints; while it is announced, it has a reader and a writer."""
 
     def __init__(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> None:
         self.node, self.kind, self.name, self.interface, self.qos = node, kind, name, interface, qos
@@ -64,7 +64,7 @@ class End:
 
     @property
     def is_on(self) -> bool:
-        """Whether others can see it."""
+        """Return whether others can see it."""
         return self.reader is not None or self.writer is not None
 
 
@@ -112,7 +112,7 @@ class CycloneLink:
         self._is_announced = False
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`. A service takes part as soon as there is anybody who can use it."""
+        """See `Link.add`. A service is announced when a peer exists that can use it."""
         self._count += 1
         handle, end = self._count, End(node, kind, name, interface, qos)
         self._ends[handle] = end
@@ -132,9 +132,9 @@ class CycloneLink:
         self._is_announced = False
 
     def _begin(self, handle: int, end: End) -> None:
-        """Let others see an endpoint.
+        """Announce an endpoint.
 
-        :raises LinkError: when Cyclone DDS does not want it.
+        :raises LinkError: when Cyclone DDS refuses it.
         """
         reads, writes = SIDES[end.kind]
         parts = ('', '') if not (reads and writes) else ('_Request', '_Response')[:: 1 if end.kind == SERVICE else -1]
@@ -161,7 +161,7 @@ class CycloneLink:
             )
         return self._topics[name, type_name]
 
-    # What goes out
+    # Outgoing messages
 
     def publish(self, handle: int, cdr: bytes) -> None:
         """See `Link.publish`."""
@@ -179,13 +179,13 @@ class CycloneLink:
     def _write(self, end: End, cdr: bytes) -> None:
         code = 0 if end.writer is None else ddspy_write(reference(end.writer), padded(cdr))
         if code < 0:
-            slow = 'somebody who wants all of them (reliable) takes them too slowly'
+            slow = 'a reliable subscriber takes them too slowly'
             why = slow if code == DDSException.DDS_RETCODE_TIMEOUT else str(DDSException(code))
-            self._events.append(LinkDiagnostic(f'not sent {end.name} {code}', f'{end.name}: a message was not sent: {why}'))
+            self._events.append(LinkDiagnostic(f'not sent {end.name} {code}', f'{end.name}: could not send a message: {why}'))
             self._ring()
 
     def flush(self) -> None:
-        """See `Link.flush`: messages went out at once; this tells of new nodes and endpoints."""
+        """See `Link.flush`. Messages are sent immediately; this announces new nodes and endpoints."""
         if self._is_announced:
             return
         self._is_announced = True
@@ -197,7 +197,7 @@ class CycloneLink:
             nodes.append((namespace, name, readers, [end.writer.guid.bytes for end in own if end.writer is not None]))
         self._discovery.tell(nodes)
 
-    # What comes in; the first three in threads of Cyclone DDS
+    # Incoming messages; the first three functions run in threads of Cyclone DDS
 
     def _mark(self, handle: int, end: End) -> None:
         if not end.is_marked:
@@ -214,7 +214,7 @@ class CycloneLink:
         try:
             self._bell.send(b'.')
         except (BlockingIOError, OSError):
-            return  # it rings already, or nobody hears any more
+            return  # a wake-up is already pending, or the reader is closed
 
     def take(self) -> Sequence[Event]:
         """See `Link.take`."""
@@ -251,26 +251,26 @@ class CycloneLink:
             self._mark(handle, end)
 
     def _writer_of(self, end: End, handle: int) -> bytes:
-        """The gid of who sent it."""
+        """Return the gid of the sender."""
         gid = end.writers.get(handle)
         if gid is None:
             found = end.reader.get_matched_publication_data(handle)
             if found is None:
                 return b''
-            if len(end.writers) > 1000:  # of those that are long gone
+            if len(end.writers) > 1000:  # most of them are closed
                 end.writers.clear()
             gid = end.writers[handle] = found.key.bytes
         return gid
 
     def graph(self) -> RemoteGraph:
-        """See `Link.graph`: without the services that this link cannot use."""
+        """See `Link.graph`: services that this link cannot use are left out."""
         remote = self._discovery.graph()
         return remote._replace(
             endpoints=[end for end in remote.endpoints if not (end.kind in (SERVICE, CLIENT) and is_fast_dds(end.gid))]
         )
 
     def _look_at_services(self) -> None:
-        """Let services and clients take part for whom there is a counterpart that understands them."""
+        """Announce services and clients that have a compatible counterpart."""
         self._services.look(self._discovery.graph())
         for handle, end in list(self._ends.items()):
             if end.kind in (SERVICE, CLIENT) and not end.is_on:
@@ -288,7 +288,7 @@ class CycloneLink:
     def close(self) -> None:
         """See `Link.close`."""
         if self._participant is not None:
-            self._participant.__del__()  # cyclonedds has no other way; all that belongs to it goes with it
+            self._participant.__del__()  # cyclonedds has no other way; this also closes its entities
             self._participant = None
             leave(self._domain)
         self._ends.clear()
@@ -302,7 +302,7 @@ def _event(handle: int, end: End, gid: bytes, source_ns: int, data: bytes) -> Ev
         return Message(handle, gid, source_ns, data)
     if is_fast_dds(gid) or len(data) < HEADER + ID:
         return LinkDiagnostic(
-            f'{end.kind} {end.name}', f'{end.name}: what came for this {end.kind} is not from Cyclone DDS: dropped'
+            f'{end.kind} {end.name}', f'{end.name}: dropped a message for this {end.kind}, because it is not from Cyclone DDS'
         )
     who, rest = data[HEADER : HEADER + ID], data[:HEADER] + data[HEADER + ID :]
     if end.kind == SERVICE:

@@ -1,4 +1,4 @@
-"""What ROS 2 names are called in DDS: '/chatter' is 'rt/chatter', std_msgs/msg/String is std_msgs::msg::dds_::String_."""
+"""Convert ROS 2 names to DDS names: '/chatter' is 'rt/chatter', std_msgs/msg/String is std_msgs::msg::dds_::String_."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ LONGEST = 512
 
 
 def topic_name(prefix: str, name: str) -> str:
-    """The DDS topic of a ROS topic, or of a service's requests or replies."""
+    """Return the DDS topic of a ROS topic, or of a service's requests or replies."""
     return f'{prefix}{name}{SUFFIX[prefix]}'
 
 
 def dds_type(type_name: str) -> str:
-    """'geometry_msgs::msg::dds_::Twist_' for 'geometry_msgs/msg/Twist'."""
+    """Return 'geometry_msgs::msg::dds_::Twist_' for 'geometry_msgs/msg/Twist'."""
     package, kind, name = type_name.split('/')
     return f'{package}::{kind}::dds_::{name}_'
 
 
 def remote_name(topic: str, type_name: str, is_writer: bool) -> tuple[str, str, str] | None:
-    """What a DDS endpoint is in ROS 2, as (kind, name, type name); None for what is none of its topics and services.
+    """Return a DDS endpoint as (kind, name, type name) of ROS 2; None if it is not a topic or service of ROS 2.
 
-    A service is told by what hears its requests, a client by what sends them.
+    The reader of requests identifies a service, and the writer of requests identifies a client.
     """
     prefix, slash, rest = topic.partition('/')
     parts = type_name.split('::')

@@ -1,4 +1,4 @@
-"""Quality of service, ours and that of cyclonedds."""
+"""Convert quality of service between our classes and cyclonedds."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from edulaunch.engine.graph.qos import (
 )
 
 LONGEST_BLOCK_NS = 10_000_000
-"""How long a reliable publisher waits for readers that are slow, before the message is dropped: nothing else runs meanwhile."""
+"""A reliable publisher waits this long for slow readers before it drops a message; everything else waits meanwhile."""
 NEVER_NS = (1 << 63) - 1
 KEPT = 100
-"""How many messages a reliable publisher keeps at least until all have arrived. At 200 a second, that is half a second."""
+"""A reliable publisher keeps at least this many messages until all have arrived. At 200 per second, that is half a second."""
 WAITING = 1000
-"""How many messages wait for their subscription at most, or as many as its depth says."""
+"""At most this many messages wait for their subscription, or as many as its depth."""
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 _ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
 HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
 
 
 def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
-    """The policies of an endpoint of ours; its type's hash goes with them, as ROS 2 does it."""
+    """Return the policies of one of our endpoints, with the hash of its type, as in ROS 2."""
     is_kept = qos.reliability == RELIABLE and qos.durability != TRANSIENT_LOCAL
     depth = max(qos.depth, WAITING if is_reader else KEPT if is_kept else 1)
     life = Policy.Liveliness.ManualByTopic if qos.liveliness == MANUAL_BY_TOPIC else Policy.Liveliness.Automatic
@@ -53,9 +53,9 @@ def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
 
 
 def from_dds(qos: Qos) -> tuple[QoS, str]:
-    """The policies of an endpoint on the network, and the hash of its type ('' when it tells none).
+    """Return the policies of an endpoint on the network, and the hash of its type ('' if it announces none).
 
-    How much it keeps is nowhere said: ROS 2 shows UNKNOWN, here it is the usual depth.
+    DDS does not announce the depth: ROS 2 shows UNKNOWN, this function returns the usual depth.
     """
     found = HASH.search(_user_data(qos))
     reliable = Policy.Reliability in qos and qos[Policy.Reliability] != Policy.Reliability.BestEffort
@@ -72,7 +72,7 @@ def from_dds(qos: Qos) -> tuple[QoS, str]:
 
 
 def enclave_of(qos: Qos) -> str:
-    """The enclave that a participant tells; '' when it tells none, as who is no ROS 2."""
+    """Return the enclave that a participant announces; '' for a participant that is not ROS 2."""
     found = _ENCLAVE.search(_user_data(qos))
     return found[1] if found else ''
 

@@ -1,8 +1,8 @@
-"""With whom services work over Cyclone DDS.
+"""The peers with which services work over Cyclone DDS.
 
-A reply says to which request it belongs. Cyclone DDS puts that into the message, Fast DDS beside it, where cyclonedds for Python
-can neither write nor read it. So a service of ours is seen only when somebody is there who does it as we do, and a client of ours
-asks only such a server: a service that nobody sees is better than one that never answers.
+A reply contains the id of its request. Cyclone DDS puts the id into the message, Fast DDS beside it, where cyclonedds for Python
+can neither write nor read it. So our service is announced only if a compatible peer exists, and our client
+calls only such a server. A hidden service is better than one that never answers.
 """
 
 from __future__ import annotations
@@ -10,19 +10,17 @@ from __future__ import annotations
 from edulaunch.extras.network.link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
 
 FAST_DDS = b'\x01\x0f'
-"""How gids begin there: the number of its vendor."""
-HELP = (
-    'only topics cross with Fast DDS over this link; for all: edulaunch network install, then edulaunch network on --link rclpy'
-)
+"""The first bytes of gids with Cyclone DDS: the number of its vendor."""
+HELP = 'only topics cross to Fast DDS here; for all: edulaunch network install, then edulaunch network on --link rclpy'
 
 
 def is_fast_dds(gid: bytes) -> bool:
-    """Whether a participant or endpoint is one of Fast DDS, ROS 2's usual middleware."""
+    """Return whether a participant or endpoint uses Fast DDS, ROS 2's default middleware."""
     return gid[:2] == FAST_DDS
 
 
 class ServicePeers:
-    """Who else has services and clients."""
+    """The other programs with services and clients."""
 
     def __init__(self) -> None:
         self._anybody = False
@@ -32,7 +30,7 @@ class ServicePeers:
         self._reported: set[tuple[str, str]] = set()
 
     def look(self, remote: RemoteGraph) -> None:
-        """Who is there now."""
+        """Update the known peers."""
         self._anybody = any(not is_fast_dds(end.gid) for end in remote.endpoints) or any(
             not is_fast_dds(node.participant) for node in remote.nodes
         )
@@ -45,14 +43,14 @@ class ServicePeers:
             setattr(self, found, names)
 
     def is_wanted(self, kind: str, name: str) -> bool:
-        """Whether an endpoint of ours can be of use. A request of ours must never reach who takes its number for a part of it."""
+        """Return whether our endpoint has a compatible peer. Other peers must never get our requests: they misread the id."""
         return self._anybody if kind == SERVICE else name in self._served and name not in self._served_by_fast
 
     def diagnostic(self, kind: str, name: str) -> LinkDiagnostic | None:
-        """What to say, once, when somebody needs what does not work."""
+        """Return a message, once, when a peer needs a service that does not work."""
         there = self._asked_by_fast if kind == SERVICE else self._served_by_fast
         if name not in there or (kind, name) in self._reported:
             return None
         self._reported.add((kind, name))
         who = 'a real node has a client of' if kind == SERVICE else 'a real node has'
-        return LinkDiagnostic(f'{kind} {name}', f'{who} the service {name}: calls of it do not cross\n  help: {HELP}', name)
+        return LinkDiagnostic(f'{kind} {name}', f'{who} the service {name}: its calls do not cross\n  help: {HELP}', name)

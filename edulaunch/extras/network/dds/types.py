@@ -1,6 +1,6 @@
-"""The types of ROS 2 messages as cyclonedds wants them, made at run time from their texts.
+"""The types of ROS 2 messages for cyclonedds, made at run time from their definitions.
 
-Peers that look at types (XTypes) find the right ones; the messages themselves cross as the bytes of our own codec.
+Peers that compare types (XTypes) find the right ones; our own codec writes the bytes of messages.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ PRIMITIVES: dict[str, Any] = {
     'bool': bool,
     'byte': idl.uint8,
     'string': str,
-    'wstring': idl.sequence[idl.uint32],  # IDL for Python has none; these are its bytes
+    'wstring': idl.sequence[idl.uint32],  # IDL for Python has no wstring; these are its bytes
     **{name: getattr(idl, name) for name in ('uint8', 'int8', 'uint16', 'int16', 'uint32', 'int32', 'uint64', 'int64')},
     **{name: getattr(idl, name) for name in ('float32', 'float64')},
 }
 TAKEN = ('serialize', 'deserialize', 'serialize_key', 'deserialize_key')
-"""What IdlStruct calls something else."""
+"""Types with another name in IdlStruct."""
 
 
 CALL = {'client_guid': idl.uint64, 'sequence_number': idl.int64}
-"""What Cyclone DDS puts before a request and a reply."""
+"""The fields that Cyclone DDS puts before a request and a reply."""
 
 
 @lru_cache(maxsize=1024)
 def idl_class(type_name: str, registry: Registry, is_call: bool = False) -> Any:
-    """The IdlStruct with the fields of a message type.
+    """Return the IdlStruct with the fields of a message type.
 
-    :param is_call: whether it is a request or a reply, which says first to whom it belongs.
+    :param is_call: whether it is a request or a reply, which begins with the id of the call.
     :raises InterfaceError: when there is no such type.
     """
     spec: MessageSpec = registry.spec(type_name)  # type: ignore[assignment]

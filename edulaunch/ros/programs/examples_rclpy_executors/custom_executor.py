@@ -14,7 +14,7 @@ from examples_rclpy_executors.talker import Talker
 
 
 class Estopper(Node):
-    """Must hear a stop at once."""
+    """Must be stopped immediately."""
 
     def __init__(self) -> None:
         super().__init__('estopper')

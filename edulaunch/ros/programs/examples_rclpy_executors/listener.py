@@ -1,4 +1,4 @@
-"""The program listener: logs what it hears on `chatter`."""
+"""The program listener: logs each message on `chatter`."""
 
 from __future__ import annotations
 

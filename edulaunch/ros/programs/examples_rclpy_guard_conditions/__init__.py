@@ -1,1 +1,1 @@
-"""examples_rclpy_guard_conditions: A guard condition: a callback that the program itself calls for."""
+"""examples_rclpy_guard_conditions: A guard condition, which is a callback that the program itself triggers."""

@@ -52,7 +52,7 @@ class MinimalActionServer(Node):
         return CancelResponse.ACCEPT
 
     def execute_callback(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-        """Work on a goal: one number a second, each told as feedback."""
+        """Work on a goal: one number per second, each published as feedback."""
         self.get_logger().info('Executing goal...')
         feedback = Fibonacci.Feedback(sequence=[0, 1])
         for index in range(1, goal_handle.request.order):

@@ -25,7 +25,7 @@ def cancel_callback(node: Node, goal_handle: ServerGoalHandle) -> CancelResponse
 
 
 async def execute_callback(node: Node, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-    """Work on a goal: one number a second, each told as feedback."""
+    """Work on a goal: one number per second, each published as feedback."""
     node.get_logger().info('Executing goal...')
     feedback = Fibonacci.Feedback(sequence=[0, 1])
     for index in range(1, goal_handle.request.order):

@@ -9,7 +9,7 @@ from edulaunch.ros.running import run
 
 
 def listen() -> None:
-    """Spin a node that logs what it hears."""
+    """Spin a node that logs each message."""
     node = rclpy.create_node('minimal_subscriber')
     node.create_subscription(String, 'topic', lambda message: node.get_logger().info(f'I heard: "{message.data}"'), 10)
     rclpy.spin(node)

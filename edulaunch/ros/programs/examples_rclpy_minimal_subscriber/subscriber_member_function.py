@@ -1,4 +1,4 @@
-"""The program subscriber_member_function: a class that logs what it hears."""
+"""The program subscriber_member_function: a class that logs each message."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class LifecycleServiceClient(Node):
         self._change = self.create_client(ChangeState, 'lc_talker/change_state')
 
     def get_state(self) -> bool:
-        """Log the state; False when nobody says it."""
+        """Log the state; return False without a reply."""
         if not self._get.wait_for_service(timeout_sec=5.0):
             self.get_logger().error('Service /lc_talker/get_state is not available.')
             return False

@@ -1,4 +1,4 @@
-"""The program lifecycle_talker: speaks while others have switched it on; that takes two seconds."""
+"""The program lifecycle_talker: publishes while other nodes have activated it, which takes two seconds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program lifecycle_talker: speaks while others have switched it on."""
+"""The program lifecycle_talker: publishes while other nodes have activated it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.ros.running import run
 
 
 class LifecycleTalker(LifecycleNode):
-    """Has its publisher and its timer from configure to cleanup, and speaks while it is active."""
+    """Has its publisher and its timer from configure to cleanup, and publishes while it is active."""
 
     def __init__(self, node_name: str = 'lc_talker') -> None:
         super().__init__(node_name)

@@ -1,1 +1,1 @@
-"""action_tutorials_cpp: The action tutorial as its C++ programs behave: a server and a client of Fibonacci."""
+"""action_tutorials_cpp: The action tutorial with the behaviour of its C++ programs, a server and a client of Fibonacci."""

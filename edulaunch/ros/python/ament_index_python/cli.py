@@ -10,12 +10,12 @@ from .resources import get_resource, get_resource_types, get_resources
 
 
 def resource_type_completer(prefix: str, **_: Any) -> Iterable[str]:
-    """The types of resources that begin with a text, for a shell that completes the command line."""
+    """Return the types of resources with this prefix, for shell completion."""
     return (name for name in sorted(get_resource_types()) if name.startswith(prefix))
 
 
 def resource_name_completer(prefix: str, parsed_args: Any, **_: Any) -> Iterable[str]:
-    """The resources that begin with a text, of the type that the command line names; none without a type.
+    """Return the resources with this prefix, of the type in the command line; none without a type.
 
     :param parsed_args: the arguments before, with `resource_type`.
     """

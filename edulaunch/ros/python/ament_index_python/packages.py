@@ -71,7 +71,9 @@ def _share(package_name: str, called: str | None) -> str:
 
 
 def _left_out_by_launch(package_name: str) -> str | None:
-    """Where a well-known package would be that is not here: a launch file goes on without it, a program gets the error."""
+    """Return the share folder of a well-known package that is missing: a launch file continues without it, a program gets the
+    error.
+    """
     process = current_process()
     if 'launch.process_counter' not in process.state:
         return None

@@ -27,7 +27,7 @@ def name_is_invalid(resource_name: str) -> bool:
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     """The content of a resource file, and the prefix it was found in.
 
-    :raises LookupError: when there is none.
+    :raises LookupError: when the resource does not exist.
     :raises InvalidResourceTypeNameError, InvalidResourceNameError: for names with / or a backslash.
     """
     _check(resource_type, resource_name)

@@ -1,1 +1,1 @@
-"""composition: The composition tutorial: nodes to be loaded into one process."""
+"""composition: The composition tutorial with nodes that can be loaded into one process."""

@@ -32,7 +32,7 @@ class Talker(CppNode):
 
 
 class Listener(CppNode):
-    """Logs what it hears on `chatter`."""
+    """Logs each message on `chatter`."""
 
     def __init__(self, node_name: str = 'listener', **options: Any) -> None:
         super().__init__(node_name, **options)

@@ -20,7 +20,7 @@ STEPS = (
 
 
 class LoggerServiceNode(Node):
-    """Logs what it hears at every level."""
+    """Logs each message at every level."""
 
     def __init__(self) -> None:
         super().__init__('LoggerServiceNode', enable_logger_service=True)
@@ -36,7 +36,7 @@ class LoggerServiceNode(Node):
 
 
 def work() -> None:
-    """Speak at four levels, and ask for the level at the end."""
+    """Log at four levels, and request the level at the end."""
     node, other = Node('TestNode'), LoggerServiceNode()
     log, name = node.get_logger(), other.get_name()
     executor = SingleThreadedExecutor()

@@ -59,7 +59,7 @@ def _say_results(node: Node, names: list[str], future: Any) -> None:
 
 
 class SetParametersCallback(Node):
-    """Setting param1 sets param2 to 4.0 too (before); neither may be negative (on); both are kept (after)."""
+    """Setting param1 also sets param2 to 4.0 (before). Neither may be negative (on), and both are stored (after)."""
 
     def __init__(self) -> None:
         super().__init__('set_parameters_callback')

@@ -33,7 +33,7 @@ class Talker(Node):
 
 
 class Listener(Node):
-    """Logs what it hears."""
+    """Logs each message."""
 
     def __init__(self, node_name: str = 'listener', qos: QoSProfile | int = 10) -> None:
         super().__init__(node_name)
@@ -84,20 +84,20 @@ def talker() -> None:
 
 
 def listener() -> None:
-    """Logs what it hears."""
+    """Logs each message."""
     spin(Listener)
 
 
 def listener_serialized() -> None:
-    """Logs the bytes of what it hears."""
+    """Logs the bytes of each message."""
     spin(SerializedListener)
 
 
 def talker_qos() -> None:
-    """As talker, best effort unless told --reliable, for a number of messages."""
+    """Works as talker, best effort without --reliable, for a number of messages."""
     _run_with_quality('publish', 'talker', Talker)
 
 
 def listener_qos() -> None:
-    """As listener, best effort unless told --reliable, for a number of messages."""
+    """Works as listener, best effort without --reliable, for a number of messages."""
     _run_with_quality('listen', 'listener', Listener)

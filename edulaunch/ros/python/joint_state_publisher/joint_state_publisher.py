@@ -28,8 +28,8 @@ DEFAULTS: dict[str, Any] = {
 
 
 class JointStatePublisher(Node):
-    """Publishes /joint_states at `rate` (Hz): free joints in the middle of their limits unless 0 lies within, or where the
-    topics of `source_list` and the parameters `zeros.JOINT` say; joints that mimic another one follow it.
+    """Publishes /joint_states at `rate` (Hz). The topics of `source_list` and the parameters `zeros.JOINT` set the joints. Other
+    free joints are at 0, or in the middle of their limits if these exclude 0. A joint that mimics another one follows it.
 
     :param description: URDF text; without one it is awaited on the topic robot_description.
     """

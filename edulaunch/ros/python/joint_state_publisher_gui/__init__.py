@@ -1,1 +1,1 @@
-"""joint_state_publisher_gui: Without a window: the same as joint_state_publisher."""
+"""joint_state_publisher_gui: The same as joint_state_publisher, without a window."""

@@ -1,4 +1,4 @@
-"""What launch does where a well-known package of ROS 2 is needed that is not here: it says so, and goes on without it."""
+"""The reaction of launch to a well-known package of ROS 2 that is missing: it reports that, and continues without it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from ._engine import absent_package, running_process
 
 
 def is_left_out(path: str) -> bool:
-    """Whether a launch file to be included belongs to such a package. If it does, that is told."""
+    """Return whether a launch file to be included belongs to such a package; if so, report it."""
     known = absent_file(path)
     if known:
         sentence = f'the package {known["package"]!r} ({known["belongs_to"]}) is not here'
-        _tell(f'{path[len(_share()) :]} is not included: {sentence}; the rest of the launch goes on without it')
+        _tell(f'{path[len(_share()) :]} is not included: {sentence}; the rest of the launch continues without it')
     return bool(known)
 
 
@@ -27,7 +27,7 @@ def absent_file(path: str) -> dict[str, Any]:
 
 
 def _share() -> str:
-    """The folder in which the share folders of such packages would stand, with a separator behind."""
+    """Return the folder that would have the share folders of such packages, with a separator at its end."""
     return os.path.join(running_process().index.absent_prefix, 'share', '')
 
 
@@ -38,7 +38,9 @@ def absent_program(name: str) -> str | None:
 
 
 def is_empty_output(argv: Sequence[str]) -> bool:
-    """Whether a command cannot run because its program is of such a package, so that its output is empty. If so, that is told."""
+    """Return whether a command cannot run because its program is in such a package, so that its output is empty; if so, report
+    it.
+    """
     name = os.path.basename(argv[0]) if argv else ''
     from osrf_pycommon.process_utils import which
 

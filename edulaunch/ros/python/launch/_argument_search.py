@@ -1,8 +1,8 @@
 """The static search for launch arguments, and the files that are loaded only to look inside.
 
-Upstream searches everything below a file when it is included, and so again at each level: quadratic in the
-depth. Here each file is looked into once within one visit, in which includes of any depth are executed one right after
-the other. A file that is really launched is always loaded anew.
+Upstream searches everything below a file when it is included, and again at each level, which is quadratic in the depth. Here each
+file is examined once within one visit, in which includes of any depth are executed one after the other. A launched file is always
+loaded again.
 """
 
 from __future__ import annotations
@@ -87,8 +87,8 @@ def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
 def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, look: Look) -> list[Finding]:
     """All below the entities; nothing is seen after a `ResetLaunchConfigurations`.
 
-    As upstream, only what stands directly in a conditional branch counts as conditional: the arguments of a file that is
-    included under a condition do not, and are checked even when the condition is false.
+    As upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
+    under a condition do not, and are checked even when the condition is false.
     """
     findings: list[Finding] = []
     for entity in entities:

@@ -12,8 +12,8 @@ from edulaunch.ros.read_only import ReadOnly as ReadOnly
 class StableRepr:
     """Python's default `repr` without the address.
 
-    Some of launch's error messages contain the `repr` of substitutions and actions. An address would make two
-    equal runs print different texts, so only its `0x` is left of it.
+    Some of launch's error messages contain the `repr` of substitutions and actions. An address would make two equal runs print
+    different messages, so only its `0x` remains.
     """
 
     def __repr__(self) -> str:

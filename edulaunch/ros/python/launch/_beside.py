@@ -1,7 +1,7 @@
-"""A launch that a plain script runs, beside what else goes on there: real threads, other tasks of an asyncio loop.
+"""A launch in a plain script, beside other running code: real threads, or other tasks of an asyncio loop.
 
-Alone, a launch lets simulated time run as fast as it can. Beside something that lives in real time and may call in (a
-`threading.Timer` that shuts the launch down, say) its time keeps pace with real time, a slice at a time.
+Alone, a launch runs simulated time as fast as possible. Other code in real time may call in, such as a `threading.Timer` that
+shuts the launch down. Beside such code, simulated time follows real time, a slice at a time.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ SLICE_S = 0.01
 
 
 class StartedThreads:
-    """Tells whether the script has started threads since this was made, and they still run."""
+    """Returns whether the script has started threads since this object was created, and they still run."""
 
     def __init__(self) -> None:
         self._before = {thread.ident for thread in threading.enumerate()} if is_plain_script() else None
@@ -44,7 +44,7 @@ class StartedThreads:
 def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run the loop until the task is done.
 
-    :raises SimulationError: when the task waits for something that nobody can bring about any more.
+    :raises SimulationError: when no code can end the wait of the task any more.
     """
     while not task.done():
         if not _has_run_alone(loop, task, threads.has_come):
@@ -78,13 +78,13 @@ async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[i
 
 
 def _is_notebook() -> bool:
-    """Whether a kernel runs the cells: an IPython that somebody in this program has made without one is no notebook."""
+    """Return whether a kernel runs the cells: an IPython object that the program has created without one does not count."""
     shell: Any = sys.modules.get('IPython')
     return shell is not None and hasattr(shell.get_ipython(), 'kernel')
 
 
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_others: Callable[[], bool]) -> bool:
-    """Run to the end in one go, when nobody else is there; False when somebody is."""
+    """Run to the end without a break if no other code runs; otherwise, return False."""
     if has_others():
         return False
     try:

@@ -111,9 +111,9 @@ def assumptions() -> Any:
 
 
 def absent_package(package: str) -> str | None:
-    """What a well-known package that is not here belongs to ('Gazebo'), where launch is to go on without it; else None.
+    """Return what a missing well-known package belongs to ('Gazebo'), if launch should continue without it; otherwise None.
 
-    A dry run does not go on: it is to find what is missing.
+    A dry run does not continue, because it should find what is missing.
     """
     process = running_process()
     return None if 'launch.assumptions' in process.state else process.index.absent(package)

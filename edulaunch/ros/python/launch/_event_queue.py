@@ -8,7 +8,7 @@ from typing import Any
 
 
 class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
-    """An asyncio queue that tells somebody when something was put in.
+    """An asyncio queue that calls a function when an event is added.
 
     :ivar on_put: called without arguments after each put, unless None.
     """

@@ -1,6 +1,6 @@
 """An error of a launch file as plain data: where in whose file it happened, and what is known besides its text.
 
-The errors themselves keep ROS's and Python's own texts; words are put on where somebody reads them (`edulaunch.advice`).
+The errors themselves keep the messages of ROS and Python. `edulaunch.advice` adds advice where a person reads them.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ CALL_LINES = 8
 
 
 def note_failure(error: BaseException, message: str) -> None:
-    """An error ended the launch, and `message` is going to be written: whoever reads it is told what to do.
+    """An error ended the launch, and `message` will be written; add advice for its readers.
 
-    The launch process's `state['launch.exceptions']` collects them; `state['launch.on_error']` can take the telling over.
+    The launch process's `state['launch.exceptions']` collects them; `state['launch.on_error']` can replace the report.
     """
     process = running_process()
     process.state.setdefault('launch.exceptions', []).append(error)
@@ -44,7 +44,7 @@ def note_failure(error: BaseException, message: str) -> None:
 def failure_data(error: BaseException, index: Index | None = None) -> dict[str, Any]:
     """`type`, `message`, `place` (in the student's own file) and `facts` of an error.
 
-    :param index: knows the student's own files; default: that of the running process.
+    :param index: knows the student's own files (default: that of the running process).
     """
     cause, place = root_cause(error), launch_origin(error)
     if place is not None:
@@ -133,7 +133,7 @@ def _about_file(path: str) -> dict[str, Any]:
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:
-    """The class whose constructor passes an argument on that nobody knows, and the arguments that there are."""
+    """Return the class whose constructor passes on an unknown argument, and the arguments that exist."""
     made = next((frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'), None)
     if made is None:
         return {}
@@ -158,7 +158,7 @@ def _names_in_call(error: BaseException, text: str) -> list[str]:
 
 
 def _not_a_text(error: BaseException, text: str) -> dict[str, Any]:
-    """Of a number, boolean or path where texts and substitutions are expected."""
+    """Return the facts for a number, boolean or path where strings and substitutions are expected."""
     if re.match(r"'(int|float|bool|PosixPath|WindowsPath)' object is not iterable", text):
         value = _local_of(error, 'subs')
     elif text.startswith('Failed to normalize given item of type'):

@@ -31,8 +31,8 @@ class Include(NamedTuple):
 def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> None:
     """Note that `file` is visited from now on, until the walk leaves the action that includes it.
 
-    Outside a walk nothing is noted, as nobody says when a file is left. A file may include itself as long as this comes
-    to an end: under a condition, say, with an argument that counts down.
+    Outside a walk nothing is recorded, because the end of a file is unknown there. A file may include itself if this ends, for
+    example under a condition with an argument that counts down.
 
     :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
     """

@@ -1,8 +1,8 @@
-"""Names of a package that are imported when somebody uses them first (PEP 562).
+"""Names of a package that are imported at first use (PEP 562).
 
-A launch file uses a handful of launch's ninety classes, each of which has a module of its own as in ROS 2. Importing all of them
-takes 30 ms, so the `__init__` of a package with many modules names them twice: below `TYPE_CHECKING` as plain imports, which
-editors and type checkers read, and in a table for :func:`late_names`. A test holds that the two say the same.
+A launch file uses a few of launch's ninety classes, each of which has its own module as in ROS 2. Importing all of them takes 30
+ms. So the `__init__` of a package with many modules lists them twice. Editors and type checkers read plain imports below
+`TYPE_CHECKING`, and :func:`late_names` reads a table. A test checks that both are equal.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Which line of which launch file made an action.
 
-ROS 2 does not know this; errors, `edulaunch doctor` and grades point there. It must cost next to nothing,
-because every action pays for it: two numbers are kept, and made readable only when somebody asks.
+ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must cost next to nothing, because every action pays
+for it. Two numbers are stored, and converted to a readable form on request.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 def caller_outside_launch(made: object) -> Place | None:
     """The place in the innermost running code that is neither ours nor the constructor of `made` itself.
 
-    What an action of ours makes while it is visited comes from where that action comes from.
+    An action that one of our actions creates during its visit has the origin of that action.
     """
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:

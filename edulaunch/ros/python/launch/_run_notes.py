@@ -34,7 +34,7 @@ def note_include(path: str) -> None:
 
 
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
-    """Arguments were given to an included file that declares no such argument; ROS 2 sets them in silence.
+    """A launch file passes arguments to an included file that does not declare them; ROS 2 sets them silently.
 
     They are kept in `launch.undeclared`.
     """

@@ -82,7 +82,7 @@ class Action(LaunchDescriptionEntity):
         """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would
         handle it.
 
-        An exception on its way out is told where this action was made, for the message that people see.
+        Add the place of this action to an exception on its way out, for the message that people see.
         """
         try:
             if self.__condition is not None and not self.__condition.evaluate(context):

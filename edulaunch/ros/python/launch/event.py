@@ -11,6 +11,6 @@ if TYPE_CHECKING:
 
 
 class Event(StableRepr):
-    """Something that happened, or that somebody wants to happen, in a running launch."""
+    """Something that happened, or that code requests, in a running launch."""
 
     name = 'launch.Event'

@@ -32,8 +32,7 @@ class Performed(Protocol):
 class LocalsView:
     """Reads a dictionary through attributes.
 
-    :raises AttributeError: for a name that is not in it, listing those that are; and on every attempt to set
-        one.
+    :raises AttributeError: for an unknown name, with a list of the known ones, and on every attempt to set one.
     """
 
     def __init__(self, values: dict[str, Any]) -> None:
@@ -52,7 +51,7 @@ class LocalsView:
 class LaunchContext:
     """Launch configurations, locals, environment, event handlers and waiting events of one launch.
 
-    :param argv: the command line arguments, for those who look at `argv`.
+    :param argv: the command line arguments, for code that reads `argv`.
     :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
     """
 
@@ -139,7 +138,7 @@ class LaunchContext:
         return {**self.__globals, **self.__locals}
 
     def local(self, name: str) -> Any:
-        """One local or global, None when there is none."""
+        """Return one local or global, or None for an unknown name."""
         return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
     def extend_globals(self, extensions: dict[str, Any]) -> None:

@@ -19,7 +19,7 @@ class LaunchDescriptionSource:
     """A launch description, or a launch file to load it from.
 
     :param launch_description: when it is known already.
-    :param location: path of the file; texts or substitutions. Relative paths start at the working directory.
+    :param location: path of the file, as strings or substitutions. Relative paths start at the working directory.
     :param method: how it is loaded, in words.
     """
 
@@ -53,7 +53,7 @@ class LaunchDescriptionSource:
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """The description, loaded at the first call.
 
-        :raises RuntimeError: when there is none, and no way to load it.
+        :raises RuntimeError: without a description, and without a way to load it.
         :raises Exception: whatever loading it raises.
         """
         if self.__expanded_location is None:

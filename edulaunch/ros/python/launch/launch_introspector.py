@@ -23,7 +23,7 @@ class LaunchIntrospector:
 
 
 def format_entities(entities: Iterable[Any]) -> list[list[str]]:
-    """For each entity its lines; the first describes it, the others stand below it."""
+    """Return the lines of each entity; the first line describes it, and the others are below it."""
     return [[_describe_action(entity), *_lines_below(entity)] for entity in entities]
 
 

@@ -62,8 +62,8 @@ class Done(Coroutine[Any, Any, None]):
 class LaunchService:
     """Visits launch descriptions, and handles events until nothing is left to do.
 
-    Time is that of the running simulation: in a simulated process :meth:`run` blocks only that process; in a
-    plain script it runs a simulation of its own. In a notebook both `run()` and `await run_async()` work.
+    Time is that of the running simulation. In a simulated process, :meth:`run` blocks only that process. In a plain script, it
+    runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
 
     :param argv: for `context.argv`.
     :param noninteractive: no terminal is attached, so ctrl-c must be passed on to the processes.
@@ -220,7 +220,7 @@ class LaunchService:
                 self.__report(error)
 
     def _is_idle(self) -> bool:
-        """Whether nothing is left to do; those who test launch ask for it by this name."""
+        """Return whether nothing is left to do; tests of launch use this name."""
         waiting = self.__context._completion_futures
         waiting[:] = [future for future in waiting if not future.done()]
         for future in waiting:

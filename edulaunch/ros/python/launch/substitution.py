@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Substitution(StableRepr):
-    """A text that is not known before launch time, such as the value of a launch configuration.
+    """A string that is known only at launch time, such as the value of a launch configuration.
 
     Subclasses give :meth:`perform`; :meth:`describe` is what `ros2 launch -s` shows.
     """

@@ -1,4 +1,4 @@
-"""Running launches up to their `ReadyToTest`, and the parts of tests, in simulated time; telling what waits for ever."""
+"""Run launches up to their `ReadyToTest`, and the parts of tests, in simulated time; report waits that never end."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any
 
 
 async def _settled(future: asyncio.Future[Any]) -> None:
-    """Wait for a future without taking over what it raises: asyncio ends the loop when that is no `Exception`."""
+    """Wait for a future without raising its exception: asyncio ends the loop for one that is not an `Exception`."""
     await asyncio.wait([future])
 
 
@@ -126,8 +126,8 @@ def launch_description_of(result: object, prefix: str) -> LaunchDescription:
 
 
 def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, prefix: str, shutdown_when_idle: bool) -> None:
-    """Run a description up to its `ReadyToTest`; one is added at its end when there is none. A service that runs already, for
-    another fixture of its scope, takes it in.
+    """Run a description up to its `ReadyToTest`, which is added at its end if missing. A service that already runs for another
+    fixture of its scope includes the description.
 
     :raises: pytest's failure when there are several, or the launch ends before.
     """

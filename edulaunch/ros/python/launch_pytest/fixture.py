@@ -1,4 +1,4 @@
-"""Fixtures that describe what to launch, and those that they bring with them."""
+"""Fixtures that describe what to launch, and the fixtures that they add."""
 
 from __future__ import annotations
 
@@ -78,9 +78,9 @@ def fixture(
 ) -> Any:
     """Make a fixture whose launch description is launched before the tests that use it.
 
-    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture, and
-    its module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own,
-    or some that live longer.
+    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture. Its
+    module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own, or some
+    with a longer life.
 
     :param shutdown_when_idle: launch ends when nothing is left to do.
     :param auto_shutdown: after the tests the launch is asked to end; else its end is waited for.

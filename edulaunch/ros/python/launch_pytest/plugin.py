@@ -76,7 +76,7 @@ def _has_two_parts(function: object) -> bool:
 
 
 def _complaint_about(mark: pytest.Mark, function: object) -> str | None:
-    """What is wrong with a mark `launch`; None: nothing."""
+    """Return the problem of a mark `launch`, or None."""
     fixture = mark.kwargs.get('fixture')
     if fixture is None:
         return '"fixture" keyword argument is required in a pytest.mark.launch() decorator'
@@ -119,7 +119,7 @@ def _second_part(first: pytest.Function) -> pytest.Function:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Among the tests that share one launch, those that come after its shutdown go to the places of the last ones."""
+    """Sort the tests of one launch: tests after its shutdown take the places of the last ones."""
     places: dict[Any, list[int]] = {}
     for place, item in enumerate(items):
         options = _options(item)
@@ -154,7 +154,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, Any, Any]
 def _run(item: pytest.Function, function: Any, **arguments: Any) -> None:
     """Run the function of an item, beside its launch or after it.
 
-    :raises: whatever the test raises, and pytest's failures of our own.
+    :raises: any exception of the test, and pytest's failures raised here.
     """
     __tracebackhide__ = True
     loop: Any = item.funcargs['event_loop']

@@ -21,7 +21,7 @@ _PATHS = 'launch_ros.parameter_files'
 
 
 class GeneratedFile:
-    """A text file that is read by name: simulated programs get what it says, real ones find it on the disk.
+    """A file that is read by name: simulated programs get its content, real ones find it on the disk.
 
     :param path: its name on command lines; see :func:`temporary_path`.
     """
@@ -34,7 +34,7 @@ class GeneratedFile:
 
     @property
     def text(self) -> str:
-        """What stands in it."""
+        """Return its content."""
         return self._text
 
     @property
@@ -74,7 +74,7 @@ class GeneratedFile:
 class GeneratedParameters(GeneratedFile):
     """The file of one dictionary of parameters.
 
-    :param node_key: what stands above the values: the node's full name, or `/**`.
+    :param node_key: the key above the values: the node's full name, or `/**`.
     """
 
     def __init__(self, path: str, node_key: str, values: Mapping[str, Any]) -> None:

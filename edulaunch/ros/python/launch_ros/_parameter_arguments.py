@@ -29,11 +29,11 @@ NO_NAMESPACE = '<node_namespace_unspecified>'
 class ParameterArguments:
     """The parameters of one node.
 
-    Generated files are only named here and left with the host, which tells simulated programs what is in them.
+    Generated files are only named here and left with the host, which passes their content to simulated programs.
 
     :param number: of the node's process; it keeps the files of equal nodes apart.
     :param node_name: the node's name as far as it is known.
-    :param node_key: what stands above the values in generated files: the node's full name, or `/**`.
+    :param node_key: the key above the values in generated files: the node's full name, or `/**`.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
     """
 
@@ -81,7 +81,7 @@ class ParameterArguments:
                 self._add_rule(context, written)
 
     def write_files(self) -> None:
-        """Put the generated files that :attr:`items` names on the disk, for somebody who looks."""
+        """Write the generated files that :attr:`items` names to the disk for a reader."""
         for file in self._generated:
             file.write()
 

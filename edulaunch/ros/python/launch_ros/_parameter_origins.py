@@ -29,8 +29,8 @@ SHORT_CALL = 12
 
 
 def key_lines(file: str, line: int) -> dict[str, int]:
-    """Text of each dictionary key in the call that begins on `line`, with the line it stands on (the last one,
-    when it is written more than once); empty when the file cannot be read.
+    """Return the source text of each dictionary key in the call that begins on `line`, with its line. For a repeated key, this is
+    the last line. The result is empty if the file cannot be read.
     """
     import linecache
 
@@ -84,7 +84,7 @@ class Given(NamedTuple):
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
     """What means the node of that name, in rcl's order: of two for one parameter the later one counts.
 
-    All that stands under one pattern comes where that pattern was met first; there a type counts before the order does.
+    Everything below one pattern moves to the first place of that pattern; there, a type counts before the order.
     """
     ranks: dict[str, int] = {}
     for one in given:
@@ -94,7 +94,7 @@ def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
 
 
 class ParameterOrigins(Mapping[str, str]):
-    """Parameter name -> origin, of the values that count and that no parameter file gives; found out when somebody asks.
+    """Return parameter name -> origin of the effective values that no parameter file sets; computed on request.
 
     :param in_force: gives everything that is given, as :func:`in_force` orders it.
     """

@@ -1,4 +1,4 @@
-"""What launch_ros adds to XML and YAML launch files, told to launch when it reads the first one."""
+"""The additions of launch_ros to XML and YAML launch files, which launch registers when it reads the first one."""
 
 from __future__ import annotations
 

@@ -23,11 +23,10 @@ _PLAIN = frozenset((str, bool, int, float))
 
 
 class ParameterValue:
-    """A value of a stated type, such as a robot description, which is a text whatever it looks like.
+    """A value of a stated type, such as a robot description, which is always a string.
 
     :param value: a literal, a substitution, or a list.
-    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for texts
-        of substitutions.
+    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for strings of substitutions.
     :raises TypeError: when a literal has not the type.
     """
 

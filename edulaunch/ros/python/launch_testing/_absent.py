@@ -21,7 +21,7 @@ ABSENT = {
     'ros': {
         'DataRepublisher': 'a subscription whose callback publishes does the same',
         'LaunchTestRunner': _RUNNING,
-        'tools': 'they filter the output of a middleware, which there is none of; compare with proc_output.assertWaitFor',
+        'tools': 'they filter the output of a middleware, which the simulation does not have; use proc_output.assertWaitFor',
     },
 }
 """Part of the tools -> name -> the advice of the ImportError that asking for it gives."""

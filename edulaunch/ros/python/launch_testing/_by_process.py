@@ -23,7 +23,7 @@ class _ByProcess(Generic[Recorded]):
         return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._recorded)
 
     def __getitem__(self, key: Any) -> Recorded:
-        """What was noted of an action, or of the first process with `key` in its name. Raises KeyError when there is none."""
+        """Return the records of an action, or of the first process with `key` in its name. Raise KeyError for an unknown one."""
         if isinstance(key, str):
             key = next((action for action in self._recorded if key in process_name(action)), key)
         return self._recorded[key]

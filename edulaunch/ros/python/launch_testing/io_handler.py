@@ -48,8 +48,8 @@ class ActiveIoHandler(IoHandler):
     ) -> bool:
         """Wait for output; False when it has not come after `timeout` simulated seconds.
 
-        :param expected_output: a text, a compiled regular expression, or a list of them that must come in this order.
-        :param process: an action, or part of a launch name; None: any process.
+        :param expected_output: a string, a compiled regular expression, or a list of them that must come in this order.
+        :param process: an action, or part of a launch name; None means any process.
         :param cmd_args: narrows a name down, see :func:`launch_testing.util.resolveProcesses`.
         :param stream: 'stdout' or 'stderr'; as in ROS 2 the default is stderr, where nodes log.
         :param options: those of :func:`launch_testing.asserts.assertInStream`.

@@ -1,4 +1,4 @@
-"""A launch test: a file with launches and their tests. It runs inside a simulated process, and somebody else makes that."""
+"""A launch test: a file with launches and their tests. It runs inside a simulated process, which other code creates."""
 
 from __future__ import annotations
 

@@ -15,9 +15,9 @@ RULE = '-' * 70
 
 
 class TestResult(unittest.TestResult):
-    """Collects the outcome of tests and tells each as `name ... ok`; durations are in simulated seconds.
+    """Collects the outcome of tests and prints each as `name ... ok`; durations are in simulated seconds.
 
-    :param write: is given what it tells.
+    :param write: called with each printed line.
     :ivar testTimes: seconds by test, in the order in which they were run.
     """
 
@@ -31,7 +31,7 @@ class TestResult(unittest.TestResult):
         self.notes: list[str] = []
 
     def note_failure(self, message: str) -> None:
-        """Something that is nobody's test went wrong."""
+        """Record an error outside any test."""
         self.notes.append(message)
 
     def wasSuccessful(self) -> bool:
@@ -97,7 +97,7 @@ class TestResult(unittest.TestResult):
         self._write('unexpected success\n')
 
     def addDuration(self, test: unittest.TestCase, elapsed: float) -> None:
-        """Real time, in which nobody here is interested."""
+        """Ignore real time, which is not needed here."""
 
     def problems(self) -> list[tuple[str, str, str]]:
         """(what, which test, text) of everything that went wrong."""
@@ -109,7 +109,7 @@ class TestResult(unittest.TestResult):
         ]
 
     def print_summary(self, seconds: float) -> None:
-        """Tell what went wrong, and how many tests there were."""
+        """Print the problems, and the number of tests."""
         for what, name, text in self.problems():
             self._write(f'\n{"=" * 70}\n{what}: {name}\n{RULE}\n{text.rstrip()}\n')
         self._write(f'\n{RULE}\nRan {self.testsRun} test{"" if self.testsRun == 1 else "s"} in {seconds:.3f}s\n\n')
@@ -117,12 +117,14 @@ class TestResult(unittest.TestResult):
 
 
 def is_pytest_outcome(error: BaseException) -> bool:
-    """Whether `pytest.skip()` or `pytest.fail()` raised it; these are no Exceptions, and hide where they come from."""
+    """Return whether `pytest.skip()` or `pytest.fail()` raised it; these are not Exceptions, and hide their origin."""
     return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
 
 
 def title(test: Any) -> str:
-    """A test's name as unittest tells it: `test_x (module.Class.test_x)`; the same on every version of Python."""
+    """Return a test's name in the form of unittest, `test_x (module.Class.test_x)`, which is the same on every version of
+    Python.
+    """
     if not isinstance(test, unittest.TestCase):
         return str(test)
     name = getattr(test, 'test_case', test).id()  # of a sub-test: that of its test

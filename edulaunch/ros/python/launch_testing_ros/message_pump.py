@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class MessagePump:
     """Spins a node in a thread of the test's process, until it is stopped; also usable in a `with` block.
 
-    :param context: the node's context; None: the default one.
+    :param context: the node's context; None means the default one.
     """
 
     def __init__(self, node: Node, timeout: float = 10, context: Context | None = None) -> None:

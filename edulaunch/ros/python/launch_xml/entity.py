@@ -94,8 +94,8 @@ class Entity(BaseEntity):
         )
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """The texts of two attributes of each child (typed: the second one converted), and its line, when no child has anything
-        else.
+        """Return the strings of two attributes of each child (typed: the second one converted), and its line, if no child has
+        anything else.
         """
         found: list[Pair] = []
         for child in self._element:
@@ -109,7 +109,7 @@ class Entity(BaseEntity):
         return found or None
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
-        """Those that are there, attributes before child elements, in the order of the file."""
+        """Return the existing ones, attributes before child elements, in the order of the file."""
         self.asked.update(attributes)
         found = [name for name in self._attributes if name in attributes]
         if children:
@@ -142,7 +142,7 @@ class Entity(BaseEntity):
             raise places.at(error, self) from None
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError for child elements, then for attributes, that nobody asked for."""
+        """Raise ValueError for unread child elements, then for unread attributes."""
         asked, asked_tags = self.asked, self._asked_tags
         if self._element and not self._children_asked:
             tags = list(dict.fromkeys([child.tag for child in self._element if child.tag not in asked_tags]))

@@ -1,7 +1,7 @@
 """From XML text to elements that know their line.
 
-Launch files come from strangers: nothing outside the text is ever read, no entity can be declared (none can
-be multiplied), and nesting has a limit.
+Launch files come from strangers. Nothing outside the text is ever read, no entity can be declared (so none can be multiplied),
+and nesting has a limit.
 """
 
 from __future__ import annotations

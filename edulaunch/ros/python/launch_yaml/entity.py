@@ -128,7 +128,7 @@ class Entity(BaseEntity):
         return found
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
-        """Those that are keys, in the order of the file."""
+        """Return the existing keys, in the order of the file."""
         self.asked.update(attributes, children)
         element = self._element
         return [name for name in element if name in attributes or name in children] if isinstance(element, dict) else []
@@ -145,7 +145,7 @@ class Entity(BaseEntity):
         return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError for keys, or for a list of child elements, that nobody asked for.
+        """Raise ValueError for unread keys, or for an unread list of child elements.
 
         :raises TypeError: Python's own text, as upstream, when there is nothing at all, not even an empty mapping.
         """
@@ -161,7 +161,7 @@ class Entity(BaseEntity):
 
 
 def _as_wanted(value: Any, data_type: Any) -> str | None:
-    """How a value is written that is of the type; None when nobody can say."""
+    """Return how to write a value of the type; None if that is unknown."""
     if data_type is str and isinstance(value, (int, float)):
         return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):

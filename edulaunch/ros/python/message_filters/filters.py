@@ -1,4 +1,4 @@
-"""Filters: where messages enter, a cache of the last ones, and those that pair messages of several topics by their stamps."""
+"""Filters: the entry of messages, a cache of the last ones, and filters that pair messages of several topics by their stamps."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Subscriber(SimpleFilter):
         self.signalMessage(msg)
 
     def getTopic(self) -> str:
-        """The topic, as it was given."""
+        """Return the topic as passed to the constructor."""
         return self.topic
 
     def __getattr__(self, key: str) -> Any:

@@ -37,7 +37,7 @@ class MessageFilter(SimpleFilter):
 
     :param buffer: a `tf2_ros.Buffer` that a listener fills.
     :param target_frame: one frame or several; all must be reachable.
-    :param queue_size: how many messages wait; the oldest is dropped. 0 is no limit.
+    :param queue_size: the number of messages that wait, the oldest of which is dropped first; 0 means no limit.
     :param node: whose logger names the dropped messages.
     :param f: the filter (mostly a Subscriber) whose messages are taken.
     """

@@ -11,7 +11,7 @@ _ABSENT = ('AsyncSubprocessProtocol', 'async_execute_process', 'execute_process'
 
 
 def get_loop() -> AbstractEventLoop:
-    """The asyncio loop of the running task; made, on simulated time, when there is none yet or it is closed."""
+    """Return the asyncio loop of the running task; it is created, on simulated time, if it is missing or closed."""
     from edulaunch.engine.processes import current_process
     from edulaunch.engine.sim.aio import new_event_loop
 
@@ -23,7 +23,7 @@ def get_loop() -> AbstractEventLoop:
 
 
 def which(cmd: str, mode: int = 1, path: str | None = None, **kwargs: object) -> str | None:
-    """As `shutil.which`: the path of a program on `path` (default: the PATH of the running process), or None."""
+    """Return the path of a program on `path` (default: the PATH of the running process), or None, as `shutil.which` does."""
     import shutil
 
     from edulaunch.engine.processes import current_process

@@ -1,4 +1,4 @@
-"""Texts without the colours of terminals."""
+"""Strings without the colours of terminals."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""part3_beyond_basics: what readers of the course build; here so that its launch files can be tried first."""
+"""part3_beyond_basics: The package that readers of the course build, included so that they can first try its launch files."""

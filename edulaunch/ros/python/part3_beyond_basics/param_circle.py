@@ -12,7 +12,7 @@ PERIOD_S = 0.1
 
 
 class ParamCircle(Node):
-    """Reads `radius` (metres) anew for each command, so that a change shows at once."""
+    """Reads `radius` (metres) again for each command, so that a change has an immediate effect."""
 
     def __init__(self) -> None:
         super().__init__('param_circle')

@@ -1,1 +1,1 @@
-"""rclcpp_components: Containers: programs that nodes are loaded into while they run."""
+"""rclcpp_components: Containers, which are programs that load nodes while they run."""

@@ -116,7 +116,7 @@ class ComponentManager(CppNode):
 
 
 def _options(request: Any) -> dict[str, Any]:
-    """The options of a Node that a request asks for. What the container was given on its command line is not passed on."""
+    """Return the options of a Node that a request describes. The container's own command line is not passed on."""
     rules = list(request.remap_rules)
     rules += [f'__node:={request.node_name}'] if request.node_name else []
     rules += [f'__ns:={request.node_namespace}'] if request.node_namespace else []

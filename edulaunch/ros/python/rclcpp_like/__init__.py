@@ -47,13 +47,13 @@ class CppError(Exception):
 
 
 class InvalidParameterType(CppError):
-    """A parameter was given, at start-up, a value of another type than the program declares."""
+    """A parameter has, at start-up, a value of another type than the program declares."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterTypeException'
 
 
 class InvalidParameterValue(CppError):
-    """A parameter was given, at start-up, a value outside its range."""
+    """A parameter has, at start-up, a value outside its range."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterValueException'
 
@@ -132,7 +132,7 @@ class CppNode(Node):
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
     def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
-        """A timer that goes by the machine's steady clock, so that it also fires while nobody publishes /clock."""
+        """A timer on the machine's steady clock, so that it also fires while no node publishes /clock."""
         return self.create_timer(period_s, callback, clock=self._steady_clock)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
@@ -188,8 +188,8 @@ class CppNode(Node):
 def run_program(main: Callable[[], int | None]) -> int:
     """Run `main` between rclpy's init and shutdown, and answer the exit code a C++ program would have.
 
-    Ctrl-C is said in the log and ends the program well. An exception that C++ has too is printed the way its
-    runtime does, and aborts (signal 6).
+    Ctrl-C is logged and ends the program normally. An exception that C++ has, too, is printed as by its runtime, and aborts
+    (signal 6).
     """
     try:
         rclpy.init()

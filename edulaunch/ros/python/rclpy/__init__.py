@@ -133,7 +133,7 @@ def create_node(
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Execute one callback of the node, or wait until `timeout_sec` is over (None: for ever; 0: do not wait)."""
+    """Execute one callback of the node, or wait until `timeout_sec` is over (None means forever, 0 means no wait)."""
     executor = _spinning_executor(executor, node, 'spin_once')
     added = executor.add_node(node)
     try:

@@ -28,7 +28,7 @@ class NodeNameNonExistentError(RCLError):
 
 
 class UnsupportedEventTypeError(RCLError):
-    """An event callback was given for an event that the middleware does not have."""
+    """An event callback is for an event that the middleware does not have."""
 
 
 class NotImplementedByRMWError(Exception):

@@ -24,7 +24,9 @@ POLL_NS = 250_000_000
 
 
 class Asker(Entity):
-    """What clients of services and of actions share: they wait for a server and for answers; facts tell of waits in vain."""
+    """The common part of service and action clients: they wait for a server and for answers, and record waits in vain as
+    facts.
+    """
 
     _waited_ns = 0
 
@@ -67,7 +69,9 @@ class Asker(Entity):
 def while_looking(
     context: Context, is_ready: Callable[[], bool], timeout_sec: float | None, looked: Callable[[], object] = lambda: None
 ) -> None:
-    """Look each 0.25 s until it is ready, the time is over (None: never) or the context ends; `looked()` after each wait."""
+    """Check every 0.25 s until it is ready, the time is over (None means never) or the context ends; call `looked()` after
+    each wait.
+    """
     left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
     task = current_task()
     while context.alive and not is_ready() and left > 0.0:
@@ -77,7 +81,7 @@ def while_looking(
 
 
 def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
-    """Park until a future is done or the time is over (None: never); whether it is done. Some other thread must spin."""
+    """Park until a future is done or the time is over (None means never); return whether it is done. Another thread must spin."""
     task = current_task()
     future.add_done_callback(lambda _: task.wake())
     deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
@@ -112,7 +116,7 @@ class Client(ServiceEnd, Asker):
         self._lost_recorded = False
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
+        """Send a request and wait for the reply. Another thread must spin; inside a callback, it waits forever.
 
         :param timeout_sec: give up after this many simulated seconds and return None, as Jazzy does.
         :raises TypeError: for a request of another class.
@@ -194,7 +198,7 @@ class Client(ServiceEnd, Asker):
         return self.endpoint.server_is_ready()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        """Wait for a server, checking every 0.25 s as rclpy does; None waits forever. Return whether one exists."""
         check_alive(self.endpoint)
         self.await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
         return self.service_is_ready()

@@ -1,4 +1,4 @@
-"""Clocks. All of them tell simulated time; ROS time can be taken over by /clock (`use_sim_time`)."""
+"""Clocks. All of them have simulated time; /clock can control ROS time (`use_sim_time`)."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class JumpThreshold:
 
 
 class TimeJump:
-    """A time jump as a callback is told of it."""
+    """A time jump in the form that callbacks receive."""
 
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
         if not isinstance(clock_change, ClockChange):
@@ -169,13 +169,13 @@ class Clock:
         pre_callback: Callable[[], object] | None = None,
         post_callback: Callable[[TimeJump], object] | None = None,
     ) -> JumpHandle:
-        """Be told before and after time jumps."""
+        """Call functions before and after time jumps."""
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
-        """Wait until this clock tells `until`.
+        """Wait until this clock reaches `until`.
 
-        While /clock rules, it is always a message of /clock that ends the wait, even for a time that is over (as the real one).
+        While /clock controls it, only a message of /clock ends the wait, even for a time that is over (as in ROS 2).
 
         :returns: False when the context ended or the time source changed before that.
         :raises NotInitializedException: before init.
@@ -225,14 +225,14 @@ class ROSClock(Clock):
         return self.override_ns is not None
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
-        """Let /clock rule, from the time told last on (0 at first), or not any more."""
+        """Start to follow /clock, from its last time (0 at first), or stop."""
         if enabled == self.ros_time_is_active:
             return
         change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
         self._jump(change, self._told_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Let it be `time`, at once or as soon as /clock rules. Raises TypeError when `time` is none."""
+        """Set the time to `time`, immediately or when /clock takes control. Raise TypeError for another type."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
         self._told_ns = time.nanoseconds

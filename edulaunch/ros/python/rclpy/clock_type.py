@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class ClockType(IntEnum):
-    """Which time a clock tells. In a simulation all three are simulated time; ROS time can follow /clock as well."""
+    """The time of a clock. In a simulation, all three are simulated time; ROS time can also follow /clock."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1

@@ -193,7 +193,7 @@ def _log(severity: int, words: str) -> None:
 
 
 def _default_domain_id(text: str) -> int:
-    """The number at the start of `ROS_DOMAIN_ID`, as C reads it; 0 if it is empty. Raises RCLError when there is none."""
+    """Return the number at the start of `ROS_DOMAIN_ID`, as C reads it; 0 if it is empty. Raise RCLError without a number."""
     words = text.strip()
     end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
     if words and not end:

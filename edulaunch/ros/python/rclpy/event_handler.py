@@ -205,11 +205,11 @@ class _EventCallbacks:
 
 
 def _never_called(info: Any) -> None:
-    """The default callback for another type on the topic, of which Fast DDS does not tell."""
+    """The default callback for another type on the topic, which Fast DDS does not report."""
 
 
 def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
-    """A count whose changes are told to the callback, on the executor's turn."""
+    """A count whose changes are passed to the callback, on the executor's turn."""
     count = Count(make_info, lambda: handler.ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count

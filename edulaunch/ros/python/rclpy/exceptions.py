@@ -1,4 +1,4 @@
-"""Exceptions that rclpy raises, with ROS 2 Jazzy's texts."""
+"""Exceptions that rclpy raises, with ROS 2 Jazzy's messages."""
 
 from __future__ import annotations
 

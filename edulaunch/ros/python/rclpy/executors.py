@@ -42,7 +42,7 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
-    """Executes callbacks in up to `num_threads` threads: one that blocks lets those of other groups go on.
+    """Executes callbacks in up to `num_threads` threads: one that blocks lets callbacks of other groups continue.
 
     Threads are simulated: nothing is preempted, and the order is the same in every run.
     """
@@ -107,7 +107,7 @@ class MultiThreadedExecutor(Executor):
             self._ending.park()
 
     def _work_off(self) -> None:
-        """What each thread does: take jobs, park when there are none; a real thread, which looks again by itself, ends with the
+        """The loop of each thread: take jobs, and park without one. A real thread, which checks again by itself, ends with the
         executor.
         """
         thread = current_task()

@@ -195,7 +195,7 @@ def _refuse_setting(name: str, made: property) -> property:
 
 
 def _finish_node_class() -> None:
-    """Let Python's errors name the class Node, whatever file a method stands in, and explain `self.timers = []`."""
+    """Let Python's errors name the class Node, whatever file defines a method, and explain `self.timers = []`."""
     for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
         for name, member in list(vars(part).items()):
             if isinstance(member, FunctionType):

@@ -1,4 +1,4 @@
-"""Parameters: a name, a type, a value; and their message and YAML forms."""
+"""Parameters with a name, a type and a value, and their message and YAML forms."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class ParameterType(Enum):
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
-        """The type that a value has: bool before int; an empty list is a BYTE_ARRAY.
+        """Return the type of a value. A bool counts before an int, and an empty list is a BYTE_ARRAY.
 
         :raises TypeError: when no parameter can hold the value.
         """
@@ -64,7 +64,7 @@ class Parameter:
 
     :param name: its name.
     :param type_: its type; taken from the value when None.
-    :raises TypeError: when no parameter can hold the value, or `type_` is no `Parameter.Type`.
+    :raises TypeError: when no parameter can have the value, or `type_` is not a `Parameter.Type`.
     :raises ValueError: when type and value do not agree.
     """
 
@@ -96,7 +96,7 @@ class Parameter:
     value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
     def get_parameter_value(self) -> ParameterValue:
-        """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
+        """Return it as rcl_interfaces/ParameterValue, with the value in the field of its type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
 
         number = self._type_.value
@@ -126,7 +126,7 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """What a text means as YAML 1.1 (`off` is a bool, `5` an integer): what `ros2 param set` does with its value.
+    """Read a string as YAML 1.1 (`off` is a bool, `5` an integer), as `ros2 param set` does with its value.
 
     An empty list is one of bools; what YAML cannot parse or no parameter can hold stays text.
 
@@ -158,8 +158,8 @@ def parameter_dict_from_yaml_file(
 
     :param use_wildcard: whether entries under `/**` count.
     :param target_nodes: the full names of the nodes that count; None for all of the file.
-    :raises RuntimeError: when the file lacks one of them, or is no parameter file.
-    :raises AttributeError: when it is no mapping.
+    :raises RuntimeError: when the file lacks one of them, or is not a parameter file.
+    :raises AttributeError: when it is not a mapping.
     """
     import yaml
 

@@ -1,4 +1,4 @@
-"""Being told when parameters of any node change."""
+"""Call functions when parameters of any node change."""
 
 from __future__ import annotations
 

@@ -89,8 +89,8 @@ class Publisher(TopicEnd):
     def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
         """Whether all messages were received: delivery takes no time, so always True.
 
-        :param timeout: how long to wait; a negative one is for ever.
-        :raises AttributeError: when it is no Duration.
+        :param timeout: how long to wait; a negative value means forever.
+        :raises AttributeError: when it is not a Duration.
         :raises RCLError: after shutdown.
         """
         check_endpoint(self.endpoint, self.context, 'Failed to wait for all acknowledgements: publisher')

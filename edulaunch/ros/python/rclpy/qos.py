@@ -1,4 +1,4 @@
-"""Quality of service: profiles and policies; and, by way of `qos_compatibility`, whether two profiles suit each other."""
+"""Quality of service: profiles and policies. `qos_compatibility` checks whether two profiles are compatible."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ _DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
 class QoSProfile:
     """Quality of service of one endpoint.
 
-    Give `depth`, `history`, or both; `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0: none).
+    Give `depth`, `history`, or both. `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0 means none).
 
     :raises InvalidQoSProfileException: without history and depth, or with KEEP_LAST and no depth.
     :raises AssertionError: for an unknown keyword or a value of the wrong type.
@@ -195,7 +195,7 @@ for _name in _DEFAULTS:
 
 
 def engine_qos(profile: QoSProfile, side: str = 'publisher') -> QoS:
-    """The resolved profile that the graph works with. System defaults are Fast DDS's: depth 1; publishers are reliable and
+    """Return the resolved profile for the graph. System defaults are those of Fast DDS, with depth 1: publishers are reliable and
     transient local, subscriptions best effort and volatile.
     """
     history: Any
@@ -225,8 +225,8 @@ def _finite_ns(duration: Duration) -> int:
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:
-    """The profile of an endpoint of the graph, as graph queries show it: unlimited durations are infinite, and the history,
-    which DDS does not tell others, is unknown.
+    """Return the profile of an endpoint in the form of graph queries. Unlimited durations are infinite, and the history, which
+    DDS does not announce, is unknown.
     """
 
     def duration(nanoseconds: int) -> Duration:

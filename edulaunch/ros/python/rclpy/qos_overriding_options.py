@@ -29,7 +29,7 @@ class QoSOverridingOptions:
 
     :param policy_kinds: the policies.
     :param callback: may refuse the resulting profile.
-    :param entity_id: tells apart several endpoints of one topic in one node.
+    :param entity_id: distinguishes several endpoints of one topic in one node.
     """
 
     def __init__(

@@ -46,7 +46,7 @@ def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
 
 
 def _has_one_size(message_type: Any) -> bool:
-    """Whether a type has neither texts nor sequences."""
+    """Return whether a type has neither strings nor sequences."""
     return all(
         rule.type.array in ('', 'fixed') and (_has_one_size(rule.message) if rule.message else rule.kind.python is not str)
         for rule in rules_of(message_type).values()

@@ -63,7 +63,7 @@ class Service(ServiceEnd, Entity):
     def send_response(self, response: Any, header: RequestId) -> None:
         """Answer one request.
 
-        :raises TypeError: when `response` is no response of this service (a callback that forgot `return response`).
+        :raises TypeError: when `response` is not a response of this service (a callback without `return response`).
         """
         response_type = self.srv_type.Response
         if not isinstance(response, response_type):

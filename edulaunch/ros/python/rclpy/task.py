@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class _UnfetchedException:
-    """Lives as long as a future whose exception nobody has asked for, and then tells of it.
+    """Lives as long as a future whose exception was never read, and then reports it.
 
     Not in the future itself: hardly any needs it, and an object with a `__del__` costs more to make and to drop.
     """
@@ -34,7 +34,7 @@ class _UnfetchedException:
 
 
 class Future:
-    """The outcome of something that goes on: a service call, a goal, a task.
+    """The outcome of running work: a service call, a goal, a task.
 
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
     """
@@ -72,7 +72,7 @@ class Future:
         return get_running_loop()
 
     def cancel(self, msg: object = None) -> None:
-        """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
+        """Request the end, if it is not done. This does not make it done, but ends all waits for it: `await` returns None."""
         if not self._done:
             self._cancelled = self.ended = True
             self._over()
@@ -105,7 +105,7 @@ class Future:
             note_wait('look', source)
 
     def result(self) -> Any:
-        """The result, None while there is none; raises the exception when it ended with one."""
+        """Return the result, or None before it is done; raise the exception if it ended with one."""
         if self._exception is not None:
             raise self._fetched(self._exception)
         if not self._done:
@@ -174,7 +174,7 @@ class Future:
     def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
         """Call `callback(future)` when it is done or cancelled, or soon if it is that already.
 
-        :param context: given by an asyncio task that awaits this: its loop is told then.
+        :param context: given by an asyncio task that awaits this; its loop is notified then.
         """
         if context is not None:
             loop, function = self.get_loop(), callback
@@ -301,6 +301,6 @@ def is_coroutine_function(function: Any) -> bool:
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Call a function, or await what an `async def` one gives: for executors and waitables of one's own."""
+    """Call a function, or await the result of an `async def` one, for custom executors and waitables."""
     result = callback(*args)
     return await result if is_coroutine_function(callback) else result

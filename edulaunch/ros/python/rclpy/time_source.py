@@ -24,7 +24,7 @@ NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 class TimeSource:
     """Passes /clock on to the clocks that are attached, while it is active: a node's parameter use_sim_time says when that is.
 
-    :param node: whose parameter it watches and which hears /clock; it may be attached later.
+    :param node: whose parameter it watches and which subscribes to /clock; it may be attached later.
     """
 
     def __init__(self, *, node: NodeProtocol | None = None) -> None:
@@ -54,9 +54,9 @@ class TimeSource:
             self._unsubscribe()
 
     def attach_node(self, node: NodeProtocol) -> None:
-        """Hear /clock through this node and obey its parameter use_sim_time, which is declared if need be.
+        """Subscribe to /clock through this node and follow its parameter use_sim_time, which is declared if necessary.
 
-        :raises TypeError: when it is no node.
+        :raises TypeError: when it is not a node.
         """
         if not is_node(node):
             raise TypeError('Node must be of type rclpy.node.Node')
@@ -75,7 +75,7 @@ class TimeSource:
             self._subscribe()
 
     def detach_node(self) -> None:
-        """Hear /clock and obey a parameter no more. The clocks stay as they are."""
+        """Stop following /clock and the parameter. The clocks do not change."""
         self._unsubscribe()
         if self._node is not None:
             self._node.remove_on_set_parameters_callback(self._on_parameter_event)

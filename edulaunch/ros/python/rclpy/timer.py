@@ -26,7 +26,7 @@ class Timer(TimedEntity):
     A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
-    :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock can tell.
+    :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock knows it.
     """
 
     category = TIMER
@@ -86,7 +86,7 @@ class Timer(TimedEntity):
         self.ready_list.notify()
 
     def clock_jumped(self, before_ns: int, source_changed: bool) -> None:
-        """As rcl: a forward jump past the grid point makes it ready once, a backward jump starts anew.
+        """As in rcl, a forward jump past the grid point makes it ready once, and a backward jump starts it again.
 
         A new source takes over what was left to wait as if it were what had passed (rcl's way); time 0 counts as unknown.
         """
@@ -140,7 +140,7 @@ class Timer(TimedEntity):
         self._plan()
 
     def reset(self) -> None:
-        """Begin anew: the next call is one period from now."""
+        """Start again: the next call is one period from now."""
         self._check()
         self._canceled = False
         self._next_ns = self._clock.now_ns() + self._period_ns
@@ -198,13 +198,13 @@ class Rate:
             task.wake()
 
     def destroy(self) -> None:
-        """End; whoever sleeps is woken."""
+        """End, and wake the sleeping threads."""
         self._is_destroyed = True
         self._on_call()
         self.timer.destroy()
 
     def sleep(self) -> None:
-        """Wait for a call of the timer; one that came while nobody slept ends it at once, as in ROS 2.
+        """Wait for a call of the timer; a call before the wait ends it immediately, as in ROS 2.
 
         :raises ROSInterruptException: when ROS 2 is shut down before that.
         :raises RuntimeError: when the rate was destroyed before; one that is destroyed meanwhile only wakes.

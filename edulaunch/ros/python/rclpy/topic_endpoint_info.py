@@ -1,4 +1,4 @@
-"""What graph queries tell about one publisher or subscription."""
+"""The information of graph queries about one publisher or subscription."""
 
 from __future__ import annotations
 

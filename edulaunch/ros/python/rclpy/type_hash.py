@@ -8,7 +8,7 @@ HASH_SIZE = 32
 class TypeHash:
     """The hash of a type: a version, and 32 bytes. As text `RIHS01_...`, or INVALID without version or with other than 32 bytes.
 
-    :raises AssertionError: for a version that is no int, or a value that is no bytes.
+    :raises AssertionError: for a version that is not an int, or a value that is not bytes.
     """
 
     __slots__ = ('_version', '_value')

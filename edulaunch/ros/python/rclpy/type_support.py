@@ -12,7 +12,7 @@ from edulaunch.ros.passed_on import passed_on
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
-    """Raise AttributeError, with ROS 2's hint, for anything that is no interface class."""
+    """Raise AttributeError, with ROS 2's hint, for an object that is not an interface class."""
     if not isinstance(getattr(msg_or_srv_type, 'TYPE', None), str):
         raise AttributeError(
             f"type object '{type(msg_or_srv_type).__name__}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type "

@@ -52,7 +52,7 @@ def remove_ros_args(args: list[str] | None = None) -> list[str]:
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """A timeout as the wait set wants it: -1 (wait for ever) for None or a negative number, 0 (do not wait) for 0."""
+    """Return a timeout in the form of the wait set: -1 (wait forever) for None or a negative number, 0 (do not wait) for 0."""
     if timeout_sec is None or timeout_sec < 0:
         return -1
     return int(float(timeout_sec) * S_TO_NS)

@@ -20,7 +20,7 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """Wait for the next message of a topic; the node need not be spun.
 
-    :param time_to_wait: simulated seconds, or -1 for ever.
+    :param time_to_wait: simulated seconds, or -1 for no limit.
     :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down meanwhile.
     :raises RCLError: when ROS 2 was shut down before.
     """

@@ -42,15 +42,15 @@ class NumberOfEntities:
 
 
 class WaitSet:
-    """What `add_to_wait_set` and `is_ready` are given. There are no C handles here that could be added to it."""
+    """The argument of `add_to_wait_set` and `is_ready`. It has no C handles."""
 
     def __getattr__(self, name: str) -> Any:
         raise with_facts(AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}'), 'programs.wait-set')
 
 
 class Waitable(Entity):
-    """Base of waitables. A subclass overrides `is_ready`, `take_data` and `execute`; it is asked in each wait of its executor,
-    so something else that happens (a timer, a message) has to end the wait.
+    """The base class of waitables. A subclass overrides `is_ready`, `take_data` and `execute`. Each wait of its executor checks
+    it, so another event (a timer, a message) has to end the wait.
     """
 
     category = WAITABLE

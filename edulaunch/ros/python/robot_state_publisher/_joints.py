@@ -65,7 +65,7 @@ class Joint(NamedTuple):
 def read_joints(description: str) -> list[Joint]:
     """The joints of a URDF text, in its order.
 
-    :raises ValueError: it is no robot description; with the parser's text.
+    :raises ValueError: it is not a robot description; with the parser's message.
     :raises SystemExit: when the parser is not installed, which ends the program with a message.
     """
     if find_spec('urdf_parser_py') is None:

@@ -1,7 +1,8 @@
-"""The programs robot_state_publisher, which tells tf where the links of a robot are, and xacro."""
+"""The programs robot_state_publisher, which publishes the transforms of a robot's links, and xacro."""
 
 from __future__ import annotations
 
+import os
 import sys
 from importlib.util import find_spec
 from typing import Any
@@ -18,6 +19,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
+from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import MissingExtra
 from robot_state_publisher._joints import Joint, read_joints
 
@@ -75,7 +77,7 @@ class RobotStatePublisher(CppNode):
             self._fixed.sendTransform(fixed)
 
     def _on_joint_states(self, state: JointState) -> None:
-        """Publish the joints of the message and those that mimic them, unless that was done too short a time ago."""
+        """Publish the joints of the message and the joints that mimic them, unless the last time was too recent."""
         if len(state.name) != len(state.position):
             text = 'Robot state publisher ignored a JointState message about joint(s) with mismatched sizes of name and position'
             self.get_logger().error(text) if state.position else None
@@ -120,7 +122,7 @@ def _work() -> None:
         rclpy.spin(RobotStatePublisher())
         return
     try:
-        with open(files[0], encoding='utf-8') as file:
+        with open(_from_here(files[0]), encoding='utf-8') as file:
             rclpy.spin(RobotStatePublisher(file.read()))
     except OSError as error:
         raise CppError(f'{files[0]}: {error.strerror}') from None
@@ -130,13 +132,18 @@ main = program(_work)
 
 
 BANNER = 4
-"""So many comments of its own the library puts before a description."""
+"""The library puts this many comments before a description."""
+
+
+def _from_here(path: str) -> str:
+    """Return a path from the folder of the terminal, because this module and the library share the machine's folder."""
+    return os.path.join(current_process().cwd or '', path)
 
 
 def run_xacro() -> int:
-    """The program xacro: prints a robot description with its macros filled in by the library of that name.
+    """Run the program xacro: print a robot description after the library of that name has expanded its macros.
 
-    `xacro FILE name:=value ... [-o OUT]`; 2 for a file that it cannot fill in.
+    `xacro FILE name:=value ... [-o OUT]` returns 2 for a file that the library cannot expand.
     """
     if find_spec('xacro') is None:
         raise SystemExit(str(MissingExtra('the program xacro', 'the Python package xacro', 'urdf')))
@@ -144,7 +151,7 @@ def run_xacro() -> int:
 
     options, file = xacro.process_args(sys.argv[1:])
     try:
-        document = xacro.process_file(file, **vars(options))
+        document = xacro.process_file(_from_here(file), **vars(options))
         for _ in range(BANNER):  # comments with the path of the file, which is another on each machine
             document.removeChild(document.firstChild)
         text = document.toprettyxml(indent='  ')
@@ -154,6 +161,6 @@ def run_xacro() -> int:
     if options.output is None:
         print(text, end='')
         return 0
-    with open(options.output, 'w', encoding='utf-8') as out:
+    with open(_from_here(options.output), 'w', encoding='utf-8') as out:
         out.write(text)
     return 0

@@ -14,7 +14,7 @@ def message_to_ordereddict(
     """The message as dictionaries, lists, numbers and strings, fields in their order.
 
     :param truncate_length: how many items of an array and characters of a string are kept; the rest becomes `...`.
-    :param no_arr: whether arrays are replaced by their type and length; `no_str`: the same of strings.
+    :param no_arr: whether arrays are replaced by their type and length; `no_str` does the same for strings.
     """
     ordered: OrderedDict[str, Any] = _ordered(message_dict(msg, Shortening(truncate_length, no_arr, no_str)))
     return ordered

@@ -40,7 +40,7 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 def get_interface_path(interface_name: str) -> str:
     """The file of 'pkg/msg/Name'.
 
-    :raises ValueError: when the name has another form; LookupError: when there is no such interface.
+    :raises ValueError: when the name has another form; LookupError for an unknown interface.
     """
     parts = interface_name.removesuffix('.msg').removesuffix('.srv').removesuffix('.action').split('/')
     if len(parts) != 3 or not all(parts):

@@ -12,6 +12,6 @@ from rosidl_runtime_py.utilities import get_interface
 def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
     """The class that an entry of `SLOT_TYPES` stands for.
 
-    :raises ModuleNotFoundError, AttributeError: when there is none, as `rosidl_runtime_py.utilities.get_interface`.
+    :raises ModuleNotFoundError, AttributeError: for an unknown message, as in `rosidl_runtime_py.utilities.get_interface`.
     """
     return get_interface('/'.join((*message_type.namespaces, message_type.name)))

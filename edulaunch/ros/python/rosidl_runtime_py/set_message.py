@@ -17,10 +17,10 @@ def set_message_fields(
 
     :param msg: the message, changed in place.
     :param values: field name -> value; dictionaries for nested messages, lists for arrays.
-    :param expand_header_auto: whether 'auto' for a header means a header that is stamped later; `expand_time_now`: whether
-        'now' means that of a time.
+    :param expand_header_auto: whether 'auto' for a header means a header that is stamped later; `expand_time_now` does the same
+        for 'now' as a time.
     :returns: what is to be stamped, as functions that take a Time.
-    :raises TypeError: when `values` is no dictionary.
+    :raises TypeError: when `values` is not a dictionary.
     :raises AttributeError: when the message has no field of that name.
     :raises ValueError: when a value cannot be converted.
     """

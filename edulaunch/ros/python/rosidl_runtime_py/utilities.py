@@ -73,7 +73,7 @@ def is_action(interface: Any) -> bool:
 def get_message(identifier: str) -> Any:
     """The class of a message; 'pkg/Name' will do.
 
-    :raises ValueError: when it is no message; else as :func:`get_interface`.
+    :raises ValueError: when it is not a message; otherwise, as in :func:`get_interface`.
     """
     return _of_kind(identifier, 'msg', 'message', is_message)
 
@@ -81,7 +81,7 @@ def get_message(identifier: str) -> Any:
 def get_service(identifier: str) -> Any:
     """The class of a service; 'pkg/Name' will do.
 
-    :raises ValueError: when it is no service; else as :func:`get_interface`.
+    :raises ValueError: when it is not a service; otherwise, as in :func:`get_interface`.
     """
     return _of_kind(identifier, 'srv', 'service', is_service)
 
@@ -89,7 +89,7 @@ def get_service(identifier: str) -> Any:
 def get_action(identifier: str) -> Any:
     """The class of an action; 'pkg/Name' will do.
 
-    :raises ValueError: when it is no action; else as :func:`get_interface`.
+    :raises ValueError: when it is not an action; otherwise, as in :func:`get_interface`.
     """
     return _of_kind(identifier, 'action', 'action', is_action)
 

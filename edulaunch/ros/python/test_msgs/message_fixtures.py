@@ -1,4 +1,4 @@
-"""Messages of `test_msgs` with telling values: `get_test_msg('BasicTypes')` gives some of each corner of a type's range."""
+"""Messages of `test_msgs` with useful test values: `get_test_msg('BasicTypes')` covers the limits of each type's range."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ def nanoseconds(value: Any, name: str = 'time') -> int:
 
 
 class TransformException(Exception):
-    """Base of all tf2 exceptions: no transform could be given."""
+    """The base class of all tf2 exceptions: no transform is available."""
 
     __module__ = 'tf2'
 
@@ -228,7 +228,7 @@ class BufferCore:
             raise exception_of(failure) from None
 
     def all_frames_as_yaml(self) -> str:
-        """All frames with parent, rate and span, as YAML text; `[]` when there are none."""
+        """Return all frames with parent, rate and span, as YAML text; `[]` without frames."""
         return self._tf.all_frames_as_yaml()
 
     def all_frames_as_string(self) -> str:

@@ -42,7 +42,7 @@ class FailedLookups:
     def note(
         self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str, waited_s: float = 0.0
     ) -> None:
-        """There was no answer; `kind` is that of the failure, `text` tf2's own; `waited_s` the time limit it had."""
+        """There was no answer. `kind` is the kind of failure, `text` tf2's own message, and `waited_s` the time limit."""
         process = current_process()
         self.pairs.add((target, source))
         names = buffer.frame_names()
@@ -80,8 +80,7 @@ class Buffer(BufferCore, BufferInterface):
     Jazzy.
 
     :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
-    :param node: when given, the node offers the service `tf2_frames`, and its clock tells of jumps back in
-        time.
+    :param node: if a node is passed, it offers the service `tf2_frames`, and its clock reports jumps back in time.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
@@ -111,7 +110,7 @@ class Buffer(BufferCore, BufferInterface):
         self.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform, and look again at what somebody is waiting for."""
+        """Add a transform, and check the waiting lookups again."""
         BufferCore.set_transform(self, transform, authority)
         if self.new_data_callbacks:
             self._call_new_data_callbacks()
@@ -125,7 +124,7 @@ class Buffer(BufferCore, BufferInterface):
             self._call_new_data_callbacks()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Add a static transform, and look again at what somebody is waiting for."""
+        """Add a static transform, and check the waiting lookups again."""
         BufferCore.set_transform_static(self, transform, authority)
         if self.new_data_callbacks:
             self._call_new_data_callbacks()
@@ -200,7 +199,7 @@ class Buffer(BufferCore, BufferInterface):
     def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: object) -> tuple[int, str]:
         """Ask every 20 ms of simulated time until the answer is yes or the timeout is over.
 
-        :raises TypeError: the timeout is no rclpy Duration, which ROS 2 notices when it adds it to the time.
+        :raises TypeError: the timeout is not an rclpy Duration, which ROS 2 notices when it adds it to the time.
         """
         if not isinstance(timeout, Duration):
             error = TypeError(f"unsupported operand type(s) for +: 'Time' and '{type(timeout).__name__}'")
@@ -268,7 +267,7 @@ class Buffer(BufferCore, BufferInterface):
 
 
 def wire_receiver(buffer: Any, authority: str) -> Callable[[tuple[Any, ...]], None] | None:
-    """What puts the wire of a TFMessage into the buffer; None when somebody gave the buffer a `set_transform` of their own."""
+    """Return the function that puts the wire of a TFMessage in the buffer; None if a program has replaced `set_transform`."""
     if type(buffer).set_transform is not Buffer.set_transform or 'set_transform' in vars(buffer):
         return None
     set_wire = buffer._set_wire

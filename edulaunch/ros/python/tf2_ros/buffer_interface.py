@@ -64,7 +64,7 @@ class TransformRegistration:
     def get(self, key: Key) -> Callable[..., Any]:
         """The function for a type.
 
-        :raises TypeException: there is none.
+        :raises TypeException: the object has no such conversion.
         """
         return _find('transform', key)
 
@@ -85,7 +85,7 @@ class ConvertRegistration:
         _own('convert')[key] = callback
 
     def get_from_msg(self, key: Key) -> Callable[..., Any]:
-        """Raises TypeException when there is none, as the other getters do."""
+        """Raise TypeException if the object has no such conversion, as the other getters do."""
         return _find('from_msg', key)
 
     def get_to_msg(self, key: Key) -> Callable[..., Any]:
@@ -120,7 +120,7 @@ class BufferInterface:
     def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None) -> Any:
         """The object in another frame, at the time of its own stamp (0: the latest).
 
-        :raises TypeException: nobody registered the object's type.
+        :raises TypeException: the object's type is not registered.
         :raises tf2.TransformException: no such transform; one of its subclasses.
         """
         do_transform = self.registration.get(type(object_stamped))

@@ -25,9 +25,7 @@ CHECK_S = 0.01
 
 
 class BufferServer(CppNode):
-    """Answers lookups; those that wait are looked at again every 10 ms until they succeed or their time is
-    over.
-    """
+    """Answers lookups; it checks waiting ones again every 10 ms until they succeed or their time is over."""
 
     def __init__(self) -> None:
         super().__init__('tf_buffer')

@@ -1,4 +1,4 @@
-"""Sending transforms that hold for ever."""
+"""Broadcast transforms that do not change."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class StaticTransformBroadcaster:
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
 
     def _note_repeated(self, new: TransformStamped) -> None:
-        """A frame is sent again, with other values: nobody will hear of them."""
+        """A frame is sent again with other values, which no subscription will receive."""
         old = self._sent[new.child_frame_id]
         if (old.header.frame_id, old.transform) == (new.header.frame_id, new.transform):
             return

@@ -39,7 +39,7 @@ class Echo(CppNode):
         self.create_timer(1.0 / rate_hz, self.look)
 
     def look(self) -> None:
-        """One cycle: the pose, or why there is none."""
+        """Print one cycle: the pose, or why it is not available."""
         if not self.found:
             possible, reason = self.buffer.can_transform(self.source, self.target, Time(), return_debug_tuple=True)
             if not possible:

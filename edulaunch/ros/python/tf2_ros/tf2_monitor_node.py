@@ -77,7 +77,7 @@ class Monitor(CppNode):
         self.arrivals.append(self.get_clock().now().nanoseconds)
 
     def on_cycle(self) -> None:
-        """Every half second: the net delay; every 21st time the report."""
+        """Compute the net delay every half second, and print the report every 21st time."""
         if self.frames is not None and not self._measure(*self.frames):
             return
         self.cycle += 1

@@ -29,7 +29,7 @@ class TransformBroadcaster:
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
         """Publish one transform, or several in one message.
 
-        A single one, the usual case, is sent without making a message around it: the wire of a TFMessage is the tuple of its
+        A single one, the usual case, is sent without creating a message around it. The wire of a TFMessage is the tuple of its
         transforms' wires.
         """
         publisher = self.pub_tf

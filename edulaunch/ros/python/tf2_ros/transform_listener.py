@@ -117,7 +117,7 @@ class TransformListener:
 
 
 def _note_dropped(node: Node, line: dict[str, Any]) -> None:
-    """A listener goes although its node lives on: nobody has kept it."""
+    """A listener is deleted although its node still exists, because no object refers to it."""
     core = core_of(node)
     if not core.destroyed and core.context.alive and core.process.returncode is None:
         core.process.fact('listener dropped', core.full_name, {'node': core.full_name, **line})

@@ -30,7 +30,7 @@ def prepare() -> None:
 
 
 def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -> None:
-    """Draw parents above their children; on each arrow stand broadcaster, rate, buffer length and the age of transforms.
+    """Draw parents above their children; each arrow has broadcaster, rate, buffer length and the age of transforms.
 
     :param data: by child frame, as `all_frames_as_yaml` describes them.
     """
@@ -70,7 +70,7 @@ def _facts(facts: dict[str, Any]) -> str:
 
 
 def _places(data: dict[Any, dict[str, Any]]) -> tuple[dict[Any, tuple[float, float]], int]:
-    """Column and height of each frame (leaves stand side by side, a parent over the middle of its children), and the levels."""
+    """Return column and height of each frame (leaves side by side, a parent over the middle of its children), and the levels."""
     children: dict[Any, list[Any]] = {}
     for child, facts in data.items():
         children.setdefault(facts['parent'], []).append(child)

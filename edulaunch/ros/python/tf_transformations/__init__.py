@@ -1,8 +1,8 @@
 """Rotations and homogeneous matrices under the names of the ROS package tf_transformations, over transforms3d as that one.
 
-Quaternions are (x, y, z, w), as in ROS messages (transforms3d has w first); angles are radians; matrices are 4x4 numpy arrays.
-`axes` is 's' (fixed axes) or 'r' (turning axes) and three letters, such as 'sxyz', or four numbers: first axis, odd order,
-repeated, turning. What cannot be done raises `ValueError`, unknown axes `KeyError`.
+Quaternions are (x, y, z, w), as in ROS messages (transforms3d has w first). Angles are radians, and matrices are 4x4 numpy
+arrays. `axes` is 's' (fixed axes) or 'r' (turning axes) and three letters, such as 'sxyz'. It may also be four numbers: first
+axis, odd order, repeated, turning. Impossible computations raise `ValueError`, unknown axes `KeyError`.
 """
 
 from __future__ import annotations
@@ -176,7 +176,7 @@ def quaternion_slerp(
 ) -> Quaternion:
     """The rotation a fraction (0 to 1) of the way from one to the other.
 
-    :param spin: so many half turns more on the way.
+    :param spin: the number of additional half turns on the way.
     :param shortestpath: go the shorter way round.
     """
     return _w_last(_matrices.quaternion_slerp(_w_first(quat0), _w_first(quat1), fraction, spin, shortestpath))
@@ -185,7 +185,7 @@ def quaternion_slerp(
 def random_quaternion(rand: Sequence[float] | None = None) -> Quaternion:
     """A rotation, all being equally likely.
 
-    :param rand: three numbers from 0 to 1 that decide which; default: by chance, equal in every run with the same seed.
+    :param rand: three numbers from 0 to 1 that decide which (default: random numbers, equal in every run with the same seed).
     """
     return _w_last(_matrices.random_quaternion(_by_chance(3) if rand is None else rand))
 
@@ -196,7 +196,7 @@ def random_rotation_matrix(rand: Sequence[float] | None = None) -> Any:
 
 
 def random_vector(size: int) -> Any:
-    """So many numbers from 0 to 1, as an array; equal in every run with the same seed."""
+    """Return this many numbers from 0 to 1, as an array; equal in every run with the same seed."""
     return _by_chance(size)
 
 
@@ -211,7 +211,7 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
         super().__init__(_w_first(initial) if is_quaternion else initial)
 
     def setaxes(self, *axes: Sequence[float] | None) -> None:
-        """The axes that a constrained turn may choose from; None: no axes."""
+        """The axes from which a constrained turn may choose, or None for no axes."""
         given: list[Sequence[float] | None] = [axis for axis in axes if axis is not None]
         super().setaxes(*given or [None])
 
@@ -235,7 +235,7 @@ def _w_last(quaternion: Sequence[float]) -> Quaternion:
 
 
 def _by_chance(size: int) -> Any:
-    """So many numbers from 0 to 1, as an array."""
+    """Return this many numbers from 0 to 1, as an array."""
     process = current_process()
     generator: Random = process.state.setdefault('tf_transformations', process.sim.random(f'{process.name}/tf_transformations'))
     return numpy.array([generator.random() for _ in range(size)])

@@ -24,7 +24,9 @@ class FramePublisher(Node):
         self._poses.take_wires(self._on_pose)
 
     def _on_pose(self, pose: tuple[float, ...]) -> None:
-        """Tell of a pose. Both messages are wires, their fields in order: this runs 62.5 times a second for each turtle."""
+        """Broadcast a pose. Both messages are wires, with their fields in order, because this runs 62.5 times a second for
+        each turtle.
+        """
         x, y, theta, _, _ = pose
         half = theta / 2.0
         stamp = divmod(self._clock.now_ns(), S_TO_NS)

@@ -12,7 +12,7 @@ from turtle_tf2_py._spawning import SpawningNode
 
 
 class PointPublisher(SpawningNode):
-    """For each pose of turtle3: a command to go on round, and the place as a PointStamped in `world`.
+    """For each pose of turtle3, publish a command to continue the circle, and the place as a PointStamped in `world`.
 
     As upstream's it makes a further set of publishers and subscription every second.
     """

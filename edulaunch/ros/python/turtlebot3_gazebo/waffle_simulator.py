@@ -19,9 +19,9 @@ ODOMETRY_HZ = 30.0
 class WaffleSimulator(CppNode):
     """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
 
-    TurtleBot3 takes TwistStamped since Jazzy and took Twist before; a real robot is set to one of them by
-    `enable_stamped_cmd_vel`, true by default. `cmd_vel` has that type alone until a program publishes the other
-    one there. Then the robot also subscribes to that type, and warns once, so that a program of either time drives it.
+    TurtleBot3 takes TwistStamped since Jazzy and took Twist before; `enable_stamped_cmd_vel` sets a real robot to one of them.
+    This robot accepts both, so that programs of either time drive it. With the parameter true (the default), a plain Twist works
+    with one warning; with false, a TwistStamped does.
     """
 
     def __init__(self) -> None:

@@ -38,7 +38,8 @@ class DrawSquare(CppNode):
         self._timer = self.create_wall_timer(0.016, self._on_timer)
 
     def _ask_for_a_reset(self) -> bool:
-        """Ask once there is somebody to ask: as with a real middleware, a request made before turtlesim is there is not lost.
+        """Send the request when the server exists: as with a real middleware, a request before the start of turtlesim is not
+        lost.
 
         Returns whether the reset is over.
         """
@@ -133,7 +134,7 @@ WELCOME = (
 class TeleopTurtle(CppNode):
     """One Twist per arrow key; letters set, and cancel, rotation goals. Without input it stays idle.
 
-    :param keyboard: a terminal, each key of which counts when it is pressed; or a text.
+    :param keyboard: a terminal, in which each key counts when it is pressed, or a string.
     """
 
     def __init__(self, keyboard: Any) -> None:
@@ -148,7 +149,7 @@ class TeleopTurtle(CppNode):
         print(*WELCOME, sep='\n')
 
     def spin(self) -> None:
-        """Follow the keys until somebody says stop. A terminal is read key by key meanwhile."""
+        """Follow the keys until a request to stop. Meanwhile, a terminal is read key by key."""
         if self._timer is not None:
             rclpy.spin(self)
             return

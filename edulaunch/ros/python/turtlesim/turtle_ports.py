@@ -135,7 +135,7 @@ class TurtlePorts:
         self._node.destroy_subscription(self._commands)
 
     def update(self, now_ns: int) -> None:
-        """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
+        """Update the turtle and publish the results in this order: goal progress, wall, pose, colour.
 
         Both messages are flat, so their wire tuples are made directly: this runs 62.5 times a second for each turtle.
         """

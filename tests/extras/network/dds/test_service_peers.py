@@ -39,5 +39,5 @@ def test_what_does_not_work_is_told_once_when_somebody_needs_it() -> None:
         (SERVICE, '/reset', 'a real node has a client of the service'),
     ):
         diagnostic = there.diagnostic(kind, name)
-        assert diagnostic is not None and diagnostic.text.startswith(f'{said} {name}: calls of it do not cross\n  help: ')
+        assert diagnostic is not None and diagnostic.text.startswith(f'{said} {name}: its calls do not cross\n  help: ')
         assert there.diagnostic(kind, name) is None

@@ -101,8 +101,8 @@ DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 
 
 class ProcessOptions(NamedTuple):
-    """As in :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions, until the action is prepared: as upstream
-    the others are used as they are given.
+    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may consist of substitutions, until the action is prepared. As
+    upstream, the other arguments are used unchanged.
     """
 
     shell: Any = False
@@ -118,7 +118,7 @@ class ProcessOptions(NamedTuple):
         """Whether a process that has ended is to be started again.
 
         :param retries: how often it was already.
-        :raises TypeError: when the number of retries is none.
+        :raises TypeError: when the number of retries is invalid.
         """
         return bool(self.respawn) and (self.respawn_max_retries < 0 or retries < self.respawn_max_retries)
 
@@ -126,6 +126,6 @@ class ProcessOptions(NamedTuple):
     def has_delay(self) -> bool:
         """Whether that is to be later.
 
-        :raises TypeError: when the delay is no number.
+        :raises TypeError: when the delay is not a number.
         """
         return self.respawn_delay is not None and bool(self.respawn_delay > 0.0)

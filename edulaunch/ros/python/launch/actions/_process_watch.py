@@ -132,7 +132,7 @@ class ProcessWatch(BaseEventHandler):
         self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
 
     def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
-        """The program has ended: when its output is shown say so, and start it again when that is wanted.
+        """The program has ended: log it if its output goes to the screen, and start it again if requested.
 
         :param patience: how many more rounds of the loop to wait for events of output (after its end launch handles none).
         """
@@ -302,7 +302,7 @@ def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any
 def _advice(error: Exception, details: dict[str, Any]) -> str:
     program, folder = details['cmd'][0], details['cwd']
     if folder and not os.path.isdir(folder):
-        return f'cwd={folder!r} is no folder'
+        return f'cwd={folder!r} is not a folder'
     if isinstance(error, FileNotFoundError):
         if len(details['cmd']) > 1 and all(len(word) == 1 for word in details['cmd']):
             return 'cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True'

@@ -48,7 +48,7 @@ class AppendEnvironmentVariable(Action):
         prepend: bool | list[Substitution] = self.__prepend
         return prepend
 
-    separator: ReadOnly[list[Substitution]] = ReadOnly('What stands between the values, as substitutions.')
+    separator: ReadOnly[list[Substitution]] = ReadOnly('Return the separator of the values, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add it."""

@@ -23,10 +23,10 @@ class DeclareLaunchArgument(Action):
     default.
 
     :param name: a plain text.
-    :param default_value: a text or substitutions (so '3', not 3); without one the argument must be given.
+    :param default_value: a string or substitutions (so '3', not 3). Without a default, the argument is required.
     :param description: for `ros2 launch -s`.
     :param choices: the only values allowed.
-    :raises RuntimeError: for empty `choices`, or a literal default that is none of them.
+    :raises RuntimeError: for empty `choices`, or a literal default outside of them.
     """
 
     _search_role: ClassVar[str] = 'argument'

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class EmitEvent(Action):
     """Emit an event, for handlers to react to.
 
-    :raises RuntimeError: when `event` is no event.
+    :raises RuntimeError: when `event` is not an event.
     """
 
     def __init__(self, *, event: Event, **kwargs: Any) -> None:

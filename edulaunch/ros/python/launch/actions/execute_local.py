@@ -109,7 +109,7 @@ class ExecuteLocal(Action):
 
     @property
     def respawn_limit(self) -> int:
-        """How often it is started again at most; negative: without limit. (edulaunch only.)"""
+        """The maximum number of restarts, or a negative number for no limit. (edulaunch only.)"""
         return int(self.__options.respawn_max_retries)
 
     sigterm_timeout: ReadOnly[list[Substitution]] = ReadOnly('Seconds between SIGINT and SIGTERM, as substitutions.')

@@ -18,11 +18,9 @@ Pairs = list[tuple[Substitutions, Substitutions]]
 class ExecuteProcess(ExecuteLocal):
     """Run a command: `ros2 ...` and programs of known packages in the simulation, any other for real.
 
-    :param cmd: the words, each a text or substitutions. A plain text instead of a list would be one word for
-        each letter.
-    :param prefix: put in front of the command, such as 'xterm -e'; default: the launch configuration
-        `launch-prefix`.
-    :param name: of the process in the log, without its number; default: the program's file name.
+    :param cmd: the words, each a string or substitutions. In a plain string instead of a list, each letter would be one word.
+    :param prefix: put in front of the command, such as 'xterm -e' (default: the launch configuration `launch-prefix`).
+    :param name: name of the process in the log, without its number (default: the program's file name).
     :param cwd: working directory.
     :param env: the whole environment.
     :param additional_env: added to the environment.

@@ -46,7 +46,7 @@ class GroupAction(Action):
         self.__actions_to_return: list[LaunchDescriptionEntity] | None = None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The actions, between those that make the scope."""
+        """Return the actions, between the actions that create and end the scope."""
         if self.__actions_to_return is None:
             self.__actions_to_return = self.__with_scope(list(self.__actions))
         return self.__actions_to_return

@@ -18,9 +18,8 @@ class OpaqueFunction(Action):
     """Call `function(context, *args, **kwargs)` when visited; the list of entities it returns is visited
     next.
 
-    The function may look at launch configurations, so it can build actions from plain Python values. What it
-    returns cannot be known before (hence the name), so launch arguments declared inside are not listed by
-    `ros2 launch -s`.
+    The function can read launch configurations, so it can build actions from plain Python values. Its result is unknown before
+    (opaque), so `ros2 launch -s` does not list launch arguments that it declares.
 
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """

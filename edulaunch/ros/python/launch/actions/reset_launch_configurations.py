@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class ResetLaunchConfigurations(Action):
     """Forget all launch configurations, then set the given ones.
 
-    :param launch_configurations: name -> value, both texts or substitutions; evaluated before anything is
-        forgotten.
+    :param launch_configurations: name -> value, both strings or substitutions, which are evaluated before the configurations are
+        removed.
     """
 
     _search_role: ClassVar[str] = 'reset'

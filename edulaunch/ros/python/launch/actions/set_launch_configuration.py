@@ -17,7 +17,7 @@ class SetLaunchConfiguration(Action):
     """Set a launch configuration, whether it is set already or not (so it also overrides `name:=value` of a
     user).
 
-    :param name, value: texts or substitutions.
+    :param name, value: strings or substitutions.
     """
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class Shutdown(EmitEvent):
     """End the whole launch. As `on_exit=Shutdown()` of a process: end it when that process ends.
 
-    :param reason: for people; a text or substitutions.
+    :param reason: for people; a string or substitutions.
     """
 
     def __init__(self, *, reason: SomeSubstitutionsType = 'reason not given', **kwargs: Any) -> None:

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 class TimerAction(Action):
     """Visit the actions once, after `period` seconds of simulated time, unless cancelled before.
 
-    They see the locals of the moment the timer was executed, but the launch configurations of the moment it
-    runs out: what a group around it had set is gone by then.
+    They see the locals of the moment when the timer was executed, but the launch configurations of the moment when it fires.
+    Configurations of a group around it are gone by then.
 
     :param period: a float (not an int), or substitutions.
     :param actions: what to visit then.

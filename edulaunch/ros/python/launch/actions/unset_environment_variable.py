@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetEnvironmentVariable(Action):
-    """Remove an environment variable of launch's process; nothing happens when there is none of that name."""
+    """Remove an environment variable of launch's process; an unknown name changes nothing."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetLaunchConfiguration(Action):
-    """Forget a launch configuration; nothing happens when there is none of that name."""
+    """Remove a launch configuration; an unknown name changes nothing."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -1,4 +1,4 @@
-"""A text read as a boolean, for conditions."""
+"""Read a string as a boolean, for conditions."""
 
 from __future__ import annotations
 

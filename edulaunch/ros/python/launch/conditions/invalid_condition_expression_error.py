@@ -1,4 +1,4 @@
-"""The error for a condition that is no boolean."""
+"""The error for a condition that is not a boolean."""
 
 from __future__ import annotations
 
@@ -9,4 +9,4 @@ if TYPE_CHECKING:
 
 
 class InvalidConditionExpressionError(ValueError):
-    """The text of a condition is none of true, 1, false and 0."""
+    """The condition is not true, 1, false or 0."""

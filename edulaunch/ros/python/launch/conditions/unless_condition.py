@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class UnlessCondition(_ExpressionCondition):
     """Execute the action only if the expression is `false` or `0` (any case).
 
-    :raises InvalidConditionExpressionError: on evaluation, for a text that is neither true nor false.
+    :raises InvalidConditionExpressionError: on evaluation, for a string that is neither true nor false.
     """
 
     _word = 'unless'

@@ -37,9 +37,9 @@ Variables = Mapping[SomeSubstitutionsType, SomeSubstitutionsType]
 class Executable:
     """A program to run. :meth:`prepare` makes the `final_...` values from the substitutions.
 
-    :param cmd: the words of the command line, each a text or substitutions.
-    :param prefix: put in front of the command, split as a shell would; without one, the launch configuration
-        `launch-prefix` for programs whose name matches the regular expression in `launch-prefix-filter`.
+    :param cmd: the words of the command line, each a string or substitutions.
+    :param prefix: put in front of the command, split as in a shell. The default is the launch configuration `launch-prefix`, for
+        programs whose name matches the regular expression in `launch-prefix-filter`.
     :param name: of the process, without its number; without one, the program's file name.
     :param cwd: working directory, without one that of launch.
     :param env: the whole environment, without one that of launch.
@@ -89,7 +89,7 @@ class Executable:
         return words  # type: ignore[return-value]
 
     def add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
-        """Add words at the end of the command line. Texts become substitutions only when somebody looks."""
+        """Add words at the end of the command line. Strings become substitutions when they are first read."""
         self.__words += [
             word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)
             for word in words
@@ -108,7 +108,7 @@ class Executable:
     def final_cmd(self) -> list[str] | None:
         """The words of the command line; None before :meth:`prepare`.
 
-        Files that the command names exist from now on: what launch generates is written when somebody looks.
+        Announce the files that the command names: launch writes generated files at their first use.
         """
         if self._named_files is not None:
             self._named_files()
@@ -117,7 +117,7 @@ class Executable:
 
     @property
     def command(self) -> list[str] | None:
-        """The same, for those who do not read the files that it names. (edulaunch only.)"""
+        """Return the same, for callers that do not read the files in it. (edulaunch only.)"""
         return self._command
 
     @property
@@ -126,7 +126,7 @@ class Executable:
         return len(self.__words)
 
     def write_before_look(self, write: Callable[[], object]) -> None:
-        """Let `write` put the files that the command names on the disk before somebody looks at it. (edulaunch only.)"""
+        """Let `write` put the files that the command names on the disk at their first use. (edulaunch only.)"""
         self._named_files = write
 
     final_cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")

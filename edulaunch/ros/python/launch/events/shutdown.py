@@ -15,7 +15,7 @@ class Shutdown(Event):
     """Ends the whole launch: processes get signals, timers are cancelled, nothing new is started.
 
     :param reason: for people, and for `LocalSubstitution('event.reason')`.
-    :param due_to_sigint: the user pressed ctrl-c, so a terminal has told the processes already.
+    :param due_to_sigint: the user pressed Ctrl-C, so a terminal has already signalled the processes.
     """
 
     name = 'launch.events.Shutdown'

@@ -1,4 +1,4 @@
-"""The elements of launch: what may stand in them, and the action each makes. `launch_ros.launch_extension` has those of ROS."""
+"""The elements of launch: their content, and the action that each creates. `launch_ros.launch_extension` has those of ROS."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Word = list[Substitution]
 def words_of(text: str, parser: ParserProtocol) -> list[Word]:
     """The words of a command line; each is a list of substitutions.
 
-    Substitutions are found first, then the literal pieces between them are split as a shell would. What
-    touches a substitution stays in one word with it, and what comes out of a substitution is never split.
-    As upstream, a text of nothing, and blanks before the first substitution, are one empty word.
+    Substitutions are found first, then the literal parts between them are split as in a shell. Text next to a substitution stays
+    in one word with it, and the value of a substitution is never split. As upstream, an empty string, and blanks before the first
+    substitution, are one empty word.
 
     :raises ValueError: when a quote is not closed within one literal piece.
     """
@@ -99,7 +99,7 @@ class Element:
     def __call__(self, entity: Entity, parser: ParserProtocol, ignore: Collection[str] = ()) -> Parsed:
         """The class, and its keyword arguments.
 
-        :param ignore: attributes and children that somebody else reads.
+        :param ignore: attributes and children that other code reads.
         """
         if self._class is None:
             self._class = getattr(import_module(self.module), self.class_name)
@@ -122,22 +122,22 @@ def _without(ignore: Collection[str], attributes: Attributes) -> Attributes:
 
 
 def text(entity: Entity, parser: ParserProtocol, name: str) -> Substitutions:
-    """An attribute that is a text with substitutions."""
+    """Return an attribute that is a string with substitutions."""
     return parser.parse_substitution(entity.get_attr(name))
 
 
 def literal(entity: Entity, parser: ParserProtocol, name: str) -> str:
-    """An attribute that is a text without substitutions."""
+    """Return an attribute that is a string without substitutions."""
     return parser.escape_characters(entity.get_attr(name))
 
 
 def typed(data_type: type) -> Reader:
-    """An attribute of that type, or a text with substitutions."""
+    """Return an attribute of that type, or a string with substitutions."""
     return lambda entity, parser, name: parser.parse_if_substitutions(entity.get_attr(name, data_type=data_type))
 
 
 def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
-    """An attribute of that type; upstream looks for no substitutions in a text there."""
+    """Return an attribute of that type; upstream finds no substitutions in a string there."""
     return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
 
 

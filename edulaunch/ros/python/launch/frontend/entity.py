@@ -57,7 +57,7 @@ class Entity(ABC):
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
         :param optional: give None when it is missing.
-        :param can_be_str: a text is also fine (it may hold a substitution).
+        :param can_be_str: a string is also allowed (it may contain a substitution).
         :raises AttributeError: when it is missing.
         :raises TypeError: when it is of another type.
         """
@@ -75,7 +75,7 @@ class Entity(ABC):
         (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
         and no entities need be made of them.
 
-        :param is_typed: the second one is a scalar by YAML's rules; else both are texts.
+        :param is_typed: the second one is a scalar by YAML's rules; otherwise, both are strings.
         """
         return None
 
@@ -90,7 +90,7 @@ class Entity(ABC):
         """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
 
     def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
-        """The error for names nobody asked for; formatted as Python writes a set, but in order.
+        """Return the error for unread names; the format is Python's format of a set, but in order.
 
         :param kind: 'attribute' or 'element', if the element knows the first of them as that.
         """

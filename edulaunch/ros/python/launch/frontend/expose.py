@@ -50,12 +50,12 @@ def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorator: make a substitution available as `$(name ...)`; its `parse` gets the list of arguments."""
+    """Decorate a substitution so that `$(name ...)` creates it; its `parse` receives the list of arguments."""
     return __expose_impl(name, substitution_parse_methods, 'substitution')
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorator: make an action available as the element `name`; its `parse` gets entity and parser."""
+    """Decorate an action so that the element `name` creates it; its `parse` receives entity and parser."""
     return __expose_impl(name, action_parse_methods, 'action')
 
 

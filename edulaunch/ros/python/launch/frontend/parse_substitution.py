@@ -37,7 +37,7 @@ _QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\
 
 @lru_cache(maxsize=4096)
 def parse_template(text: str) -> Template:
-    """The pieces of a text, in order; equal texts share one (immutable) result.
+    """Return the parts of a string, in order; equal strings share one (immutable) result.
 
     :raises UnexpectedCharacters: for a character that the grammar does not allow.
     :raises UnexpectedEOF: when a `$(` or a quote in it is not closed.
@@ -122,7 +122,7 @@ class _Reader:
         return pieces
 
     def unexpected(self, expected: str) -> SubstitutionSyntaxError:
-        """The error for what stands (or does not stand) at the position."""
+        """Return the error for the character (or its absence) at the position."""
         if self.position >= len(self.text):
             return UnexpectedEOF(self.text, self.position, expected)
         return UnexpectedCharacters(self.text, self.position, expected)
@@ -159,7 +159,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
 
 
 class UnexpectedCharacters(UnexpectedInput):
-    """A character stands where the grammar does not allow it; the message shows it with a caret."""
+    """The grammar does not allow a character at its place; the message shows it with a caret."""
 
     def first_line(self, text: str) -> str:
         """Names the character and its place, and shows both."""
@@ -199,9 +199,9 @@ _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 
 
 def parse_substitution(string: str) -> list[Substitution]:
-    """The substitutions that a text like `a$(var b)c` stands for, literal pieces as TextSubstitution.
+    """Return the substitutions in a string like `a$(var b)c`, with literal parts as TextSubstitution.
 
-    Built-in substitutions never change, so equal texts share them; those of extensions are made anew.
+    Built-in substitutions never change, so equal strings share them; substitutions of extensions are created each time.
 
     :raises SubstitutionSyntaxError: see its subclasses; facts of the error say what was expected.
     """
@@ -212,7 +212,7 @@ def parse_substitution(string: str) -> list[Substitution]:
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """As :func:`parse_substitution` for a text that contains `$(...)`; a plain text stays a (unescaped) text.
+    """Do the same as :func:`parse_substitution` for a string that contains `$(...)`; a plain one stays an (unescaped) string.
 
     Other scalars are returned as they are; a list is treated item by item.
 

@@ -41,7 +41,7 @@ class Parser:
 
     :cvar extensions_loaded: whether launch extensions of installed packages were looked for.
     :cvar frontend_parsers: all formats found so far, by name; None before the first look.
-    :ivar file: name of the file, '' when there is none. (edulaunch only.)
+    :ivar file: name of the file, or '' without a file. (edulaunch only.)
     """
 
     extensions_loaded = False
@@ -127,7 +127,7 @@ class Parser:
     def load_with(cls, file: str | os.PathLike[str] | TextIO, root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
         """For subclasses, to write their :meth:`load` with. (edulaunch only.)
 
-        :param root_of: makes the root element from the text of the file; its errors are told where they are.
+        :param root_of: creates the root element from the content of the file; its errors get their place in the file.
         """
         if isinstance(file, (str, os.PathLike)):
             with open(inside(file), encoding='utf-8') as stream:

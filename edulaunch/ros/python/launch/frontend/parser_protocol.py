@@ -15,10 +15,10 @@ class ParserProtocol(Protocol):
         """The action of an element."""
 
     def parse_substitution(self, value: str) -> list[Substitution]:
-        """A text with its `$(...)` as substitutions."""
+        """Return a string with its `$(...)` as substitutions."""
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """The same for a value that need not be a text, and for lists."""
+        """Do the same for a value that need not be a string, and for lists."""
 
     def escape_characters(self, value: str) -> str:
-        """A text without its backslashes."""
+        """Return a string without its backslashes."""

@@ -25,7 +25,7 @@ def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any
 
 
 def complete(error: BaseException, file: str, entity: Entity) -> None:
-    """For an `error` on its way out of `entity`: add what is still missing; the innermost element wins."""
+    """Add the missing facts to an `error` on its way out of `entity`; the innermost element sets them first."""
     if hasattr(error, 'edulaunch_file'):
         return
     if not hasattr(error, 'edulaunch_line'):
@@ -37,7 +37,7 @@ def complete(error: BaseException, file: str, entity: Entity) -> None:
 
 
 def complete_unreadable(error: Any, file: str) -> None:
-    """For the error of a text that is not in its format: add the place and the problem."""
+    """Add the place and the problem to the error for a string that is not in its format."""
     mark = getattr(error, 'problem_mark', None)
     line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
     if not facts_of(error) and not isinstance(error, UnicodeDecodeError):
@@ -47,7 +47,7 @@ def complete_unreadable(error: Any, file: str) -> None:
 
 
 def _first_or_bad_line(error: Exception) -> int:
-    """Where a byte is that is no UTF-8; any other problem is one of the whole text, which begins at line 1."""
+    """Return the place of a byte that is not UTF-8; any other problem concerns the whole text, which begins at line 1."""
     return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
     """The description in the file: `.py` files are tried as Python first, others last.
 
-    :raises InvalidLaunchFileError: when nobody can read it, with what each loader said.
+    :raises InvalidLaunchFileError: when no loader can read it, with the message of each.
     """
     extension = os.path.splitext(launch_file_path)[1].lower().lstrip('.')
     loaders: list[Callable[[str], LaunchDescription]] = [

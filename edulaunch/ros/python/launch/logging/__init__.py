@@ -1,7 +1,7 @@
-"""launch's log lines: on the screen, and in files when somebody wants files.
+"""launch's log lines: on the screen, and in files on request.
 
-As upstream: `launch_config` decides formats, level and places; `get_logger(name)` and
-`get_output_loggers(process, output)` give loggers that are set up accordingly. Different from upstream:
+As upstream, `launch_config` decides formats, level and places. `get_logger(name)` and `get_output_loggers(process, output)`
+return loggers with these settings. Differences from upstream:
 
 * Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the
   interpreter, so two simulations do not share them. `launch_config` stands for that of the process that is

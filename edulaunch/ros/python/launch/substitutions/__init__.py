@@ -1,4 +1,4 @@
-"""Substitutions: texts that are found out at launch time."""
+"""Substitutions: strings that are computed at launch time."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Texts combined as booleans; the results are 'true' and 'false'."""
+"""Strings combined as booleans; the results are 'true' and 'false'."""
 
 from __future__ import annotations
 

@@ -23,8 +23,7 @@ if TYPE_CHECKING:
 class LaunchConfiguration(Substitution):
     """The text of a launch configuration (a launch argument is one) at the moment of use.
 
-    :param default: used when it is not set: a text, substitutions, or any scalar, which is converted with
-        `str`.
+    :param default: used if it is not set: a string, substitutions, or any scalar, which is converted with `str`.
     :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
     """
 

@@ -32,7 +32,7 @@ class LocalSubstitution(Substitution):
         return f"LocalVar('{self.__expression if self.__description is None else self.__description}')"
 
     def perform(self, context: LaunchContext) -> str:
-        """The value, which need not be a text."""
+        """Return the value, which need not be a string."""
         value: str = eval(_compiled(self.__expression), {}, {'context': context})
         return value
 

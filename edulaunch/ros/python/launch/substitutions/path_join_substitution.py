@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class PathJoinSubstitution(Substitution):
     """The parts joined with the path separator, by the rules of `os.path.join`.
 
-    :param substitutions: each a text or one substitution (a list inside the list is a TypeError in Jazzy).
+    :param substitutions: each a string or one substitution (a list inside the list is a TypeError in Jazzy).
     """
 
     def __init__(self, substitutions: Iterable[str | Substitution]) -> None:

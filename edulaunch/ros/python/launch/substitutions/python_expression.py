@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class PythonExpression(Substitution):
     """`str(eval(text))` of the joined text.
 
-    Names of the `math` module may be used bare; other modules by their names. Texts that come from launch
-    configurations must be put in quotes inside the expression, or they are taken for Python names.
+    Names of the `math` module need no prefix; other modules are used by their names. Put values of launch configurations in
+    quotation marks inside the expression; otherwise, Python reads them as names.
 
     :param python_modules: the modules that the expression may use.
     :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.

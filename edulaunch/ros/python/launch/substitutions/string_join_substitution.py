@@ -22,7 +22,7 @@ class StringJoinSubstitution(Substitution):
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 
     substitutions: ReadOnly[list[list[Substitution]]] = ReadOnly('The parts, each a list of substitutions.')
-    delimiter: ReadOnly[list[Substitution]] = ReadOnly('What stands between the parts.')
+    delimiter: ReadOnly[list[Substitution]] = ReadOnly('Return the separator of the parts.')
 
     def describe(self) -> str:
         """`StringJoin('a' + 'b')`."""

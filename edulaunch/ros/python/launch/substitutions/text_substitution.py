@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class TextSubstitution(Substitution):
-    """A text that is known already; plain strings become one of these wherever substitutions are allowed.
+    """A string that is already known; plain strings become one of these wherever substitutions are allowed.
 
     :raises TypeError: when `text` is not a string.
     """

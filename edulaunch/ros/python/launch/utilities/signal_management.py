@@ -21,9 +21,9 @@ SignalHandler = Callable[[int], object]
 class AsyncSafeSignalManager:
     """Handles signals that the running process gets, as callbacks of an asyncio loop.
 
-    It does so in a `with` block; afterwards everything is as before. A plain script gets real signals: those for which
-    Python has a handler, as upstream. That handler is called as well, unless it is the one that raises
-    KeyboardInterrupt; that one is called when the loop has not come to handle the signal before it comes again.
+    It does so in a `with` block, which restores everything at its end. A plain script receives real signals, if Python has a
+    handler for them, as upstream. That handler is called as well, unless it raises KeyboardInterrupt. Such a handler is called
+    only if the signal comes again before the loop has handled it.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -49,9 +49,9 @@ class AsyncSafeSignalManager:
             self.__remove(number)
 
     def handle(self, signum: int, handler: SignalHandler | None) -> SignalHandler | None:
-        """Let `handler(signum)` handle this signal (None: no longer); returns the handler before it.
+        """Let `handler(signum)` handle this signal (None stops that); return the previous handler.
 
-        :raises ValueError: for a number that is no signal, and for a handler that cannot be called.
+        :raises ValueError: for an invalid signal number, and for a handler that cannot be called.
         """
         number = Signals(signum)
         if handler is not None and not callable(handler):

@@ -1,4 +1,4 @@
-"""Texts and substitutions as one list, and that as one text."""
+"""Convert strings and substitutions to one list, and such a list to one string."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def plain_text(value: Any) -> str | None:
 
 
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
-    """A text, a substitution or an iterable of both as a list; plain texts become :class:`TextSubstitution`.
+    """Return a string, a substitution or an iterable of both as a list; plain strings become :class:`TextSubstitution`.
 
     :raises TypeError: for any other item, naming its type.
     """
@@ -46,6 +46,6 @@ def _normalize(item: object) -> Substitution:
 
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
-    """Evaluate each and join the texts without a separator."""
+    """Evaluate each item and join the strings without a separator."""
     text = plain_text(subs)
     return ''.join([context.perform_substitution(sub) for sub in subs]) if text is None else text

@@ -58,7 +58,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
     """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same
     allowed type.
 
-    :param can_be_str: items of a list may also be texts.
+    :param can_be_str: items of a list may also be strings.
     """
     if not isinstance(value, list):
         return isinstance(value, ScalarTypesTuple)
@@ -72,7 +72,7 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = F
     """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in
     Python.
 
-    :param can_be_str: a text (or, in a list, texts) will do as well.
+    :param can_be_str: a string (or, in a list, strings) is also accepted.
     :raises ValueError: for a type that is not allowed.
     """
     if data_type is None:
@@ -85,11 +85,11 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = F
 
 
 def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: bool = False) -> AllowedValueType:
-    """Convert a text.
+    """Convert a string.
 
     :param data_type: None means: by YAML's rules, whatever comes out.
-    :param can_be_str: give back the text itself when it cannot be converted; a list may hold texts beside its type.
-    :raises TypeError: when `value` is no text.
+    :param can_be_str: return the string itself if it cannot be converted; a list may contain strings besides its type.
+    :raises TypeError: when `value` is not a string.
     :raises ValueError: when it cannot be converted.
     """
     if not isinstance(value, str):
@@ -152,7 +152,7 @@ def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str
     """Convert each text of a list.
 
     :param data_type: of the items.
-    :raises TypeError: when `value` is no list of texts.
+    :raises TypeError: when `value` is not a list of strings.
     :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
     """
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
@@ -164,7 +164,7 @@ def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str
 
 
 def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_str: bool = True) -> Any:
-    """Convert a text or a list of texts; see :func:`coerce_to_type` and :func:`coerce_list`.
+    """Convert a string or a list of strings; see :func:`coerce_to_type` and :func:`coerce_list`.
 
     :raises TypeError: for a list when the type is that of a single value, and for what is neither text nor list.
     """
@@ -177,7 +177,7 @@ def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_
 
 
 def is_substitution(x: Any) -> bool:
-    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution."""
+    """Return whether it is a substitution, or an iterable of substitutions and strings with at least one substitution."""
     if isinstance(x, Substitution):
         return True
     if isinstance(x, str) or not isinstance(x, collections.abc.Iterable):
@@ -194,8 +194,8 @@ def is_normalized_substitution(x: Any) -> bool:
 def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType) -> NormalizedValueType:
     """Check what can be checked before launch time, and bring the rest into one form.
 
-    A scalar stays as it is. A substitution, or a list of texts and substitutions, is one value: a list of
-    substitutions. Any other list is a list value, whose items are treated one by one.
+    A scalar does not change. A substitution, or a list of strings and substitutions, is one value: a list of substitutions. Any
+    other list is a list value, whose items are treated one by one.
 
     :raises TypeError: when a literal has not the type.
     """

@@ -16,7 +16,7 @@ from edulaunch.engine.facts import with_facts
 class Mapping(dict):  # type: ignore[type-arg]
     """A mapping of the file.
 
-    :ivar line: where its first key stands, from 1.
+    :ivar line: the line of its first key, from 1.
     """
 
     __slots__ = ('line',)
@@ -61,7 +61,7 @@ def read(text: str) -> Any:
 
 
 def read_file(text: str, name: str) -> Any:
-    """The same for the text of a file, whose name stands in the errors."""
+    """Do the same for the content of a file, whose name appears in the errors."""
     try:
         return read(text)
     except yaml.YAMLError as error:
@@ -113,10 +113,10 @@ def _mapping_of(node: Any, loader: Any) -> Mapping:
 
 
 def _possible_depth(text: str) -> int:
-    """A quick upper bound of the nesting, so that nearly all texts need no closer look.
+    """Return a quick upper bound of the nesting, so that nearly all files need no closer examination.
 
-    A bracket opens one level; it is not counted when its own line closes it for certain: when no quote or
-    comment is near. An indentation by one column opens two levels at most.
+    A bracket opens one level. It does not count if its own line certainly closes it, without a quotation mark or comment nearby.
+    An indentation by one column opens two levels at most.
     """
     longest = brackets = 0
     for line in text.split('\n'):

@@ -61,7 +61,7 @@ def _written(action: ExecuteLocal, stream: str) -> str:
 
 
 def _look(action: ExecuteLocal, validate: Validate, stream: str) -> tuple[Callable[[Any], Any], Holds]:
-    """The event handler that hears of new output, and whether what there is now is right."""
+    """Return the event handler for new output, and whether the output so far matches."""
 
     def holds() -> bool:
         try:
@@ -74,7 +74,7 @@ def _look(action: ExecuteLocal, validate: Validate, stream: str) -> tuple[Callab
 
 
 def _complain(action: ExecuteLocal, validate: Validate, stream: str) -> None:
-    """Let the test's own assertions tell what is wrong; else say what there was."""
+    """Let the test's own assertions report the problem; otherwise, report the output."""
     written = _written(action, stream)
     validate(written)
     raise AssertionError(f'the {stream} never was as expected; it is {written!r}')

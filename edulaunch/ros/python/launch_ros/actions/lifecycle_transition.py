@@ -37,7 +37,7 @@ class LifecycleTransition(Action):
     before has succeeded. An error of a node ends this for the node.
 
     :param lifecycle_node_names: full names.
-    :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or texts.
+    :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or strings.
     :raises ValueError: when either list is empty.
     """
 
@@ -55,7 +55,7 @@ class LifecycleTransition(Action):
     def execute(self, context: LaunchContext) -> list[Action]:
         """Handlers that ask for each next transition, and the events that ask for the first ones.
 
-        :raises ValueError: for a transition that is no number.
+        :raises ValueError: for a transition that is not a number.
         """
         numbers = [_number(perform_substitutions(context, number)) for number in self.__transition_ids]
         names = [perform_substitutions(context, name) for name in self.__lifecycle_node_names]

@@ -30,7 +30,7 @@ _LOGGER = 'launch_ros.actions.load_composable_nodes'
 class ComposableNodeContainer(Node):
     """A Node that nodes are loaded into once it runs.
 
-    :param composable_node_descriptions: what to load; nothing when there are none.
+    :param composable_node_descriptions: the nodes to load; an empty list loads nothing.
     :param kwargs: those of :class:`launch_ros.actions.Node`.
     """
 

@@ -113,7 +113,7 @@ class Node(ExecuteProcess):
 
     @property
     def node_name(self) -> str:
-        """The full name; parts that the launch file leaves open stand as the UNSPECIFIED texts.
+        """Return the full name; the UNSPECIFIED strings replace parts that the launch file leaves open.
 
         :raises RuntimeError: before the action was executed.
         """
@@ -148,7 +148,7 @@ class Node(ExecuteProcess):
         return result
 
     def __prepared_by_extensions(self, context: LaunchContext) -> dict[str, Any]:
-        """The local variable for those who write command lines with it, as installed extensions leave it."""
+        """Return the local variable for command lines, in the form of installed extensions."""
         arguments = {'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}
         for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
             words, arguments = extension.prepare_for_execute(context, arguments, self)

@@ -22,7 +22,7 @@ class ROSTimer(TimerAction):
     """A TimerAction whose period counts on the clock of launch's own node: `/clock` when SetUseSimTime(True)
     came before.
 
-    :param period: seconds, as a float, a text or substitutions.
+    :param period: seconds, as a float, a string or substitutions.
     """
 
     def __init__(self, *, period: Any, actions: Iterable[LaunchDescriptionEntity], **kwargs: Any) -> None:

@@ -20,7 +20,7 @@ class SetParameter(Action):
     """Give a parameter to every node that is started later in this scope; a node's own parameters come after
     it.
 
-    As in ROS, a list of values is passed on in a form that the node reads as a text.
+    As in ROS, a list of values is passed on in a form that the node reads as a string.
     """
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class SetUseSimTime(Action):
     """Set `use_sim_time` of launch's own node, on whose clock ROSTimer runs.
 
-    :param value: a bool, or a text or substitutions for one.
+    :param value: a bool, or a string or substitutions for one.
     """
 
     def __init__(self, value: Any, **kwargs: Any) -> None:

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 class OnStateTransition(EventHandler):
     """Visit entities when a lifecycle node makes a transition.
 
-    :param target_lifecycle_node: only this node's; None: any.
-    :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive'
-        ...); None: any.
+    :param target_lifecycle_node: only this node's transitions; None means any node.
+    :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive' ...); None means any
+        label.
     :param matcher: instead of all of these.
-    :raises RuntimeError: when the target is no LifecycleNode, or `matcher` is combined with them.
+    :raises RuntimeError: when the target is not a LifecycleNode, or `matcher` is combined with them.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ def _is_lifecycle_node(target: Any) -> bool:
 
 
 def _label(value: SomeSubstitutionsType) -> str:
-    """A label is needed before there is a context, so only plain texts can be used."""
+    """A label is needed before there is a context, so only plain strings can be used."""
     from launch.launch_context import LaunchContext
 
     return perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(value))

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, when there is none; its facts say what there is.
+    :raises SubstitutionFailure: on evaluation, for an unknown executable; its facts list the known ones.
     """
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
@@ -41,7 +41,7 @@ class ExecutableInPackage(FindPackagePrefix):
         return f'ExecInPkg(pkg={package}, exec={executable})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The path; the file need not exist for an entry point, nor for what is built from C++: the index knows both."""
+        """Return the path. The file need not exist for an entry point, nor for a C++ program, because the index knows both."""
         given = self.__executable
         executable = given if isinstance(given, str) else perform_substitutions(context, given)
         package = self._package_name(context)

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 class Parameter(Substitution):
-    """The value that the nearest :class:`~launch_ros.actions.SetParameter` gave to a parameter, as a text.
+    """The value that the nearest :class:`~launch_ros.actions.SetParameter` has set for a parameter, as a string.
 
-    :param default: used when there is none.
+    :param default: used if the parameter is not set.
     :raises SubstitutionFailure: on evaluation, when there is neither.
     """
 

@@ -69,7 +69,7 @@ def _typed_item(context: LaunchContext, name: str, item: Any) -> Any:
 
 
 def _typed(name: str, text: str) -> Any:
-    """A text by YAML's rules."""
+    """Read a string by YAML's rules."""
     if not text:
         return ''
     value = _load(name, text)
@@ -96,8 +96,9 @@ def _load(name: str, text: str) -> Any:
 
 
 def _uniform(name: str, items: list[Any]) -> tuple[Any, ...]:
-    """The items as a tuple, if there are any and all have the type of the first (True passes for an int, as
-    in Python)."""
+    """Return the items as a tuple, if there are any and all have the type of the first one. True counts as an int, as in
+    Python.
+    """
     kind = type(items[0]) if items else None
     if kind not in _ITEMS or not all(isinstance(item, kind) for item in items):
         raise TypeError(

@@ -10,7 +10,7 @@ class PluginException(Exception):
 
 
 def satisfies_version(version: str, caret_range: str) -> None:
-    """Return when `version`, that of the extension point, is in the range, such as '^0.1': that version or a later one
+    """Return if `version`, that of the extension point, is in the range. For example, '^0.1' means that version or a later one
     with the same leftmost number that is not zero.
 
     :raises PluginException: when it is older, or newer than what the extension knows.

@@ -25,8 +25,8 @@ def to_parameters_list(
 ) -> list[Parameter]:
     """One `rclpy.parameter.Parameter` for each evaluated value, in order.
 
-    Files are read by launch_ros's own rules: the patterns `/**` and `**`, then the exact name; a file without
-    any `ros__parameters` is taken as a plain mapping.
+    Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, then the exact name. A file without any
+    `ros__parameters` is read as a plain mapping.
 
     :raises AttributeError: for an empty file, with upstream's text.
     """
@@ -70,7 +70,7 @@ def _has_parameters(content: Any) -> bool:
 
 
 def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
-    """What stands below `ros__parameters` of a node name, written as one key or as nested ones."""
+    """Return the entries below `ros__parameters` of a node name, written as one key or as nested ones."""
     for key, value in content.items():
         rest = pattern.lstrip('/')
         name = str(key).strip('/')

@@ -17,10 +17,10 @@ class ReadyToTest(Action):
         self.__callbacks: list[Callable[[], object]] = []
 
     def call_when_executed(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when this is executed; used by those that run tests."""
+        """Call `callback()` when this is executed; used by code that runs tests."""
         self.__callbacks.append(callback)
 
     def execute(self, context: LaunchContext) -> None:
-        """Tell them."""
+        """Call it."""
         for callback in self.__callbacks:
             callback()

@@ -39,7 +39,7 @@ def assertExitCodes(
 
     A process that SIGINT ended has the return code -2, which is not EXIT_SIGINT (130, what a shell makes of it).
 
-    :param process: an action, or part of a launch name; None: all processes.
+    :param process: an action, or part of a launch name; None means all processes.
     :raises AssertionError: naming the first that ended otherwise.
     :raises TypeError: for an allowed code that is not a number.
     """

@@ -29,8 +29,8 @@ def assertInStream(
 ) -> None:
     """Claim that a process has written something to a stream.
 
-    :param expected_output: a text, a compiled regular expression, or a list of them in this order.
-    :param process: an action, or part of a launch name; None: any process.
+    :param expected_output: a string, a compiled regular expression, or a list of them in this order.
+    :param process: an action, or part of a launch name; None means any process.
     :param output_filter: changes what was written before it is compared.
     :param strip_ansi_escape_sequences: compare without colours.
     :raises AssertionError: when it has not.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class SequentialTextChecker:
-    """Looks for texts behind those that were found before.
+    """Searches for strings after the ones that were found before.
 
     :param text: everything that was written, perhaps in pieces.
     """
@@ -26,7 +26,7 @@ class SequentialTextChecker:
         self._position = 0
 
     def assertInStdout(self, msg: Any) -> None:
-        """Claim that `msg` (a text or a compiled regular expression) comes after what was found before.
+        """Assert that `msg` (a string or a compiled regular expression) comes after the previous match.
 
         :raises AssertionError: when it does not.
         """

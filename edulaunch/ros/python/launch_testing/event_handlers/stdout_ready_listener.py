@@ -13,7 +13,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 class StdoutReadyListener(OnProcessIO):
     """Visit `actions` when a program has written `ready_txt` to its standard output.
 
-    :param target_action: the action of the program; None: any.
+    :param target_action: the action of the program; None means any program.
     :param ready_txt: the text to wait for; it may arrive in pieces.
     :param actions: what to do then, once.
     """

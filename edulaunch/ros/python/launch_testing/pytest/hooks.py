@@ -32,7 +32,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         '--launch-workspace',
         action='append',
         metavar='DIR',
-        help='folder with packages; default: the workspace of each test file',
+        help='folder with packages (default: the workspace of each test file)',
     )
     group.addoption('--launch-seed', type=int, default=0, metavar='N', help='of all randomness in launch tests (default: 0)')
 
@@ -95,7 +95,7 @@ class LaunchTestItem(pytest.Item):
             raise LaunchTestFailure(_failure_text(test))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """A failed launch test is told by its own text; there is nothing to see in our frames."""
+        """Report a failed launch test with its own message, because our frames do not help."""
         return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:

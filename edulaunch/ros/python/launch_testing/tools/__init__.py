@@ -1,4 +1,4 @@
-"""Comparing texts."""
+"""Compare strings."""
 
 from typing import TYPE_CHECKING
 

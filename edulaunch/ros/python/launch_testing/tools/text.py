@@ -1,4 +1,4 @@
-"""Texts as a test expects them."""
+"""Strings in the form that a test expects."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ Match = Callable[..., 'tuple[int, int] | None']
 def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = True) -> Match:
     """Make a function (text, start=0) that gives where the expected text begins and ends, or None.
 
-    :param expected_text: a text, a compiled regular expression, or a list of them: each is looked for behind the one
-        before it.
+    :param expected_text: a string, a compiled regular expression, or a list of them, each of which must come after the previous
+        one.
     :raises ValueError: for anything else.
     """
     one_by_one = [_matcher(item) for item in _as_list(expected_text)]

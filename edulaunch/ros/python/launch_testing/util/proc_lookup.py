@@ -48,9 +48,9 @@ def resolveProcesses(
     """The actions that `process` means.
 
     :param process: an action, or part of a launch name; None means all.
-    :param cmd_args: with a name: a text that is one of the arguments, several of them, or NO_CMD_ARGS.
+    :param cmd_args: with a name: a string that is one of the arguments, several of them, or NO_CMD_ARGS.
     :param strict_proc_matching: refuse a name that matches several processes.
-    :raises NoMatchingProcessException: when there is none; a test that waits goes on waiting then.
+    :raises NoMatchingProcessException: for an unknown process; a waiting test continues to wait then.
     :raises ValueError: when there are several and `strict_proc_matching` is set.
     :raises TypeError: for anything else as `process`.
     """

@@ -126,7 +126,7 @@ class ActionClient(Asker, Waitable):
     def run_callback(self, executor: ExecutorProtocol) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
-        As over a real network the answer to a goal and its status come before the goal's first feedback, and its last feedback
+        As over a real network, the answer to a goal and its status come before the goal's first feedback. Its last feedback comes
         before its result.
         """
         self.queued = False
@@ -182,7 +182,7 @@ class ActionClient(Asker, Waitable):
                     del self._goal_handles[goal_uuid]
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result. Some other thread must spin: inside a callback it waits for ever."""
+        """Send a goal and wait for its result. Another thread must spin; inside a callback, it waits forever."""
         goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs))
         return self._wait_for(self._get_result_async(goal_handle))
 
@@ -249,7 +249,7 @@ class ActionClient(Asker, Waitable):
         return all(client.server_is_ready() for client in (self._goal_client, self._cancel_client, self._result_client))
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        """Wait for a server, checking every 0.25 s as rclpy does; None waits forever. Return whether one exists."""
         self.await_server(self._node.context, self._server_is_ready, timeout_sec)
         return self.server_is_ready()
 

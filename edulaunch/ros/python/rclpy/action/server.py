@@ -241,7 +241,7 @@ class ActionServer(Waitable):
             self._feedback.publish(message_class.to_wire(message_class(goal_id=goal_handle.goal_id, feedback=feedback)))
 
     def notify_goal_done(self) -> None:
-        """Tell that a goal has ended: results that were kept for long enough are forgotten.
+        """Record that a goal has ended; results that were kept long enough are dropped.
 
         :raises RCLError: when the server was destroyed.
         """
@@ -263,7 +263,7 @@ class ActionServer(Waitable):
         self._give_result(goal_handle, result)
 
     def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
-        """Answer those who ask for the result of a goal; the first result counts."""
+        """Answer the requests for the result of a goal; the first result counts."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future.ended:
             if not isinstance(result, self._action_type.Result):
@@ -283,7 +283,7 @@ class ActionServer(Waitable):
         current_process().write('stderr', student_traceback(error)[0])
 
     def goal_changed(self) -> None:
-        """Tell everybody of the states of all goals."""
+        """Publish the states of all goals."""
         from action_msgs.msg import GoalStatus
 
         message = self._action_type.Impl.GoalStatusMessage()

@@ -116,7 +116,7 @@ class ServerGoalHandle:
     def publish_feedback(self, feedback: Any) -> None:
         """Send feedback.
 
-        :raises TypeError: when it is no `ActionType.Feedback`.
+        :raises TypeError: when it is not an `ActionType.Feedback`.
         :raises RCLError: when ROS 2 is shut down, as by Ctrl-C while the goal is worked on.
         """
         self._action_server.send_feedback(self, feedback)

@@ -1,5 +1,5 @@
-"""What publishers, subscriptions, timers, clients and services share: a handle, a place in the graph, and how an executor learns
-that there is something to do: each entity that becomes ready puts itself on its node's list, once.
+"""The common part of publishers, subscriptions, timers, clients and services: a handle, a place in the graph, and the
+notification of an executor. Each entity that becomes ready adds itself to its node's list, once.
 """
 
 from __future__ import annotations
@@ -47,7 +47,8 @@ def check_alive(endpoint: Any) -> None:
 def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
     """Raise what ROS 2 raises when something is asked of an endpoint that is gone, or after shutdown.
 
-    :param what: how the error text begins, up to its colon, and whose context it is: 'failed to ...: publisher'.
+    :param what: the beginning of the error message up to its colon, and the owner of the context, such as 'failed to ...:
+        publisher'.
     :raises InvalidHandle: the endpoint was destroyed.
     :raises RCLError: ROS 2 was shut down.
     """
@@ -63,7 +64,7 @@ NEVER_NS = 1 << 63
 
 
 class ReadyList:
-    """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due.
+    """The data that an executor checks for a node: the ready entities, and the timers. `due_ns` is when the first timer is due.
 
     :ivar asked: waitables of the program itself, which are asked in each wait.
     :ivar waiting: the simulated threads that are parked in the executor.
@@ -88,7 +89,7 @@ class ReadyList:
             self.due_ns = min([timer.due_ns for timer in timers], default=NEVER_NS)
 
     def notify(self) -> None:
-        """Something is ready, or a due time has changed: wake whoever waits."""
+        """An entity is ready, or a due time has changed: wake the waiting executor."""
         for task in self.waiting:
             task.wake()
 
@@ -96,7 +97,7 @@ class ReadyList:
 class Entity:
     """Base of what executors run: a callback, its group, and whether something waits for it.
 
-    `_order` sorts the entities of one wait: by category, then by creation. `is_async` tells that running it gives a coroutine.
+    `_order` sorts the entities of one wait by category, then by creation. `is_async` is whether running it returns a coroutine.
     """
 
     category = WAITABLE
@@ -110,7 +111,7 @@ class Entity:
         self.destroyed = False
 
     def signal(self) -> None:
-        """Something came: stand on the ready list and wake the executor."""
+        """An event has arrived: join the ready list and wake the executor."""
         if not self.queued:
             self.queued = True
             ready_list = self.ready_list
@@ -126,7 +127,7 @@ class Entity:
 class TimedEntity(Entity):
     """An entity that is ready at some time.
 
-    :ivar due_ns: when, in simulated time; `NEVER_NS` while nobody can tell.
+    :ivar due_ns: when, in simulated time; `NEVER_NS` while that is unknown.
     """
 
     due_ns: int = NEVER_NS

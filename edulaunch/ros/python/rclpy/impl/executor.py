@@ -41,8 +41,8 @@ class TimeoutObject:
 
 
 class Executor(Waiting):
-    """Base of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
-    subscriptions, guard conditions, clients and services; the next wait comes when all of that was executed.
+    """The base class of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
+    subscriptions, guard conditions, clients and services. The next wait comes when all of that was executed.
 
     An executor can be used as a context manager, which shuts it down.
     """
@@ -102,7 +102,7 @@ class Executor(Waiting):
             self._nodes_changed()
 
     def _nodes_changed(self) -> None:
-        """Whoever waits looks again; who executes a callback now does so when that has ended."""
+        """Wake the waiting threads; a thread that executes a callback checks again when that has ended."""
         if self.spinner is not None:
             self._woken = True
         if self._waiting:
@@ -142,7 +142,7 @@ class Executor(Waiting):
         nodes: list[Node] | None = None,
         condition: Callable[[], bool] = never,
     ) -> tuple[Task, Any, Any]:
-        """For executors of one's own: the next (task, entity, node); call the task to execute it.
+        """Return the next (task, entity, node) for custom executors; call the task to execute it.
 
         :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
         """
@@ -169,8 +169,8 @@ class Executor(Waiting):
     def _run_entity(self, entity: Entity) -> None:
         """Execute an entity, if its group lets it begin now.
 
-        Nearly all callbacks are plain functions in one of the two common groups: for those the groups' rules are spelled out
-        here (a service round trip takes 4 % less).
+        Nearly all callbacks are plain functions in one of the two common groups. Their rules are repeated here, which makes a
+        service round trip 4 % faster.
         """
         group = entity.callback_group
         kind = None if entity.is_async else group.__class__
@@ -199,7 +199,7 @@ class Executor(Waiting):
             self._run_coroutine(entity, coroutine)
 
     def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
-        """Run a callback's coroutine as far as it goes; when it waits it goes on as a task, with its group held."""
+        """Run a callback's coroutine up to its first wait; then it continues as a task and keeps its group."""
 
         async def guarded() -> None:
             try:
@@ -215,7 +215,7 @@ class Executor(Waiting):
             self._tasks.append(task)
 
     def note_nested_spin(self) -> bool:
-        """Whether this thread executes a callback here and nobody has heard of that yet."""
+        """Return whether this thread executes a callback here that has not been reported yet."""
         if self._nested_recorded or self.spinner is not current_task():
             return False
         self._nested_recorded = True
@@ -224,12 +224,12 @@ class Executor(Waiting):
     def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
         """Not None when the code that runs now, by waiting, keeps this entity from ever being executed.
 
-        :returns: something that stays equal while one callback of the running thread goes on.
+        :returns: a value that stays equal during one callback of the running thread.
         """
         return (self._seen_ns,) if self.spinner is current_task() else None
 
     def running_entity(self) -> Entity | None:
-        """The entity whose callback the running thread executes, where its group tells."""
+        """Return the entity whose callback the running thread executes, if its group has a record of it."""
         cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
             entity
@@ -255,7 +255,7 @@ class Executor(Waiting):
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
+        """Execute one callback, waiting for it at most `timeout_sec` (None or negative means forever, 0 means no wait)."""
         self._check_spins()
         self._spin_once_impl(timeout_sec)
 

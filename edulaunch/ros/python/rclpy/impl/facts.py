@@ -1,7 +1,7 @@
 """What is odd in a program that runs, as plain facts of which advice is made; ROS 2 itself keeps silent or only hangs.
 
-Waits that can never end, sleeps in callbacks, requests that nobody will answer; and what is odd about a node when it leaves, or
-at the end of a record.
+These are waits that can never end, sleeps in callbacks, and requests that will get no answer. There are also unusual facts about
+a node when it is destroyed, or at the end of a recording.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def callback_name(entity: Any) -> str | None:
 
 
 def node_name(entity: Entity) -> str | None:
-    """The full name of the node whose entity it is; None when nobody spins that."""
+    """Return the full name of the entity's node if no executor spins it; otherwise None."""
     executor = entity.ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
     return next((core_of(node).full_name for node in nodes if core_of(node).ready_list is entity.ready_list), None)
@@ -44,7 +44,7 @@ POLLS = 5
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
-    """Code that runs in a callback waits for what only `entity` can bring, which cannot while the callback goes on.
+    """Code in a callback waits for a result that only `entity` can provide, which is impossible during the callback.
 
     :param waiting: how: 'call', 'look' (in a loop), 'await', or the function that spins.
     """
@@ -52,7 +52,7 @@ def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> 
 
 
 def note_rate(entity: Entity) -> None:
-    """`rate.sleep()` where nobody is left to call the rate's timer."""
+    """`rate.sleep()` when no executor is left to call the rate's timer."""
     _note('rate in callback', entity, {})
 
 
@@ -80,7 +80,7 @@ def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorP
 
 
 def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
-    """A node is spun until the client of another one, which nobody spins, gets its answer."""
+    """A node is spun until the client of another node, which no executor spins, gets its answer."""
     data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
     _keep('other node spun', {**data, **student_line()})
 
@@ -107,7 +107,7 @@ SHORT_S = 0.01
 
 
 def note_sleep(seconds: float) -> None:
-    """Told of each `time.sleep` of a program that has an executor; when the task that spins sleeps, it does so in a callback."""
+    """Called for each `time.sleep` of a program with an executor; when the task that spins sleeps, it does so in a callback."""
     if not isinstance(seconds, (int, float)) or seconds < SHORT_S:
         return
     task, state = current_task(), process_state()
@@ -157,7 +157,9 @@ GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides
 
 
 def odd_facts(core: NodeCore) -> Facts:
-    """What a node was given and does not take; messages and replies that nobody takes; a node that nobody spins."""
+    """Record messages and requests that wait in a node, messages and replies without a receiver, and a node that no executor
+    spins.
+    """
     yield from _undeclared(core)
     yield from _passed_over(core)
     waiting = [*_waiting(core)]

@@ -1,6 +1,4 @@
-"""Names of a node that rclpy needs itself: a program that gives one of them another meaning is stopped where rclpy stumbles, or
-told.
-"""
+"""Names of a node that rclpy itself needs. A program that gives one of them another meaning fails in rclpy, or gets a warning."""
 
 from __future__ import annotations
 

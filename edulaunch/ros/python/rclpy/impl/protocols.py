@@ -50,7 +50,7 @@ class ExecutorProtocol(Protocol):
 
 
 class ClockProtocol(Protocol):
-    """What tells the time."""
+    """The source of the time."""
 
     def now(self) -> Any:
         """The time now, a `rclpy.time.Time`."""

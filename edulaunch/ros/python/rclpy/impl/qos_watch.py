@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Countdown:
-    """Calls back when nothing was seen for a while. It runs from the first sign on; `repeat`: and calls again each period."""
+    """Calls a function after a time without a sign. It starts with the first sign; with `repeat`, it calls again each period."""
 
     def __init__(self, endpoint: Any, period_ns: int, expired: Callable[[], object], *, repeat: bool = False) -> None:
         self._endpoint = endpoint
@@ -45,7 +45,7 @@ class Countdown:
 class Count:
     """Counts what happens between two calls of the callback.
 
-    :param make_info: makes what the callback is told of the total, what is new, and what the last `add` was given.
+    :param make_info: creates the argument of the callback from the total, the change, and the argument of the last `add`.
     :param tell: called at each change.
     """
 
@@ -56,7 +56,7 @@ class Count:
         self._last: tuple[Any, ...] = ()
 
     def add(self, *last: Any) -> None:
-        """Once more."""
+        """Count another one."""
         self._total += 1
         self._change += 1
         self._last = last
@@ -93,8 +93,8 @@ def watch_lease(publisher: WatchedPublisher, lost: Callable[[], object]) -> None
 
 
 class LivelinessWatch:
-    """Which of a subscription's publishers are alive: those that must show themselves, from their first sign to the end of the
-    lease; all others as long as they are there.
+    """Return which of a subscription's publishers are alive. A publisher with a lease is alive from its first sign to the end of
+    the lease. Any other one is alive as long as it exists.
     """
 
     def __init__(self, subscription: Subscription, info_class: Any, tell: Callable[[], object]) -> None:

@@ -23,7 +23,7 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
     """The filters that keyword arguments ask for.
 
     :raises TypeError: for an unknown keyword, or a throttle without its duration.
-    :raises ValueError: for a time source that is no clock.
+    :raises ValueError: for a time source that is not a clock.
     """
     wanted = tuple(name for name, parameters in _FILTERS.items() if any(options.get(parameter) for parameter in parameters))
     if 'throttle' in wanted and 'throttle_duration_sec' not in options:
@@ -94,11 +94,11 @@ DEBUG, INFO, WARN, ERROR, FATAL = 10, 20, 30, 40, 50
 class RcutilsLogger:
     """A logger: `node.get_logger()` or `rclpy.logging.get_logger(name)`.
 
-    Each log method takes one string, and the filters `once=True`, `skip_first=True`, `throttle_duration_sec=...`
-    (with `throttle_time_source_type=<a Clock>`), also `name=...` for another logger's name, and returns whether the message was
-    written. What a filter remembers belongs to the place of the call.
+    Each log method takes one string, and returns whether the message was written. The filters are `once=True`, `skip_first=True`
+    and `throttle_duration_sec=...` (with `throttle_time_source_type=<a Clock>`); `name=...` sets another logger's name. The
+    memory of a filter belongs to the place of the call.
 
-    :raises TypeError: for an unknown keyword, or a message that is no string, bytes or None.
+    :raises TypeError: for an unknown keyword, or a message that is not a string, bytes or None.
     :raises ValueError: when severity or filters change at one place.
     """
 
@@ -190,7 +190,7 @@ def _checked_name(name: Any) -> str:
 
 
 def _text_of(message: Any) -> str:
-    """What C makes of a message that is no str: None and bytes pass, anything else is refused."""
+    """Convert a message that is not a str as C does: None and bytes are accepted, other types are refused."""
     if message is None:
         return '(null)'
     if isinstance(message, bytes):

@@ -1,5 +1,5 @@
-"""What rclpy refuses, in its own words, with help: what executors cannot use, what is asked for before init or after the
-end, and names that are no texts. (`new_end_checks` has what is refused of a new endpoint.)
+"""The errors of rclpy, in its own words, with help. They are for unusable arguments of executors, calls before init or after the
+end, and names that are not strings. (`new_end_checks` has the errors for a new endpoint.)
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _OURS = (engine_folder() + os.sep, '<')
 
 
 def student_level() -> int:
-    """The `stacklevel` with which a warning by the caller of this names the student's line; 2 when there is none on the way."""
+    """Return the `stacklevel` with which a warning by the caller of this names the student's line; 2 without such a line."""
     level, frame = 1, sys._getframe(1)
     while frame.f_code.co_filename.startswith(_OURS):
         if frame.f_back is None:
@@ -39,7 +39,7 @@ def after_shutdown(what: str) -> RCLError:
 
 
 def check_node(node: Any) -> None:
-    """Raise what rclpy raises for a thing that is no node: a class, None, a list."""
+    """Raise rclpy's error for an object that is not a node: a class, None, a list."""
     if isinstance(node, type):
         name = node.__name__
         raise with_facts(TypeError("'property' object is not iterable"), 'programs.spin-class', given=name)
@@ -52,7 +52,7 @@ def check_node(node: Any) -> None:
 
 
 def check_future(future: Any) -> None:
-    """Raise what rclpy raises for a thing that is no future."""
+    """Raise rclpy's error for an object that is not a future."""
     if not hasattr(future, 'add_done_callback'):
         raise with_facts(
             AttributeError(f"{type(future).__name__!r} object has no attribute 'add_done_callback'"),
@@ -62,7 +62,7 @@ def check_future(future: Any) -> None:
 
 
 def check_executor(executor: Any, attribute: str) -> None:
-    """Raise what rclpy raises for a thing that is no executor, most often a timeout without its name, or a class."""
+    """Raise rclpy's error for an object that is not an executor, usually a timeout without its name, or a class."""
     if isinstance(executor, type):
         no_self = TypeError("Executor.add_node() missing 1 required positional argument: 'node'")
         raise with_facts(no_self, 'messages.class-given', wanted=executor.__name__)
@@ -99,7 +99,7 @@ def without_context(what: str) -> RCLError:
 
 
 def check_is_text(name: Any, kind: str) -> None:
-    """Raise what rclpy raises for a name that is no text.
+    """Raise rclpy's error for a name that is not a string.
 
     :param kind: 'node_name', 'namespace', 'topic_name' or 'full_topic_name'.
     :raises TypeError: for another thing.

@@ -84,7 +84,7 @@ class Waiting:
         self._seen_ns = 0
 
     def wake(self) -> None:
-        """Let a wait end, so that it looks again; the next one if there is none now."""
+        """Make the current wait end, so that it checks again; without one, make the next wait end."""
         self._woken = True
         if self._waiting:
             self._look_again()
@@ -115,7 +115,7 @@ class Waiting:
 
     @staticmethod
     def _put_back(entities: Iterable[Entity]) -> None:
-        """Let entities that were collected but not executed stand on their lists again."""
+        """Return entities that were collected but not executed to their lists."""
         for entity in entities:
             if entity.category != TIMER and entity.queued and entity not in entity.ready_list.asked:
                 entity.ready_list.entities.append(entity)
@@ -160,7 +160,7 @@ class Waiting:
                 current_task().sleep_until(now + PAUSE_NS)
 
     def _tasks_to_run(self) -> list[Task]:
-        """The tasks that can go on, newest first."""
+        """Return the tasks that can continue, newest first."""
         self._new_tasks = False
         return [task for task in reversed(self._tasks) if not (task.ended or task.executing())]
 
@@ -219,7 +219,7 @@ class Waiting:
         raise ConditionReachedException()
 
     def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
-        """The next item; what one wait collected is given out over successive calls with the same `key`.
+        """Return the next item; successive calls with the same `key` return the results of one wait.
 
         :raises ValueError: when another thread waits here with the same key, as rclpy's threads do with equal arguments.
         """
@@ -239,7 +239,7 @@ class Waiting:
                 raise two_spinners(error) from None
 
     def forget_work(self) -> None:
-        """Begin the next wait anew; another thread that waits with other arguments goes on with what it has."""
+        """Start the next wait again; another thread that waits with other arguments continues with its items."""
         work, self._work = self._work, None
         if work is not None and not work.gi_running:
             work.close()

@@ -10,7 +10,7 @@ from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackRetu
 
 
 class ManagedEntity:
-    """Base of managed entities: told of each transition of the node, after the node itself."""
+    """The base class of managed entities: they are called at each transition of the node, after the node itself."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """The node is being configured."""

@@ -84,7 +84,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return _life(self._rclpy).tell_entities('on_deactivate', state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Tell the managed entities that a transition went wrong."""
+        """Inform the managed entities that a transition failed."""
         return _life(self._rclpy).tell_entities('on_error', state)
 
     def register_callback(self, state_id: int, callback: OnTransition) -> bool:

@@ -29,7 +29,7 @@ TransitionCallbackReturn = TransitionCallbackReturnType
 
 
 class LifecycleState(NamedTuple):
-    """A state, as callbacks are told of it."""
+    """A state in the form that callbacks receive."""
 
     label: str
     state_id: int
@@ -108,7 +108,9 @@ def transition_from(state: str, wanted: int | str) -> Transition | None:
 
 
 def all_transitions() -> list[tuple[int, str, str, str]]:
-    """(number, label, start, goal) of all transitions, each followed by those that end its state of passage."""
+    """Return (number, label, start, goal) of all transitions, each followed by the transitions that end its intermediate
+    state.
+    """
     found = []
     for state, outcomes in OUTCOMES.items():
         found += [(one.number, one.label, one.start, one.during) for one in TRANSITIONS if one.during == state]
@@ -217,7 +219,7 @@ class LifecycleServices:
             node.create_service(kind, f'{node.get_fully_qualified_name()}/{name}', answer, callback_group=group)
 
     def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
-        """Tell of a step. As in ROS 2 the event names the two states and leaves its time and its transition empty."""
+        """Publish a step. As in ROS 2, the event has the two states and leaves its time and its transition empty."""
         from lifecycle_msgs.msg import TransitionEvent
 
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))

@@ -18,7 +18,8 @@ _FORMS = {'topic': ('rt', '', ''), 'request': ('rq', 'Request', '_Request'), 're
 
 
 def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> NamesAndTypes:
-    """(name, sorted types) as in DDS of what endpoints send or hear, sorted by name: `rt/chatter`, `pkg::msg::dds_::String_`.
+    """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name: `rt/chatter`,
+    `pkg::msg::dds_::String_`.
 
     :param directions: which of it counts.
     """

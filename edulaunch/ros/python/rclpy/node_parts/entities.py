@@ -359,7 +359,7 @@ def _new_timer(
 
 
 def _note_period(core: NodeCore, timer: Timer) -> None:
-    """A period as nobody means it: 0, or minutes where milliseconds were thought of."""
+    """Note an improbable period: 0, or minutes where milliseconds were intended."""
     from rclpy.impl.facts import callback_name
 
     data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}

@@ -150,7 +150,7 @@ def _topics_by_node(core: NodeCore, name: str, namespace: str, kind: str, direct
 
 
 def _nodes(core: NodeCore, name: str, namespace: str, kind: str) -> list[Any]:
-    """The nodes of that name. Raises NodeNameNonExistentError when there is none."""
+    """Return the nodes of that name. Raise NodeNameNonExistentError for an unknown name."""
     namespace = namespace or '/'
     what = _KINDS.get(kind, kind)
     graph = _looked_at(core, f'failed to get {what} names and types')

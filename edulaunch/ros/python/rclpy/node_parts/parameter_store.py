@@ -1,4 +1,4 @@
-"""The parameters of one node, the rules by which they change, and how others are told: /parameter_events, and the record."""
+"""The parameters of one node, the rules for changing them, and the reports of changes: /parameter_events, and the recording."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class ParameterStore:
     """Values and descriptors by name, and the callbacks that may refuse a change.
 
     :param check_alive: asked before each transaction; it raises when the node is gone.
-    :param on_change: told of each successful transaction, after the values are in place.
+    :param on_change: called after each successful transaction, when the values are set.
     """
 
     def __init__(self, allow_undeclared: bool, check_alive: Callable[[], None], on_change: OnChange) -> None:
@@ -91,7 +91,7 @@ class ParameterStore:
 
         As in rclpy the names in the text leave out the first one: it was used up by looking whether there is any.
 
-        :raises TypeError: when one is no Parameter.
+        :raises TypeError: when one is not a Parameter.
         :raises ParameterNotDeclaredException: when there are any.
         """
         names = []
@@ -166,7 +166,7 @@ class ParameterStore:
 
 
 def undeclared(name: str, declared: Iterable[str], shown: list[str] | None = None) -> ParameterNotDeclaredException:
-    """The error for a parameter that was not declared; `told` are the names in its text (default: its own)."""
+    """Return the error for undeclared parameters. `told` are the names in its message (default: its own)."""
     error = ParameterNotDeclaredException(name if shown is None else shown)
     return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
@@ -204,7 +204,7 @@ class ParameterEvents:
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
-        """Tell of one transaction.
+        """Report one transaction.
 
         :raises RCLError: after shutdown; the values are in place then, as in ROS 2.
         """
@@ -221,7 +221,7 @@ class ParameterEvents:
         self._publisher.send_wire((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _describe(self, name: str) -> None:
-        """Tell what a parameter is declared to be, where that says more than its type."""
+        """Record the declaration of a parameter, if it contains more than its type."""
         core = self._core
         descriptor = core.parameters.descriptors[name]
         limits = [

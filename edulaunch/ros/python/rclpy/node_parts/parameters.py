@@ -46,7 +46,7 @@ class NodeParameters:
         """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside takes the default's place.
 
         :raises ParameterAlreadyDeclaredException: when it was declared before.
-        :raises InvalidParameterTypeException: when the value from outside is of another type (5 is no double, 5.0 is).
+        :raises InvalidParameterTypeException: when the value from outside has another type (5 is not a double, 5.0 is).
         :raises InvalidParameterValueException: when a range or callback refuses the value.
         """
         entry: tuple[Any, ...] = (name,)

@@ -67,7 +67,7 @@ def is_launch_file(path: str) -> bool:
 def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
     """(name, value) of each `name:=value`; of several with one name the last counts.
 
-    :raises RuntimeError: for a text of another form.
+    :raises RuntimeError: for a string of another form.
     """
     parsed: dict[str, str] = {}
     for argument in launch_arguments:
@@ -129,7 +129,7 @@ def launch_a_launch_file(
 ) -> int:
     """Launch the file and wait for its end; returns the exit code.
 
-    :param launch_file_arguments: texts `name:=value`.
+    :param launch_file_arguments: strings `name:=value`.
     :param noninteractive: no terminal is attached.
     :raises RuntimeError: for a malformed argument.
     """

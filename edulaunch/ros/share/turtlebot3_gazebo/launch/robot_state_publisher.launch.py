@@ -1,4 +1,4 @@
-"""The frames of the robot that TURTLEBOT3_MODEL names (burger, waffle or waffle_pi; default: waffle)."""
+"""Publish the frames of the robot that TURTLEBOT3_MODEL names: burger, waffle (the default) or waffle_pi."""
 
 import os
 

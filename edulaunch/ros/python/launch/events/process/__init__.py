@@ -1,4 +1,4 @@
-"""Events of one program: what it did, and what it shall do."""
+"""Events of one program: what it did, and what it should do."""
 
 from typing import TYPE_CHECKING
 
