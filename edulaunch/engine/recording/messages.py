@@ -43,28 +43,22 @@ class Messages:
         return dict(sorted(found.items()))
 
     def rows(self, part: str) -> list[Any]:
-        """Return the rows of a part of the file as plain data, with times in nanoseconds.
-
-        This is fast for code that reads all of a long run. Do not change the rows.
-
-        :param part: 'topics', 'calls', 'logs', 'output' or 'parameters'.
+        """Return the rows of a `part` ('topics', 'calls', 'logs', 'output', 'parameters') as plain data with times; do not change
+        them.
         """
         found: list[Any] = self._content[part]
         return found
 
     def offered(self, topic: str) -> list[QoS]:
-        """Return the quality of service of each publisher that a topic had during the run.
-
-        :param topic: full name of the topic.
-        """
+        """Return the quality of service of each publisher that a `topic` (its full name) had during the run."""
         from edulaunch.engine.graph.qos import QoS
 
         return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
-        """Return all messages of a topic as (time in seconds, message), in order of publication; [] for an unknown topic.
+        """Return all messages of a `topic` (its full name) as (time in seconds, message), in order of publication; [] for an
+        unknown one.
 
-        :param topic: full name of the topic, such as '/turtle1/pose'.
         :raises KeyError: when code reads an item of the list of an unknown topic; the message names the nearest topic.
         """
         if topic not in self.topics:
@@ -77,10 +71,8 @@ class Messages:
         return [(time / 1e9, message) for time, message in rows]
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
-        """Return all messages of one type on a topic as (time in ns, wire), in order of publication; much faster than `messages`.
-
-        :param topic: full name of the topic.
-        :param type_name: such as 'turtlesim/msg/Pose'. A wire is the flat tuple of the message's values.
+        """Return the messages of type `type_name` ('turtlesim/msg/Pose') on a `topic` as (time in ns, wire); faster than
+        `messages`.
         """
         columns = [column for column in self._columns(topic) if column['type'] == type_name]
         rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
@@ -88,10 +80,8 @@ class Messages:
         return rows
 
     def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
-        """Do the same as :meth:`wires`, and add the name of the publishing node: (time in ns, node, wire).
-
-        :param topic: full name of the topic.
-        :param type_name: such as 'turtlesim/msg/Pose'.
+        """Do the same as :meth:`wires` for `topic` and `type_name`, and add the name of the publishing node: (time in ns, node,
+        wire).
         """
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
@@ -105,9 +95,8 @@ class Messages:
         return rows
 
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
-        """Return numbers over time: rows of (time in seconds, field, field ...).
+        """Return numbers of a `topic` over time: rows of (time in seconds, field, field ...).
 
-        :param topic: full name of the topic.
         :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]', in the units of the message.
         :raises NotRecorded: when the messages have no such field; the message names the nearest one.
         """
@@ -122,10 +111,7 @@ class Messages:
         return [(time, *(get(message) for get in gets)) for time, message in messages]
 
     def message_class(self, type_name: str) -> Any:
-        """Return the class of a message type, as it was in the run.
-
-        :param type_name: such as 'turtlesim/msg/Pose'.
-        """
+        """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), as it was in the run."""
         return self._class(type_name)
 
     @property
@@ -135,13 +121,13 @@ class Messages:
 
     @cached_property
     def _registry(self) -> RecordedTypes:
-        """The interfaces of this recording: the student's own ones as recorded, and the ones that can be imported now."""
+        """Return the interfaces; see :attr:`registry`."""
         from edulaunch.engine.recording.recorded_types import RecordedTypes
 
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
 
     def _class(self, type_name: str) -> Any:
-        """The class of a type. Raises RecordingError when it is unknown here, or its text in the file is wrong."""
+        """Return the class of a type. Raise RecordingError if it is unknown here, or its definition in the file is invalid."""
         try:
             return self._registry.get(type_name)
         except InterfaceError as error:
@@ -158,7 +144,7 @@ class Messages:
         return columns
 
     def _check(self, type_name: str, wires: list[Any]) -> None:
-        """What came from a file is looked at before it is used. Raises RecordingError when it fits no message of the type."""
+        """Check data from a file before its use. Raise RecordingError if it fits no message of the type."""
         self._class(type_name)
         try:
             fits = self._registry.checks.check(type_name)
@@ -183,9 +169,8 @@ class Messages:
         return calls
 
     def to_pandas(self, topic: str, *fields: str) -> Any:
-        """Return the messages of a topic as a pandas DataFrame, with the time in seconds as its index.
+        """Return the messages of a `topic` as a pandas DataFrame, with the time in seconds as its index.
 
-        :param topic: full name of the topic.
         :param fields: the columns (default: every field that is not a list).
         :raises UnusableInput: when pandas is not installed.
         """

@@ -37,11 +37,8 @@ class TransformBuffer:
     def set(
         self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str = 'default_authority', static: bool = False
     ) -> tuple[Rejection, ...]:
-        """Add one transform: `pose` of the child relative to the parent at a time.
+        """Add one transform: `pose` (metres, and (x, y, z, w)) of the frame `child` relative to `parent` at `stamp_ns`.
 
-        :param parent, child: names of the frames, without a leading slash.
-        :param stamp_ns: time of the transform in ns.
-        :param pose: translation in metres and rotation as (x, y, z, w).
         :param authority: name of the node that broadcasts it.
         :param static: whether it holds at all times; then the stamp does not matter.
         :returns: the log lines of tf2 when it refuses the transform, as (severity, text); empty if it was accepted.
@@ -78,7 +75,7 @@ class TransformBuffer:
     def _set_with_care(
         self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str, static: bool
     ) -> tuple[Rejection, ...]:
-        """All of :meth:`set` that is not usual: new frames, new parents, static transforms, bad input."""
+        """Handle the unusual cases of :meth:`set`: new frames, new parents, static transforms, invalid input."""
         parent, child = parent.removeprefix('/'), child.removeprefix('/')
         rejections = reasons_against(parent, child, pose, authority)
         if rejections:
@@ -108,9 +105,8 @@ class TransformBuffer:
         self._paths.clear()
 
     def lookup(self, target: str, source: str, time_ns: int = 0) -> tuple[int, Transform]:
-        """Return (stamp in ns, target_from_source) at a time, interpolated between samples.
+        """Return (stamp in ns, target_from_source) between the frames `target` and `source`, interpolated between samples.
 
-        :param target, source: names of the frames; the result converts coordinates in the source to coordinates in the target.
         :param time_ns: time in ns; 0 means the latest common time.
         :raises TransformFailure: for an unknown name, a missing connection, or a time without data.
         """
@@ -127,11 +123,9 @@ class TransformBuffer:
         return walk(self._frames, target, source, time_ns)
 
     def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
-        """Return the transform between two times, over a frame that does not move meanwhile; the stamp is that of the target.
+        """Return the transform from `source` at `source_ns` to `target` at `target_ns`, over `fixed`, which does not move
+        meanwhile.
 
-        :param target, target_ns: name of the target frame, and its time in ns.
-        :param source, source_ns: name of the source frame, and its time in ns.
-        :param fixed: name of the frame that does not move between the two times.
         :raises TransformFailure: as in :meth:`lookup`; all three names are checked.
         """
         check_names(self._frames, target, source, fixed)
@@ -139,28 +133,20 @@ class TransformBuffer:
         return stamp_ns, canonical(compose(target_from_fixed, self.lookup(fixed, source, source_ns)[1]))
 
     def can_transform(self, target: str, source: str, time_ns: int = 0) -> tuple[bool, str]:
-        """Return (whether :meth:`lookup` would succeed, why not).
-
-        :param target, source: names of the frames.
-        :param time_ns: time in ns; 0 means the latest common time.
-        """
+        """Return (whether `lookup(target, source, time_ns)` would succeed, why not)."""
         path = self._paths.get((target, source))
         if target == source or path is not None and path.covers(time_ns or path.latest_common_time()):
             return True, ''
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
     def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
-        """Return (whether :meth:`lookup_full` would succeed, why not).
-
-        :param target, target_ns, source, source_ns, fixed: as in :meth:`lookup_full`.
-        """
+        """Return (whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, why not)."""
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """Return the latest time, in ns, for which the transform is known; 0 if all transforms on the path are static.
+        """Return the latest time, in ns, of the transform from `source` to `target`; 0 if all transforms on the path are static.
 
-        :param target, source: names of the frames.
         :raises TransformFailure: for an unknown name, or a missing connection.
         """
         check_name(self._frames, target, 'get_latest_common_time')
@@ -168,10 +154,8 @@ class TransformBuffer:
         return latest_common_time(self._frames, target, source)
 
     def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
-        """Return the frames on the path from the source over the fixed frame to the target.
-
-        :param target, target_ns, source, source_ns, fixed: as in :meth:`lookup_full`.
-        :raises TransformFailure: as in :meth:`lookup_full`.
+        """Return the frames on the path of :meth:`lookup_full` (`target`, `target_ns`, `source`, `source_ns`, `fixed`), or raise
+        as it does.
         """
         check_names(self._frames, target, source, fixed)
         below = chain(self._frames, fixed, source, source_ns)
