@@ -154,9 +154,7 @@ class TransformBuffer:
         return latest_common_time(self._frames, target, source)
 
     def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
-        """Return the frames on the path of :meth:`lookup_full` (`target`, `target_ns`, `source`, `source_ns`, `fixed`), or raise
-        as it does.
-        """
+        """Return the frames on the path of `lookup_full(target, target_ns, source, source_ns, fixed)`, or raise its error."""
         check_names(self._frames, target, source, fixed)
         below = chain(self._frames, fixed, source, source_ns)
         return below + chain(self._frames, target, fixed, target_ns)[1:]
