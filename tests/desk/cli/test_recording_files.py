@@ -94,7 +94,7 @@ def test_an_mcap_file_that_is_there_or_has_no_folder(drive: Path, capsys: pytest
     assert main(['recording', 'export', str(drive), '--mcap', str(drive)]) == 2
     assert main(['recording', 'export', str(drive), '--mcap', str(drive.parent / 'nowhere' / 'x.mcap')]) == 2
     first, _, second = capsys.readouterr().err.partition('error: ')[2].partition('error: ')
-    assert 'is there already' in first and 'x.mcap cannot be written: No such file or directory' in second
+    assert 'already exists' in first and 'cannot write ' in second and 'x.mcap: No such file or directory' in second
 
 
 def test_each_topic_becomes_a_table(drive: Path) -> None:
