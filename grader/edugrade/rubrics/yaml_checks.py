@@ -136,6 +136,14 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
         since_s = require_started(run, one.scenario, other, wanted.try_, *program) if other else 0.0
         words = f'the {what} of {one.text("node")}' + (f' after the start of {other}' if other else '')
         one.require_close(f'{words} (in s)', time_s - since_s, one.number('at'), 0.3)
+        if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
+            raise Mismatch(f'the {what} of {one.text("node")}', f'after the start of {other}', 'before it', **one.advice)
+
+
+def _place(one: OfRun, node: str, package: str | None, executable: str | None) -> int:
+    """Return the place of a node's program among the programs of its run, in the order of their starts."""
+    (_, found) = require_node(one.alone, node, package, one.wanted.try_, executable)[one.scenario]
+    return next(place for place, process in enumerate(one.recording.processes) if process.name == found.process)
 
 
 @kind('A node publishes on {name}', 'name', f'type package rate {MEASURE}')

@@ -32,6 +32,7 @@ MISSES = [
     ('on_request.launch.py', "EqualsSubstitution(worlds, '2')", "EqualsSubstitution(worlds, '1')", 'quiet'),
     ('fence.launch.py', "SetParameter('background_b', blue)", "SetParameter('background_b', 40)", 'fenced_water'),
     ('in_order.launch.py', 'period=delay', 'period=2.0', 'after_driver'),
+    ('in_order.launch.py', 'RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[driver]))', 'driver', 'after_sim'),
     ('rooms.launch.xml', '$(var room)', 'kitchen', 'lives'),
     ('tower.launch.py', "'--yaw', '1.5708'", "'--yaw', '-1.5708'", 'lamp_place'),
     ('mast.launch.py', 'xyz="0 0 0.3"', 'xyz="0 0.3 0"', 'camera_place'),
