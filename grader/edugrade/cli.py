@@ -92,7 +92,7 @@ def _verb(word: str) -> Callable[[list[str]], int] | None:
     if word in FORKING and not CAN_FORK:
         from .in_place import NEEDED
 
-        raise UnusableInput(f'edugrade {word}: this system cannot confine what others wrote', help=NEEDED)
+        raise UnusableInput(f'edugrade {word}: this system has no sandbox for the code of other people', help=NEEDED)
     verb = plugins.grading_verbs().get(word)
     if verb is not None:
         found: Callable[[list[str]], int] = plugins.function(verb.function)

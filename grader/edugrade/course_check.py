@@ -35,7 +35,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('title', str, 'a text'),
     ('points', int, 'a whole number'),
     ('lesson', str, 'the name of a notebook'),
-    ('hints', list, 'a list of texts'),
+    ('hints', list, 'a list of strings'),
     ('why', str, 'a text'),
     ('check_points', dict, 'a table of points'),
     ('variants', list, 'a list of lists'),
@@ -83,7 +83,9 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
     )
-    parser.add_argument('folder', nargs='?', default='.', metavar='FOLDER', help='of the course (default: the current one)')
+    parser.add_argument(
+        'folder', nargs='?', default='.', metavar='FOLDER', help='directory of the course (default: the current one)'
+    )
     parser.add_argument('--quick', action='store_true', help='launch nothing')
     return parser
 

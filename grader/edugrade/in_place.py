@@ -87,7 +87,7 @@ def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> O
     except UnusableInput as error:
         return Outcome(scenario, 'unusable', text=error.message, try_=error.help or None)
     except Exception as error:
-        text = f'the simulation itself broke: {type(error).__name__}: {error}'
+        text = f'the simulation failed: {type(error).__name__}: {error}'
         return Outcome(scenario, 'broke', text=text, detail=traceback.format_exc())
 
 

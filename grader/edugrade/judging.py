@@ -105,7 +105,9 @@ def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | 
 
 def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResult]) -> CheckResult:
     root = results[blocker.root_cause] if blocker.root_cause is not None else blocker
-    reason = f'because "{root.sentence}" broke' if root.status == GRADER_BROKE else f'because "{root.sentence}" failed'
+    reason = (
+        f'because the grader failed in "{root.sentence}"' if root.status == GRADER_BROKE else f'because "{root.sentence}" failed'
+    )
     return replace(_plain(check, NOT_RUN), root_cause=root.name, reason=reason)
 
 

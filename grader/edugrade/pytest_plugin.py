@@ -18,9 +18,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup('edugrade')
     group.addoption('--edugrade', action='store_true', help='grade launch files: every check of their rubrics is a test')
     group.addoption(
-        '--edugrade-rubric', metavar='FILE|NAME', help='by this rubric (default: the one of the name of the launch file)'
+        '--edugrade-rubric', metavar='FILE|NAME', help='use this rubric (default: the rubric with the name of the launch file)'
     )
-    group.addoption('--edugrade-seed', type=int, metavar='N', help="choose the runs' values by this number")
+    group.addoption('--edugrade-seed', type=int, metavar='N', help='select the values of the runs from this number')
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile | None:

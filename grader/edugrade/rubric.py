@@ -164,7 +164,7 @@ def _refuse_odd_runs(made: Any, by: Callable[..., Any]) -> None:
         ):
             raise RubricMistake(
                 f'{place}: the scenario {item.name} lasts {item.duration_s} s with {dict(item.arguments)}; '
-                f'a duration is more than 0 and at most {LONGEST_S:g} s, and arguments are texts'
+                f'a duration is more than 0 and at most {LONGEST_S:g} s, and arguments are strings'
             )
 
 
@@ -172,7 +172,7 @@ def _refuse_disorder(checks: Sequence[Check]) -> None:
     known: dict[str, Check] = {}
     strange = next((check for check in checks if not isinstance(check, Check)), None)
     if strange is not None:
-        raise TypeError(f'{strange!r} is no check; put @check(points=...) before the function')
+        raise TypeError(f'{strange!r} is not a check; put @check(points=...) before the function')
     for check in checks:
         if check.name in known:
             raise ValueError(f'two checks are called {check.name}')

@@ -145,7 +145,8 @@ def _read(path: str) -> bytes:
         raise UnusableInput(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
-            f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file', help='give the path of the launch file'
+            f'{path} is larger than {LARGEST_BYTES:,} bytes, which is too large for a launch file',
+            help='give the path of the launch file',
         )
     return data
 
@@ -174,7 +175,7 @@ def _nearest_to(path: str) -> str:
     if os.path.islink(path):
         return f'it is a link to {os.readlink(path)}, and that does not exist'
     if folder and not os.path.isdir(folder):
-        return f'the folder {folder} does not exist either; look where you are with pwd and ls'
+        return f'the folder {folder} does not exist either; check the current directory with pwd and ls'
     names = _gradable(folder)
     close = nearest(name, names)
     if close is not None:

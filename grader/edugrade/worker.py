@@ -75,7 +75,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
             raise Exceeded(f'it needed more than {MOST_MEMORY_MIB} MiB of memory')
         if code == BROKE:
             raise RuntimeError(answer.decode('utf-8', 'replace'))
-    raise Lost('the process that judges was killed from outside')
+    raise Lost('another program killed the process that judges')
 
 
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:

@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 import edulaunch
 from edulaunch.advice.reader import Reader, Retelling, reader_of
 
+ROOT = Path(__file__).resolve().parents[2]
 LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node
 def generate_launch_description():
@@ -101,6 +103,36 @@ def test_facts_go_over_and_are_retold_themselves() -> None:
 def test_what_is_no_sentence_of_ours_stays() -> None:
     for text in ('', 'Traceback', ' is missing', 'x' * 5000 + ' is missing', 'one two together'):
         assert GERMAN(text) == text
+
+
+MIXED = Retelling(
+    {
+        '{what} of {whose}': '{what} von {whose}',
+        '{name} is {value}': '{name} ist {value}',
+        'where': 'wo',
+        'no frames': 'keine Frames',
+    }
+)
+
+
+def test_no_sentence_is_half_in_another_language() -> None:
+    for text in ('The red of the water is the launch argument red', 'which of the two is earlier, now + ago or now - ago?'):
+        assert MIXED(text) == text
+    assert MIXED('x of turtle1') == 'x von turtle1'
+
+
+def test_a_name_in_a_sentence_is_no_label() -> None:
+    assert MIXED('where') == 'wo'
+    assert MIXED('x of where') == 'x von where'
+    assert MIXED('speed is no frames') == 'speed ist keine Frames'
+
+
+def test_the_sentences_of_the_rubrics_in_yaml_are_whole_in_german() -> None:
+    german = Reader('de')
+    rubrics = [yaml.safe_load(path.read_text('utf-8')) for path in sorted((ROOT / 'grader' / 'checks').glob('*.yaml'))]
+    texts = {text for rubric in rubrics for text in (rubric['title'], *(check.get('say') for check in rubric['checks'])) if text}
+    assert len(texts) > 80
+    assert {text for text in texts if german.retells(text) == text} == set()
 
 
 def test_a_hostile_text_is_matched_in_one_go() -> None:

@@ -136,12 +136,12 @@ def test_a_yaml_rubric_has_runs_without_an_argument() -> None:
     ('old', 'new', 'told'),
     [
         ('shows: [node]', 'shows: [nodes]', 'a.yaml:6: shows is a list of names of checks; there are default, node'),
-        ('shows: [node]', 'shows: node', 'a.yaml:6: shows is a list of names of checks; there are default, node'),
-        ('defaults: {who: anna}', 'defaults: {who: [1]}', 'a.yaml:3: a default is a text, or null where any default will do'),
+        ('shows: [node]', 'shows: node', "a.yaml:6: shows is 'node'; write a list of names"),
+        ('defaults: {who: anna}', 'defaults: {who: [1]}', 'a.yaml:3: a default must be a string, or null for any default'),
         (
             'defaults: {who: anna}',
             'defaults: {who: anna}, arguments: {who: b}',
-            'a.yaml:3: an argument is given by arguments, or has its default by defaults, and not both',
+            'a.yaml:3: write an argument in arguments or in defaults, and not in both',
         ),
     ],
 )

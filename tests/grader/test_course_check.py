@@ -125,7 +125,7 @@ def test_everything_that_is_wrong_in_a_manifest_is_named_at_once(copy: Path, cap
         "course: 3: points is '12' in course.toml, and a whole number is expected",
         'course: the exercise number 2 has no file in course.toml',
         'course: the exercise number 2: points is True in course.toml, and a whole number is expected',
-        "course: the exercise number 2: hints is 'no' in course.toml, and a list of texts is expected",
+        "course: the exercise number 2: hints is 'no' in course.toml, and a list of strings is expected",
     ]
 
 

@@ -51,7 +51,7 @@ def test_only_numbers_of_such_errors_are_looked_into() -> None:
 @pytest.mark.processes
 def test_the_computer_is_tried(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert fault_here(str(tmp_path)) is None
-    assert fault_here(str(tmp_path / 'none')) == 'the folder for temporary files is not there'
+    assert fault_here(str(tmp_path / 'none')) == 'the directory for temporary files does not exist'
 
     def no_process() -> int:
         raise OSError(errno.EAGAIN, 'x')

@@ -106,7 +106,7 @@ def test_a_class_is_graded_by_the_variant_of_each_and_told_of_another_one_s(
     }
     assert [results[name]['verdict'] for name in ('ada', 'bert')] == ['all passed', 'all passed']
     told = [check['reason'] for check in results['carl']['checks'] if check['name'] == 'own_variant']
-    assert told == ["this is another student's variant: there is no mark until a teacher has looked at it"]
+    assert told == ["this is another student's variant, which gets no mark until a teacher has looked at it"]
     assert results['carl']['points']['earned'] is None
     assert all(check['name'] != 'own_variant' for check in results['ada']['checks'])
 
@@ -135,7 +135,7 @@ def test_a_secret_that_everybody_can_change_is_refused(tmp_path: Path) -> None:
     file = tmp_path / 'secret'
     file.write_text('0123456789abcdef')
     file.chmod(0o666)
-    with pytest.raises(UnusableInput, match='everybody on this computer can change the course secret'):
+    with pytest.raises(UnusableInput, match='every user of this computer can change the course secret'):
         CourseSecret(str(file))
     file.chmod(0o600)
     CourseSecret(str(file))

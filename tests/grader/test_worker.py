@@ -77,7 +77,7 @@ def test_judging_that_loops_eats_or_dies_costs_only_its_own_submission(tmp_path:
     reasons = {name: next((each['reason'] for each in found[name]['checks'] if each['reason']), None) for name in found}
     assert 'longer than 3 s of processor time' in reasons['loop']
     assert 'the memory is full' in reasons['memory']
-    assert 'Lost: the process that judges was killed from outside' in reasons['killed']
+    assert 'Lost: another program killed the process that judges' in reasons['killed']
     assert [each['status'] for each in found['loop']['checks']] == ['failed', 'not_run', 'not_run']
     assert all('<img' in (tmp_path / 'html' / name / 'a.launch.py.html').read_text() for name in found)
 

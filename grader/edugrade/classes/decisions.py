@@ -109,7 +109,8 @@ def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
             points = -1.0
         if points is not None and not (isfinite(points) and points >= 0):
             raise UnusableInput(
-                f'{path}:{number}: {row["points"]!r} are no points', help='a number, or nothing for those of the grader'
+                f'{path}:{number}: {row["points"]!r} is not a valid number of points',
+                help='write a number, or leave the cell empty to keep the points of the grader',
             )
         if row['student'].strip():
             found[row['student'].strip(), row.get('exercise', '').strip()] = Decision(points, row.get('comment', '').strip())
@@ -122,7 +123,7 @@ def read_late(due: str, per_day: float, path: str) -> Late:
     :raises UnusableInput: when a time cannot be read.
     """
     if not 0 <= per_day <= 100:
-        raise UnusableInput(f'--late-per-day {per_day:g} is no number from 0 to 100')
+        raise UnusableInput(f'--late-per-day {per_day:g} is not a number from 0 to 100')
     head, rows = read_table(path)
     column = next((name for name in TIMES if name in head), None)
     if column is None or not set(head) & {*NAMES, *NUMBERS}:
@@ -145,7 +146,7 @@ def _time(text: str, place: str) -> datetime:
     try:
         return datetime.strptime(text, MOODLE_TIME)
     except ValueError:
-        raise UnusableInput(f'{place}: {text!r} is no time', help='2026-11-20T23:59') from None
+        raise UnusableInput(f'{place}: {text!r} is not a valid time', help='2026-11-20T23:59') from None
 
 
 def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:
@@ -156,7 +157,7 @@ def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:
     try:
         text = read_given(path, LARGEST_BYTES, 'the table ').decode('utf-8-sig')
     except UnicodeDecodeError as error:
-        raise UnusableInput(f'the table {path} cannot be read: {error}', help='it is CSV in UTF-8') from None
+        raise UnusableInput(f'the table {path} cannot be read: {error}', help='save it as CSV in UTF-8') from None
     first = text.partition('\n')[0]
     reader = csv.DictReader(io.StringIO(text), restval='', delimiter=';' if first.count(';') > first.count(',') else ',')
     rows = [{key: value for key, value in row.items() if isinstance(key, str)} for row in reader]

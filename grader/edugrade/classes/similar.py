@@ -211,12 +211,14 @@ LONGEST_READING_S = 20.0  # for the fingerprints of one submission
 def main(words: Sequence[str]) -> int:
     """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
     parser = argparse.ArgumentParser(
-        prog='edugrade similar', description='Show submissions that are more alike than the task makes them.'
+        prog='edugrade similar', description='Show submissions that are more alike than the task explains.'
     )
     parser.add_argument('results', metavar='RESULTS', help='the folder that edugrade batch has written')
-    parser.add_argument('--exercise', metavar='NAME', help='of which exercise (default: each)')
-    parser.add_argument('--least', type=_percent, default=0.6, metavar='PERCENT', help='how much of the code (default: 60)')
-    parser.add_argument('--html', metavar='FILE', help='write them side by side too')
+    parser.add_argument('--exercise', metavar='NAME', help='the exercise (default: all of them)')
+    parser.add_argument(
+        '--least', type=_percent, default=0.6, metavar='PERCENT', help='least percentage of common code (default: 60)'
+    )
+    parser.add_argument('--html', metavar='FILE', help='also write the pairs side by side')
     options = parser.parse_args(words)
     results = [result for result in Store(options.results).all() if 'rubric' in result]
     names = sorted({result['rubric']['name'] for result in results})
@@ -231,7 +233,7 @@ def main(words: Sequence[str]) -> int:
         for pair in pairs:
             print(printable(f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'))
         if lost:
-            print(printable('  not found with the text that was graded: ' + ', '.join(lost)))
+            print(printable('  not found with the graded content: ' + ', '.join(lost)))
     if options.html is not None:
         write_whole(options.html, '\n'.join(pages))
     return 0

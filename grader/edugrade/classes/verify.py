@@ -50,9 +50,9 @@ def read_report(path: str) -> dict[str, Any]:
     try:
         found = json.loads(data)
     except (ValueError, RecursionError) as error:
-        raise UnusableInput(f'{path} is no JSON report: {error}') from None
+        raise UnusableInput(f'{path} is not a JSON report: {error}') from None
     if not isinstance(found, dict) or not isinstance(found.get('receipt'), dict) or not isinstance(found.get('checks'), list):
-        raise UnusableInput(f'{path} is no report with a receipt', help='edugrade FILE --json writes one, and edugrade batch')
+        raise UnusableInput(f'{path} is not a report with a receipt', help='edugrade FILE --json writes one, and edugrade batch')
     return found
 
 
@@ -61,7 +61,7 @@ def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
     serialization, ed25519 = _library()
     private = _loaded(lambda data: serialization.load_pem_private_key(data, password=None), key)
     if not isinstance(private, ed25519.Ed25519PrivateKey):
-        raise UnusableInput(f'the key {key} is no private ed25519 key', help=MAKE)
+        raise UnusableInput(f'the key {key} is not a private ed25519 key', help=MAKE)
     bare = {name: value for name, value in report.items() if name != 'signature'}
     value = b64encode(private.sign(_signed_bytes(bare))).decode()
     return {**bare, 'signature': {'algorithm': 'ed25519', 'key': _name(private.public_key(), serialization), 'value': value}}
@@ -72,7 +72,7 @@ def is_signed_by(report: dict[str, Any], key: str) -> bool:
     serialization, ed25519 = _library()
     public = _loaded(serialization.load_pem_public_key, key)
     if not isinstance(public, ed25519.Ed25519PublicKey):
-        raise UnusableInput(f'the key {key} is no public ed25519 key', help=MAKE)
+        raise UnusableInput(f'the key {key} is not a public ed25519 key', help=MAKE)
     bare = {name: value for name, value in report.items() if name != 'signature'}
     try:
         public.verify(b64decode(report['signature']['value'], validate=True), _signed_bytes(bare))
@@ -96,7 +96,7 @@ def _loaded(load: Any, key: str) -> Any:
     try:
         return load(data)
     except Exception as error:
-        raise UnusableInput(f'the key {key} is no PEM key without a password: {error}', help=MAKE) from None
+        raise UnusableInput(f'the key {key} is not a PEM key without a password: {error}', help=MAKE) from None
 
 
 def _library() -> tuple[Any, Any]:
@@ -116,10 +116,11 @@ NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the 
 def main(words: Sequence[str]) -> int:
     """The command: 0 when the report holds, 1 when it does not, 2 when that cannot be found out."""
     parser = argparse.ArgumentParser(
-        prog='edugrade verify', description='Make a mark again from the same text, rubric and seed, and say whether it holds.'
+        prog='edugrade verify',
+        description='Grade the same submission again with the same rubric and seed, and report whether the mark is the same.',
     )
     parser.add_argument('report', metavar='REPORT', help='a JSON report, or a result of a batch')
-    parser.add_argument('--submission', metavar='PATH', help='what was graded; else it is looked for beside the report')
+    parser.add_argument('--submission', metavar='PATH', help='the graded submission (default: the file beside the report)')
     parser.add_argument('--key', metavar='FILE', help='the report must be signed by this public key (PEM)')
     add_common(parser)
     options = parser.parse_args(words)

@@ -75,7 +75,7 @@ def require_parameter(
     :param where: the place for the report (default: the Node).
     :raises Missing: when the launch file gives the node other parameters, but not this one.
     :raises Mismatch: with the values and their origins.
-    :raises Failure: when a parameter file of the node does not exist.
+    :raises MissingParameterFile: when a parameter file of the node does not exist.
     """
     found = {key: find_parameter(run[key], package, executable, name, value) for key, value in wanted.items()}
     if all(seen is not None and seen.value == wanted[scenario] for scenario, seen in found.items()):
@@ -95,6 +95,10 @@ def require_parameter(
     )
 
 
+class MissingParameterFile(Failure):
+    """Launch could not find a parameter file, so no advice about single parameters helps."""
+
+
 INSTALL = 'add this file to data_files in setup.py, or correct its path in the launch file'
 NOT_A_FILE = re.compile(r'Parameter file path is not a file: ([^\n]+)')
 
@@ -103,7 +107,7 @@ def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], packag
     """Fail when wrong parameters have no value of the launch file, and launch has reported a parameter file that is missing.
 
     :param wrong: the parameters that do not have their value, or None for one that the node does not have.
-    :raises Failure: with the path of the file and the place of the Node.
+    :raises MissingParameterFile: with the path of the file and the place of the Node.
     """
     if any(parameter is not None and parameter.origin != 'default' for parameter in wrong):
         return
@@ -118,7 +122,7 @@ def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], packag
         )
         if missing:
             own = [recording.processes[position] for position in processes_of(recording, package, executable)]
-            raise Failure(
+            raise MissingParameterFile(
                 f'the parameter file {missing} does not exist',
                 expected='a parameter file at this path',
                 seen='launch starts the node without the parameters of this file',

@@ -10,6 +10,7 @@ from typing import Any
 import yaml
 
 from ..evidence import Evidence, Failure, Scenario
+from ..library.parameters import MissingParameterFile
 from ..rubric import Check, CheckFunction, Rubric, RubricMistake
 from . import yaml_behaviour as _  # noqa: F401  (its kinds)
 from .yaml_checks import KINDS
@@ -84,7 +85,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     defaults = {key: _default(value, problem) for key, value in usual.items()}
     twice = next((value for key, value in usual.items() if key in given), None)
     if twice is not None:
-        raise problem(twice, 'an argument is given by arguments, or has its default by defaults, and not both')
+        raise problem(twice, 'write an argument in arguments or in defaults, and not in both')
     duration = _number(parts['duration'], problem, (int, float)) if 'duration' in parts else (lambda random: 20.0)
     seed = _value(parts['seed'], problem) if 'seed' in parts else 0
     if not isinstance(seed, int):
@@ -116,7 +117,7 @@ def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
 def _default(node: yaml.Node, problem: Problem) -> str | None:
     """Return the default that an argument should have, or None (null in YAML) for any default."""
     if not isinstance(node, yaml.ScalarNode):
-        raise problem(node, 'a default is a text, or null where any default will do')
+        raise problem(node, 'a default must be a string, or null for any default')
     return None if _value(node, problem) is None else str(node.value)
 
 
@@ -197,7 +198,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     return Check(
         name,
         words.get('say') or kind.sentence.format_map(wanted.shown),
-        _with_steps(lambda run: kind.function(run.only(only), wanted), steps, last),
+        _with_steps(lambda run: kind.function(run.only(only), wanted), steps),
         points,
         tuple(known[each] for each in names),
     )
@@ -212,14 +213,14 @@ def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
     return [str(text) for text in texts]
 
 
-def _with_steps(function: CheckFunction, steps: Sequence[str | None], last: str | None) -> CheckFunction:
-    """Return a check whose failures have the steps before the advice of the rubric. A failure with its own advice has none."""
+def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
+    """Return a check whose failures have the steps of the rubric, except for a missing parameter file."""
 
     def checked(run: Evidence) -> None:
         try:
             function(run)
         except Failure as failure:
-            if failure.try_ == last:
+            if not isinstance(failure, MissingParameterFile):
                 failure.steps = tuple(filter(None, steps))
             raise
 

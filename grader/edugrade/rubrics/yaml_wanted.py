@@ -61,7 +61,7 @@ class Wanted(dict[str, Any]):
     def refuse_odd_values(self) -> None:
         """Refuse values of the wrong type, and numbers that are out of range.
 
-        :raises ValueError: with a sentence that names the field and its value.
+        :raises ValueError: with a message that names the field and its value.
         """
         for key, value in self.items():
             if key in LISTS:

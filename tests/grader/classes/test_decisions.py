@@ -48,9 +48,9 @@ def test_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(tmp_path: Path
 @pytest.mark.parametrize(
     ('text', 'told'),
     [
-        ('student,exercise,points\nanna,circle,many\n', ":2: 'many' are no points"),
-        ('student,exercise,points\nanna,circle,-3\n', ":2: '-3' are no points"),
-        ('student,exercise,points\nanna,circle,nan\n', ":2: 'nan' are no points"),
+        ('student,exercise,points\nanna,circle,many\n', ":2: 'many' is not a valid number of points"),
+        ('student,exercise,points\nanna,circle,-3\n', ":2: '-3' is not a valid number of points"),
+        ('student,exercise,points\nanna,circle,nan\n', ":2: 'nan' is not a valid number of points"),
         ('name,mark\nanna,3\n', 'has no columns student and points'),
         ('student,exercise,points\nana,circle,3\n', 'teacher.csv names ana with the exercise circle'),
     ],
@@ -123,7 +123,7 @@ def test_one_table_has_all_exercises(results: Path, tmp_path: Path, capsys: pyte
         f'anna;;12;9;21;24;;{remark};files, network',
         f'bert;;3;;3;24;;"Runs: {unconfined}.";"{unconfined}"',
     ]
-    assert capsys.readouterr().out.startswith('1 of these marks come from runs that were not confined wholly')
+    assert capsys.readouterr().out.startswith('1 of these marks come from runs without a complete sandbox')
 
 
 def test_a_platform_reads_what_did_not_confine_a_mark(results: Path, tmp_path: Path) -> None:
@@ -133,5 +133,5 @@ def test_a_platform_reads_what_did_not_confine_a_mark(results: Path, tmp_path: P
 
 
 def test_due_and_submitted_belong_together(results: Path, tmp_path: Path) -> None:
-    with pytest.raises(UnusableInput, match='belong together'):
+    with pytest.raises(UnusableInput, match='--due needs --submitted'):
         main(['table', str(results), '--out', str(tmp_path / 'm.csv'), '--due', '2026-11-20'])

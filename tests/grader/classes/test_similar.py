@@ -114,6 +114,6 @@ def test_the_launch_graph_has_no_names_in_it(results: Path) -> None:
 def test_what_is_gone_is_said(results: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / 'class' / 'carl' / 'static_frame.launch.py').write_text('changed')
     assert main(['similar', str(results)]) == 0
-    assert 'not found with the text that was graded: carl/static_frame.launch.py' in capsys.readouterr().out
+    assert 'not found with the graded content: carl/static_frame.launch.py' in capsys.readouterr().out
     assert main(['similar', str(results), '--exercise', 'circle']) == 2
     assert main(['similar', str(tmp_path)]) == 0

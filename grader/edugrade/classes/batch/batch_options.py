@@ -24,18 +24,18 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument(
         '--name-pattern',
         metavar='REGEX',
-        help="finds students' names in paths: a regular expression with a group (?P<student>...)",
+        help="find students' names in paths with this regular expression, which has a group (?P<student>...)",
     )
-    parser.add_argument('--out', metavar='DIR', help='where the results go (default: SUBMISSIONS.results)')
-    parser.add_argument('--resume', action='store_true', help='keep results of the same text, rubric, engine and seed')
-    parser.add_argument('--jobs', type=_count, metavar='N', help='how many runs go at once (default: as many as processors)')
+    parser.add_argument('--out', metavar='DIR', help='directory of the results (default: SUBMISSIONS.results)')
+    parser.add_argument('--resume', action='store_true', help='keep results of the same submission, rubric, engine and seed')
+    parser.add_argument('--jobs', type=_count, metavar='N', help='number of parallel runs (default: the number of processors)')
     parser.add_argument('--dask', metavar='ADDRESS', help='grade on a Dask cluster, such as tcp://127.0.0.1:8786')
-    parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
-    parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
+    parser.add_argument('--csv', metavar='FILE', help='also write all marks as a table')
+    parser.add_argument('--html', metavar='DIR', help='also write a page for the class and one for each submission')
     parser.add_argument(
-        '--replays', action='store_true', help='put replays into the pages of --html, too: ten times as many bytes'
+        '--replays', action='store_true', help='also put replays into the pages of --html, which makes them ten times as large'
     )
-    parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
+    parser.add_argument('--junit', metavar='FILE', help='also write all results as JUnit XML')
     add_common(parser)
     parser.set_defaults(sandbox='require')  # the work of others
     return parser.parse_args(words)

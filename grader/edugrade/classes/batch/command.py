@@ -88,5 +88,5 @@ def _write_tables(results: Results, csv: str | None, html: str | None, junit: st
 
 def _closing(results: Results, kept: int, folder: str) -> str:
     marked = sum(1 for _, found in results if found and found.get('points', {}).get('earned') is not None)
-    before = f', {kept} of them from before' if kept else ''
+    before = f', {kept} of them from an earlier batch' if kept else ''
     return f'{len(results)} submissions{before}; {marked} have a mark. Results: {folder}'

@@ -64,7 +64,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
                 try:
                     _keep(store, entry, future.result(), options)
                 except Exception as error:  # whatever a worker died of: its fault, or ours, and no mark
-                    words = f'the grader broke on it: {type(error).__name__}: {error}'
+                    words = f'the grader broke: {type(error).__name__}: {error}'
                     keep(store, entry, refusal(BROKEN_GRADER, words, REPORT_IT))
                 advance()
 

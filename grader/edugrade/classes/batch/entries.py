@@ -22,7 +22,7 @@ MOST_OF_ONE = 50  # submissions of one student
 LONGEST_UNPACKING_S = 20.0
 STRANGE_ARCHIVES = ('.7z', '.rar', '.xz', '.zst')
 BY_THE_WAY = ('__MACOSX', '__pycache__', 'build', 'install', 'log')
-NOTHING = 'there is no launch file or package of an exercise in it'
+NOTHING = 'it contains no launch file or package of an exercise'
 
 
 class Entry(NamedTuple):
@@ -109,7 +109,7 @@ class Finder:
         found = list(self._item(folder, item, item.name, student_of, 0))[:MOST_OF_ONE]
         if not found and item.is_dir(follow_symlinks=False) and item.name not in BY_THE_WAY:
             found = [
-                Entry(item.name, *student_of(item.name + '/'), refused=NOTHING, help='a launch file has the name of its exercise')
+                Entry(item.name, *student_of(item.name + '/'), refused=NOTHING, help='name the launch file after its exercise')
             ]
         yield from (entry._replace(root=self._root_of(entry, item.path)) for entry in found)
 
@@ -144,10 +144,7 @@ class Finder:
             yield from self._archive(path, shown, student_of, nested)
         elif item.name.lower().endswith(STRANGE_ARCHIVES):
             yield Entry(
-                shown,
-                *student_of(shown),
-                refused='it is an archive of a kind that is not read',
-                help='pack it as .zip or .tar.gz',
+                shown, *student_of(shown), refused='edugrade cannot read this kind of archive', help='pack it as .zip or .tar.gz'
             )
         elif plain_name(item.name).endswith(ENDINGS) and self._is_wanted(exercise_of(plain_name(item.name))):
             yield self._launch_file(Entry(shown, *student_of(shown), file=path))
@@ -172,7 +169,7 @@ class Finder:
         target = self._new_folder()
         try:
             if nested == MOST_NESTED:
-                raise UnusableInput(f'archives lie in each other, more than {MOST_NESTED} deep')
+                raise UnusableInput(f'archives contain archives, more than {MOST_NESTED} deep')
             with cpu_limit(LONGEST_UNPACKING_S):
                 unpack(path, target, OF_A_STUDENT)
         except UnusableInput as error:

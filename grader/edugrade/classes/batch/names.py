@@ -78,7 +78,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
     try:
         compiled = re.compile(pattern)
     except re.error as error:
-        raise UnusableInput(f'the name pattern {pattern} is no regular expression: {error}') from None
+        raise UnusableInput(f'the name pattern {pattern} is not a valid regular expression: {error}') from None
     if 'student' not in compiled.groupindex:
         raise UnusableInput(
             f'the name pattern {pattern} has no group "student"', help="such as --name-pattern '^hw1-(?P<student>[^/]+)'"
@@ -157,7 +157,7 @@ def _rows(table: str) -> list[Mapping[str, str]]:
     head = [(name or '').strip().lower() for name in reader.fieldnames or ()]
     if 'student' not in head or not {'url', 'path'} & set(head):
         raise UnusableInput(
-            f'the table {table} has the columns {", ".join(head) or "none"}', help='its head is: student,url or student,path'
+            f'the table {table} has the columns {", ".join(head) or "none"}', help='write the header student,url or student,path'
         )
     reader.fieldnames = head
     return [{key: (value or '').strip() for key, value in row.items() if isinstance(value, str)} for row in reader]
@@ -166,7 +166,7 @@ def _rows(table: str) -> list[Mapping[str, str]]:
 def _clone(url: str, ref: str, target: str) -> str:
     """Clone one repository: no hooks, links, submodules or questions. Gives why it could not be cloned, or ''."""
     if not (_URL.match(url) or os.path.isdir(url)) or ref.startswith('-'):
-        return f'{url!r} is no address of a git repository'
+        return f'{url!r} is not an address of a git repository'
     os.makedirs(os.path.dirname(target), exist_ok=True)
     safe = ['-c', 'core.symlinks=false', '-c', f'core.hooksPath={os.devnull}', '-c', 'core.fsmonitor=false']
     words = ['git', *safe, 'clone', '--quiet', '--depth=1', '--no-tags', *(['--branch', ref] if ref else []), '--', url, target]

@@ -57,7 +57,7 @@ def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
             members = _zip_members(file, bounds) if zipfile.is_zipfile(file) else _tar_members(file, bounds)
             _write_all(members, folder, bounds, os.path.getsize(archive))
     except zipfile.BadZipFile as error:
-        raise refused(f'is no whole zip file: {error}') from None
+        raise refused(f'is not a complete zip file: {error}') from None
     except (tarfile.TarError, EOFError, zlib.error, ValueError, RuntimeError, NotImplementedError) as error:
         raise refused(f'cannot be unpacked: {error}') from None
     except OSError as error:
@@ -87,7 +87,7 @@ def _write_all(members: Iterator[Member], folder: str, bounds: Bounds, packed: i
             raise refused(f'holds {member.kind}: {member.name!r}')
         files += 1
         if files > bounds.files:
-            raise refused(f'holds more than {bounds.files} files')
+            raise refused(f'contains more than {bounds.files} files')
         path = os.path.join(folder, *parts)
         os.makedirs(path if member.kind == 'folder' else os.path.dirname(path), exist_ok=True)
         if member.content is None:
@@ -95,12 +95,12 @@ def _write_all(members: Iterator[Member], folder: str, bounds: Bounds, packed: i
         try:
             target = open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o644), 'wb')  # noqa: SIM115
         except FileExistsError:
-            raise refused(f'holds two files of one name: {member.name!r}') from None
+            raise refused(f'contains two files with one name: {member.name!r}') from None
         with target:
             while data := member.content.read(CHUNK):
                 total += len(data)
                 if total > bounds.unpacked:
-                    raise refused(f'holds more than {bounds.unpacked // MEBI} MiB')
+                    raise refused(f'contains more than {bounds.unpacked // MEBI} MiB')
                 if total > max(RATIO_FROM, HIGHEST_RATIO * packed):
                     raise refused(f'unpacks to more than {HIGHEST_RATIO} times its size')
                 target.write(data)
@@ -110,13 +110,13 @@ def _parts(name: str) -> list[str]:
     """Return the parts of a member's path, without '.' and empty parts."""
     parts = [part for part in name.split('/') if part not in ('', '.')]
     if name.startswith('/') or '..' in parts:
-        raise refused(f'holds a path that leads out of it: {name!r}')
+        raise refused(f'contains a path that leads out of it: {name!r}')
     if not name.isprintable() or '\\' in name or (parts and ':' in parts[0]):
-        raise refused(f'holds a name that is odd: {name!r}')
+        raise refused(f'contains an odd name: {name!r}')
     if len(os.fsencode(name)) > LONGEST_NAME or any(len(os.fsencode(part)) > LONGEST_PART for part in parts):
-        raise refused(f'holds a name that is too long: {name[:60]!r}...')
+        raise refused(f'contains a name that is too long: {name[:60]!r}...')
     if len(parts) > DEEPEST:
-        raise refused(f'holds folders deeper than {DEEPEST}: {name[:60]!r}...')
+        raise refused(f'contains directories deeper than {DEEPEST}: {name[:60]!r}...')
     return parts
 
 
@@ -140,7 +140,7 @@ def _refuse_directory(file: BinaryIO, bounds: Bounds) -> None:
     place = tail.rfind(END_OF_ZIP)
     size = int.from_bytes(tail[place + 12 : place + 16], 'little')
     if size > bounds.files * ENTRY_BYTES:
-        raise refused(f'holds more than {bounds.files} files')
+        raise refused(f'contains more than {bounds.files} files')
 
 
 def _zip_kind(info: zipfile.ZipInfo) -> str:
@@ -185,7 +185,7 @@ class _Counted(io.RawIOBase):
 
     def read(self, size: int = -1) -> bytes:
         if size > self._left:
-            raise refused(f'holds more than {self._most // MEBI} MiB')
+            raise refused(f'contains more than {self._most // MEBI} MiB')
         data = self._stream.read(size)
         self._left -= len(data)
         return data

@@ -93,7 +93,7 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
     try:
         store.save(entry, result)
     except (ComputerFault, UnusableInput) as error:
-        print(f'edugrade: the result of {entry.student} is not kept: {error}', file=sys.stderr)
+        print(f'edugrade: the result of {entry.student} cannot be saved: {error}', file=sys.stderr)
         store.unkept.add(entry.path)
         return False
     return True

@@ -58,7 +58,9 @@ def main(words: Sequence[str]) -> int:
         '--wheel', metavar='FILE', help='install this wheel of edulaunch there (default: this version, from PyPI)'
     )
     build_.add_argument(
-        '--course-secret-file', metavar='FILE', help='choose the runs by this secret and the student; it is packed too'
+        '--course-secret-file',
+        metavar='FILE',
+        help='select the runs from this secret and the student; the archive contains the secret',
     )
     build_.add_argument('--limit', type=float, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     run_ = verbs.add_parser('run', help='grade the submission in this folder, as Gradescope lays it out')
@@ -184,10 +186,10 @@ def _student(folder: str) -> tuple[str, str, int]:
 
 
 def _find(folder: str, unpacked: str, exercise: str) -> str:
-    """The launch file or package of the exercise, somewhere in what was handed in."""
+    """The launch file or package of the exercise, somewhere in the submission."""
     entries = Finder(folder, unpacked, lambda name: exercise_of(name) == exercise).entries()
     found = next((entry.file for entry in entries if entry.file), None)
     if found is None:
         reason = next((entry.refused for entry in entries if entry.path.count('.')), '')
-        raise UnusableInput(f'there is no {exercise}.launch.py in what was handed in' + (f': {reason}' if reason else ''))
+        raise UnusableInput(f'there is no {exercise}.launch.py in the submission' + (f': {reason}' if reason else ''))
     return found

@@ -91,7 +91,7 @@ def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
     try:
         text = read_regular(path, LARGEST_BYTES).decode('utf-8-sig')
     except (OSError, UnicodeDecodeError) as error:
-        raise UnusableInput(f'the list {path} cannot be read: {error}', help='it is CSV in UTF-8') from None
+        raise UnusableInput(f'the list {path} cannot be read: {error}', help='save it as CSV in UTF-8') from None
     reader = csv.DictReader(io.StringIO(text), restval='')
     rows = [{key: value for key, value in row.items() if isinstance(key, str)} for row in reader]
     return list(reader.fieldnames or ()), rows
@@ -155,7 +155,7 @@ def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[
     """
     head, rows = read_list(path)
     if not {STUDENT, 'ID', 'Section'} <= set(head):
-        raise UnusableInput(f'{path} is no gradebook of Canvas', help='export it there: Grades, Export')
+        raise UnusableInput(f'{path} is not a gradebook of Canvas', help='export it there: Grades, Export')
     column = next((name for name in head if name == title or name.startswith(f'{title} (')), title)
     people, possible = People(marks), str(marks[0].possible if marks else '')
     kept = [{STUDENT: f'    {POSSIBLE}', column: possible}]
@@ -191,7 +191,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]
     if lacking:
         raise UnusableInput(
-            f'{path} is no grading worksheet: it has no column {lacking[0]}', help='download it in Moodle, in English'
+            f'{path} is not a grading worksheet: it has no column {lacking[0]}', help='download it in Moodle, in English'
         )
     people = People(marks)
     for row in rows:
@@ -245,25 +245,25 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument('format', choices=('moodle', 'canvas', 'table'), help='table: all exercises, one line for each student')
     parser.add_argument('results', metavar='RESULTS', help='the folder that edugrade batch has written')
     parser.add_argument('--out', metavar='FILE', required=True)
-    parser.add_argument('--exercise', metavar='NAME', help='of which exercise (needed when the results have several)')
+    parser.add_argument('--exercise', metavar='NAME', help='the exercise (required if the results have several)')
     parser.add_argument(
         '--list',
         metavar='FILE',
         help="the platform's own file, to be filled in: Moodle's offline grading worksheet, or the gradebook of Canvas",
     )
-    parser.add_argument('--title', metavar='TEXT', help='what the column is called (default: the exercise)')
-    parser.add_argument('--separator', choices=(',', ';'), default=',', help='of the cells of a table (default: a comma)')
-    parser.add_argument('--due', metavar='TIME', help='such as 2026-11-20T23:59; points are taken off for each day after it')
-    parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='how many (default: 10)')
+    parser.add_argument('--title', metavar='TEXT', help='name of the column (default: the exercise)')
+    parser.add_argument('--separator', choices=(',', ';'), default=',', help='separator of the cells (default: a comma)')
+    parser.add_argument('--due', metavar='TIME', help='the due date, such as 2026-11-20T23:59; each later day costs points')
+    parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='for each late day (default: 10)')
     parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')
     options = parser.parse_args(words)
     if (options.due is None) != (options.submitted is None):
-        raise UnusableInput('--due and --submitted belong together', help='--submitted FILE is a table: student,submitted')
+        raise UnusableInput('--due needs --submitted, and the reverse', help='write --submitted FILE with student,submitted')
     late = read_late(options.due, options.late_per_day, options.submitted) if options.due else None
     results = decided(Store(options.results).all(), options.results, late)
     unconfined = sum(map(is_unconfined, results))
     if unconfined:
-        print(f'{unconfined} of these marks come from runs that were not confined wholly')
+        print(f'{unconfined} of these marks come from runs without a complete sandbox')
     if options.format == 'table':
         write_whole(options.out, table_csv(results, options.separator))
         print(f'all exercises: {options.out}')

@@ -109,7 +109,7 @@ def test_an_edit_is_graded_again_and_the_rest_is_kept(group: Path, capsys: pytes
     main(['batch', str(group)])
     (group / 'anna' / 'static_frame.launch.py').write_text('x = 1\n')
     main(['batch', str(group), '--resume'])
-    assert '6 submissions, 4 of them from before; 5 have a mark.' in capsys.readouterr().out
+    assert '6 submissions, 4 of them from an earlier batch; 5 have a mark.' in capsys.readouterr().out
     found = json.loads(results(group)['anna/static_frame.launch.py.json'])
     assert (found['student'], found['points']['earned']) == ('anna', 0)
 

@@ -53,8 +53,8 @@ def test_folders_archives_and_files(tmp_path: Path) -> None:
         ('dora', 'dora', NOTHING),
         ('eve', 'eve.zip/hw/circle.launch.py', ''),
         ('eve', 'eve.zip/hw/deep/circle_launch.xml', ''),
-        ('fred', 'fred/work.zip', "the archive holds a path that leads out of it: '../circle.launch.py'"),
-        ('gina.rar', 'gina.rar', 'it is an archive of a kind that is not read'),
+        ('fred', 'fred/work.zip', "the archive contains a path that leads out of it: '../circle.launch.py'"),
+        ('gina.rar', 'gina.rar', 'edugrade cannot read this kind of archive'),
         ('hugo', 'hugo', 'it is a link, and links are not followed'),
     ]
     assert Path(entries[3].file).read_text() == '# hw/circle.launch.py'
@@ -80,7 +80,7 @@ def test_archives_in_archives_end(tmp_path: Path) -> None:
     (tmp_path / 'class').mkdir()
     path.rename(tmp_path / 'class' / 'anna.zip')
     ((student, _, refused),) = seen(find(tmp_path / 'class'))
-    assert (student, refused) == ('anna', 'archives lie in each other, more than 2 deep')
+    assert (student, refused) == ('anna', 'archives contain archives, more than 2 deep')
 
 
 def test_what_was_unpacked_before_is_gone(tmp_path: Path) -> None:

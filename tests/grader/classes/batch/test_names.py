@@ -104,7 +104,7 @@ def test_repositories_are_cloned_and_folders_are_taken(tmp_path: Path) -> None:
     assert entries[0].origin == f'file://{tmp_path}/repo {commit}'
     assert not os.path.islink(os.path.join(os.path.dirname(entries[0].file), 'link'))
     assert [entry.refused.partition(':')[0] for entry in entries[4:]][-1] == 'the repository could not be cloned'
-    assert all('is no address of a git repository' in entry.refused for entry in entries[4:-1])
+    assert all('is not an address of a git repository' in entry.refused for entry in entries[4:-1])
     assert len({entry.path for entry in entries}) == len(entries)
 
 

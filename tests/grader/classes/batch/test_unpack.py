@@ -94,7 +94,7 @@ ODD: dict[str, tuple[Callable[[Path], Path], str]] = {
     'a deep path': (lambda path: zip_of(path, ('a/' * 40 + 'b', b'')), 'deeper than 30'),
     'a link in a zip': (lambda path: zip_of(path, (zip_member('a', stat.S_IFLNK | 0o777), b'/etc/passwd')), 'a link'),
     'a device in a zip': (lambda path: zip_of(path, (zip_member('a', stat.S_IFCHR | 0o600), b'')), 'what is no file'),
-    'two of one name': (lambda path: tar_of(path, tar_member('a'), tar_member('a')), 'two files of one name'),
+    'two of one name': (lambda path: tar_of(path, tar_member('a'), tar_member('a')), 'two files with one name'),
     'a file as a folder': (lambda path: zip_of(path, ('a', b''), ('a/b', b'')), 'cannot be unpacked'),
     'a link in a tar': (lambda path: tar_of(path, tar_member('a', tarfile.SYMTYPE, '/etc')), 'a link'),
     'a hard link': (lambda path: tar_of(path, tar_member('a', tarfile.LNKTYPE, '/etc/passwd')), 'a link'),
