@@ -37,7 +37,7 @@ def test_a_plot_goes_on_axes_of_ones_own(walk: Walk) -> None:
         ('/turtle1/poes', 'x', NotRecorded, '/turtle1/pose'),
         ('/turtle1/pose', 'thetta', NotRecorded, "did you mean 'theta'"),
         ('/tf', 'transforms', NothingToDraw, 'not a number'),
-        ('/turtle1/pose', 'x..y', ValueError, 'no path of a field'),
+        ('/turtle1/pose', 'x..y', ValueError, 'not a path of a field'),
         ('/turtle1/cmd_vel', 'linear.x', NothingToDraw, 'nothing was published'),
     ],
 )

@@ -62,7 +62,7 @@ def test_what_sets_up_a_real_machine_gets_one_sentence(desk: Any, line: str, par
 def test_sourcing_ros_itself_is_not_needed_and_another_command_is_none_of_ours(desk: Any) -> None:
     desk.terminal.source('/opt/ros/jazzy/setup.bash')
     assert 'you do not need to source ROS 2 Jazzy' in ''.join(desk.said)
-    with pytest.raises(UnusableInput, match='sets up nothing of ROS 2'):
+    with pytest.raises(UnusableInput, match='is not a set-up command of ROS 2'):
         desk.terminal.set_up('apt install vim')
 
 

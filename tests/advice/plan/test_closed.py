@@ -159,5 +159,5 @@ def test_explain_says_what_was_not_done(tmp_path: Path, capsys: pytest.CaptureFi
     path = tmp_path / 'a.launch.py'
     path.write_text(f"{HEAD}    os.system('touch {tmp_path}/made')\n    return LaunchDescription([])\n", encoding='utf-8')
     assert main(['explain', str(path)]) == 0
-    assert f'the dry run skipped:  run the command touch {tmp_path}/made' in capsys.readouterr().err
+    assert f'the dry run skipped: run the command touch {tmp_path}/made' in capsys.readouterr().err
     assert not (tmp_path / 'made').exists()
