@@ -58,7 +58,11 @@ def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], 
 def argument(run: Evidence, wanted: Wanted) -> None:
     """Require a declared launch argument with this default, or with any default, which the runs without it use."""
     default = str(wanted['default']) if 'default' in wanted else None
-    require_default(run, wanted['name'], default, wanted.shows)
+    try:
+        require_default(run, wanted['name'], default, wanted.shows)
+    except Missing as failure:
+        failure.try_ = wanted.try_ or failure.try_
+        raise
 
 
 @kind('The launch file starts {executable} of {package}', 'package executable')

@@ -87,7 +87,7 @@ def test_a_parameter_without_a_range_needs_limits(machine: Machine) -> None:
 
 
 def test_a_read_only_parameter_cannot_be_moved(machine: Machine) -> None:
-    with pytest.raises(UnusableInput, match='no number'):
+    with pytest.raises(UnusableInput, match='is not a number'):
         machine.slider('/arm', 'name')
 
 

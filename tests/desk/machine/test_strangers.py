@@ -131,7 +131,7 @@ def test_a_folder_that_others_may_enter_is_refused(tmp_path: Path, monkeypatch: 
         place.symlink_to(tmp_path / 'other')
     else:
         place.touch(0o700)
-    with pytest.raises(UnsafePlace, match='only you may enter'):
+    with pytest.raises(UnsafePlace, match='other users can enter'):
         folder()
 
 
