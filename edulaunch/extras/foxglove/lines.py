@@ -13,7 +13,7 @@ from edulaunch.extras.foxglove.conversation import Conversation
 from edulaunch.extras.foxglove.said import Message
 
 TEXT, BYTES, TURN = b't', b'b', b'n'
-"""What a frame to the machine holds: a text of the client, bytes of the client, or the wish for a turn."""
+"""What a frame to the machine holds: a string of the client, bytes of the client, or the wish for a turn."""
 _LAST = b'e'
 _HEADER = struct.Struct('<cI')
 END = _HEADER.pack(_LAST, 0)

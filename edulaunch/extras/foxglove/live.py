@@ -124,7 +124,7 @@ class LiveFeed:
     def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
         problem = topic_name_problem(topic)
         if problem or not topic.startswith('/'):
-            raise Refused(f'{topic!r} is no name of a topic: {problem or "it has to begin with a slash"}')
+            raise Refused(f'{topic!r} is not a topic name: {problem or "it has to begin with a slash"}')
         cls = self._class(type_name)
         publisher = self._graph.create_publisher(self._own_node(), topic, cls, QoS())
 
@@ -151,7 +151,7 @@ class LiveFeed:
         except InterfaceError as error:
             raise Refused(str(error)) from None
         if not hasattr(cls, 'from_wire'):
-            raise Refused(f'{type_name} is no message type')
+            raise Refused(f'{type_name} is not a message type')
         return cls
 
     def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
@@ -173,7 +173,7 @@ class LiveFeed:
 
             client = self._ends[name, cls] = self._graph.create_client(self._own_node(), name, cls, QoS(), ready)
         if not client.server_is_ready():
-            raise Refused(f'nobody serves {name} any more')
+            raise Refused(f'no node serves {name} any more')
         self._early = {}
         number = client.send(wire)
         early, self._early = self._early, None
@@ -232,7 +232,7 @@ class LiveFeed:
         self._ask(service.service_name, cls, cls.Request.to_wire(request), heard)
 
     def play(self, request: Playback) -> tuple[bytes, bool]:
-        raise Refused('this is no recording: `edulaunch machine pause` stops the time of a machine')
+        raise Refused('this is a running machine, not a recording: `edulaunch machine pause` stops the time of a machine')
 
     def close(self) -> None:
         if self._node is not None:

@@ -43,7 +43,7 @@ def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
     from edulaunch.extras.foxglove.server import serve
 
     line = _machine() if arguments.recording is None else _player(arguments.recording, arguments.trusted)
-    ending = '  Ctrl-C ends it' + ('; the machine goes on\n' if arguments.recording is None else '\n')
+    ending = '  Ctrl-C ends it' + ('; the machine continues\n' if arguments.recording is None else '\n')
 
     def opened(address: str) -> None:
         print(f'Foxglove and Lichtblick can connect to {address}\n{ending}', end='', flush=True)

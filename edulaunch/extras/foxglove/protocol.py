@@ -199,7 +199,7 @@ def _text(said: dict[str, Any], name: str) -> str:
 
 def _checked_text(op: str, name: str, value: Any) -> str:
     if not isinstance(value, str) or len(value) > LONGEST_TEXT:
-        raise ProtocolError(f'{op}: {name!r} has to be a text of at most {LONGEST_TEXT} letters')
+        raise ProtocolError(f'{op}: {name!r} has to be a string of at most {LONGEST_TEXT} characters')
     return _unicode(op, value)
 
 
@@ -208,7 +208,7 @@ def _unicode(op: str, value: str) -> str:
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise ProtocolError(f'{op}: a text has half a letter') from None
+        raise ProtocolError(f'{op}: a string has half of a surrogate pair') from None
     return value
 
 
@@ -249,7 +249,7 @@ def _value(value: Any) -> Value:
         return _unicode('setParameters', value)
     if isinstance(value, (bool, int, float)):
         return value
-    raise ProtocolError('setParameters: a value has to be a bool, a number, a text, or a list of them')
+    raise ProtocolError('setParameters: a value has to be a bool, a number, a string, or a list of those')
 
 
 _READERS: dict[str, Callable[[dict[str, Any]], Request]] = {
@@ -276,7 +276,9 @@ def _binary(data: bytes) -> Request:
     except (struct.error, UnicodeDecodeError, ValueError) as error:
         if isinstance(error, ProtocolError):
             raise
-        raise ProtocolError('a binary message is shorter than it says, or has a text that is not UTF-8') from None
+        raise ProtocolError(
+            'a binary message is shorter than its length field says, or contains a string that is not UTF-8'
+        ) from None
     except (IndexError, KeyError):
         raise ProtocolError(f'edulaunch does not know binary messages of the kind {data[:1].hex() or "(nothing)"}') from None
 

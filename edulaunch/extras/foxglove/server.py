@@ -45,7 +45,7 @@ class Client(Guarded, WebSocketHandler):
         own = {f'http://{host}' for host in self.settings['hosts']}
         if origin in self.settings['origins'] or origin in own:
             return True
-        warning = f'warning: a page of {origin[:200]!r} wanted to connect\n  help: --origin lets in a page that you trust\n'
+        warning = f'warning: a page of {origin[:200]!r} wanted to connect\n  help: add --origin {origin[:200]!r} if you trust that page\n'
         sys.stderr.write(warning)
         return False
 

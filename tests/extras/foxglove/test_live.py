@@ -113,9 +113,9 @@ def test_what_a_client_may_not_publish_is_refused_with_a_sentence(session: Sessi
     spoken.turn()
     beginnings = (
         "/turtle1/cmd_vel: edulaunch takes messages in cdr, not in 'json'",
-        "'cmd vel' is no name of a topic",
+        "'cmd vel' is not a topic name",
         "unknown interface 'geometry_msgs/msg/Twits'",
-        'turtlesim/srv/Spawn is no message type',
+        'turtlesim/srv/Spawn is not a message type',
         'this client publishes on no channel 3: advertise it first',
         '/turtle1/cmd_vel: these 20 bytes are not a geometry_msgs/msg/Twist',
         'this text is not JSON',

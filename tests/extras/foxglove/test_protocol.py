@@ -47,11 +47,14 @@ BAD: list[tuple[str | bytes, str]] = [
     ('{"op":"subscribe","subscriptions":[1]}', "subscribe: each entry of 'subscriptions' has to be an object"),
     ('{"op":"unsubscribe","subscriptionIds":[-1]}', "unsubscribe: 'subscriptionIds' has to be a whole number of 32 bits"),
     ('{"op":"unsubscribe","subscriptionIds":[true]}', "unsubscribe: 'subscriptionIds' has to be a whole number of 32 bits"),
-    ('{"op":"fetchAsset","uri":5,"requestId":3}', "fetchAsset: 'uri' has to be a text of at most 512 letters"),
+    ('{"op":"fetchAsset","uri":5,"requestId":3}', "fetchAsset: 'uri' has to be a string of at most 512 characters"),
     ('{"op":"setParameters","parameters":[{"name":"a","value":NaN}]}', 'this text is not JSON'),
     ('{"op":"setParameters","parameters":[{"name":"a","value":1e999}]}', 'setParameters: a number is too large'),
-    (r'{"op":"getParameters","parameterNames":["\ud800"]}', 'getParameters: a text has half a letter'),
-    (r'{"op":"setParameters","parameters":[{"name":"a","value":["\ud800"]}]}', 'setParameters: a text has half a letter'),
+    (r'{"op":"getParameters","parameterNames":["\ud800"]}', 'getParameters: a string has half of a surrogate pair'),
+    (
+        r'{"op":"setParameters","parameters":[{"name":"a","value":["\ud800"]}]}',
+        'setParameters: a string has half of a surrogate pair',
+    ),
     (
         '{"op":"setParameters","parameters":[{"name":"a","value":[[1]]}]}',
         'setParameters: a parameter of ROS 2 has no lists inside lists',
