@@ -45,8 +45,8 @@ class Client(Guarded, WebSocketHandler):
         own = {f'http://{host}' for host in self.settings['hosts']}
         if origin in self.settings['origins'] or origin in own:
             return True
-        warning = f'warning: a page of {origin[:200]!r} wanted to connect\n  help: add --origin {origin[:200]!r} if you trust that page\n'
-        sys.stderr.write(warning)
+        shown = repr(origin[:200])
+        sys.stderr.write(f'warning: a page of {shown} wanted to connect\n  help: add --origin {shown} if you trust that page\n')
         return False
 
     def select_subprotocol(self, subprotocols: list[str]) -> str | None:

@@ -61,13 +61,16 @@ BAD: list[tuple[str | bytes, str]] = [
     ),
     (
         '{"op":"setParameters","parameters":[{"name":"a","value":{}}]}',
-        'setParameters: a value has to be a bool, a number, a text, or a list of them',
+        'setParameters: a value has to be a bool, a number, a string, or a list of those',
     ),
     (b'', 'edulaunch does not know binary messages of the kind (nothing)'),
     (b'\x09', 'edulaunch does not know binary messages of the kind 09'),
-    (b'\x01\x05', 'a binary message is shorter than it says, or has a text that is not UTF-8'),
+    (b'\x01\x05', 'a binary message is shorter than its length field says, or contains a string that is not UTF-8'),
     (struct.pack('<BIII', 2, 7, 8, 4_000_000_000), 'a binary message is shorter than it says'),
-    (struct.pack('<BIII', 2, 7, 8, 1) + b'\xff', 'a binary message is shorter than it says, or has a text that is not UTF-8'),
+    (
+        struct.pack('<BIII', 2, 7, 8, 1) + b'\xff',
+        'a binary message is shorter than its length field says, or contains a string that is not UTF-8',
+    ),
     (struct.pack('<BBfBQI', 3, 7, 1.0, 0, 0, 0), 'a recording can play (0) or pause (1)'),
     (struct.pack('<BBfBQI', 3, 0, float('nan'), 0, 0, 0), 'the speed of a recording has to be above 0 and at most 100'),
 ]

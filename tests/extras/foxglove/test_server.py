@@ -122,7 +122,7 @@ def test_who_may_come_in(recording: Recording, capsys: pytest.CaptureFixture[str
     assert answers[6:8] == ['HTTP 403: Forbidden'] * 2
     assert answers[8:10] == [refused] * 2
     assert answers[10:] == ['HTTP 404: Not Found'] * 3
-    assert "warning: a page of 'http://evil.example' wanted to connect\n  help: --origin" in capsys.readouterr().err
+    assert "warning: a page of 'http://evil.example' wanted to connect\n  help: add --origin" in capsys.readouterr().err
 
 
 def test_another_library_reads_every_message(recording: Recording) -> None:
