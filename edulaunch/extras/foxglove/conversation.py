@@ -104,7 +104,7 @@ class Conversation:
         now_ns = self._feed.now_ns()
         clock = [said.time(now_ns)] if now_ns != self._time_ns and 'time' in self._feed.capabilities else []
         self._time_ns = now_ns
-        return [*heard, *told, *clock, *data]
+        return [*heard, *clock, *data, *told]  # the state "ended" comes after the last message
 
     def _renew(self) -> None:
         if self._feed.session() != self._session:
