@@ -52,8 +52,8 @@ ctypes.CDLL(None).sleep(150)
 raise ValueError('all of it is held')
 """
 CUT = {
-    'threads': (THREADS, 'it started too many programs'),
-    'buffers of sockets': (BUFFERS, 'it asked for more memory than 2048 MiB'),
+    'threads': (THREADS, 'the run started too many programs'),
+    'buffers of sockets': (BUFFERS, 'the run needed more than 2048 MiB of memory'),
 }
 
 

@@ -64,7 +64,7 @@ class Desk:
         self.seek(0.0)
         while name not in self.label():
             before = self.time()
-            self.press('one step on')
+            self.press('one step forward')
             self.frame()
             assert self.time() > before, f'{name} is never there: {self.label()}'
 

@@ -46,7 +46,7 @@ def drive_and_stop(desk: Desk) -> float:
     page.keyboard.press(' ')
     desk.until('.state', 'paused')
     before = desk.time()
-    desk.press('one step on')
+    desk.press('one step forward')
     desk.until_js(f"Math.abs(parseFloat(root.querySelector('.clock').textContent) - {before} - 0.016) < 0.0011")
 
     x, y = desk.pose('turtle1')
@@ -117,7 +117,7 @@ def use_the_terminals(desk: Desk) -> None:
 def export_and_replay(desk: Desk) -> None:
     """A file with all that has happened, opened from disk in a browser without a network."""
     with desk.page.expect_download() as waiting:
-        desk.press('save what has happened')
+        desk.press('save the run so far')
     assert waiting.value.suggested_filename in ('turtle_tf2_demo.html', 'machine.html')
     context = desk.page.context.browser.new_context(offline=True)
     replay = Desk(context.new_page(), ('file:',))

@@ -60,7 +60,7 @@ def test_the_large_project_is_stepped_through_to_its_last_node_and_back(replay: 
     desk.page.screenshot(path=shots / f'launch-{name}.png')
     back = [forward[-1]]
     while len(back) < 200:
-        desk.press('back to the action or event')
+        desk.press('back to the previous action or event')
         if where(desk) == back[-1]:
             break
         back.append(where(desk))
@@ -105,7 +105,7 @@ def test_a_launch_is_stepped_in_a_notebook(lab: Lab, course: Path, shots: Path) 
         desk.press('to the next event')
         desk.until('.where', 'Before the event: turtlesim_node-1 started')
         page.page.screenshot(path=shots / 'launch-lab.png')
-        desk.press('back to the action or event')
+        desk.press('back to the previous action or event')
         desk.until('.where', 'Before: node ')
         page.page.get_by_text('● Live').click()
         desk.press('play or pause')

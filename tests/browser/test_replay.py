@@ -114,7 +114,7 @@ def test_one_message_back_and_on(desk: Desk) -> None:
     desk.seek(0.5)
     desk.page.get_by_label('size of a step').select_option('message')
     before = desk.time()
-    desk.press('one step on')
+    desk.press('one step forward')
     desk.frame()
     assert 0 < desk.time() - before <= 0.017
     desk.press('one step back')
