@@ -119,11 +119,13 @@ def test_arrow_keys_while_time_is_paused_say_why_nothing_happens(live: Desk) -> 
     live.until('.state', 'Time is paused, so nothing moves.')
 
 
-def test_a_machine_that_has_ended_is_not_shown_as_running(live: Desk) -> None:
+def test_a_machine_that_has_ended_is_not_shown_as_running(live: Desk, recording: Recording) -> None:
     live.page.evaluate("say({ ended: 'the machine has ended', machine: { running: false } })")
     live.until('.state', 'the machine has ended')
     assert live.page.locator('button[title^="play or pause"]').is_disabled()
-    live.page.evaluate(f'say({{ delta: {json.dumps({"start": 0, "now": 3_100_000})}, machine: {{ running: true }} }})')
+    ended = [[*row[:5], 3_000_000, 0, *row[7:]] for row in timeline_of(recording)['processes']]
+    delta = json.dumps({'start': 0, 'now': 3_100_000, 'processes': ended})
+    live.page.evaluate(f'say({{ delta: {delta}, machine: {{ running: true }} }})')
     live.until('.state', 'stopped: every program has ended')
 
 
