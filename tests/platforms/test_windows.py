@@ -16,7 +16,7 @@ import edulaunch
 pytestmark = pytest.mark.processes
 
 ROOT = Path(__file__).resolve().parents[2]
-EXPECTED = 'terminals share a machine on Linux and macOS only'
+EXPECTED = 'the shared machine needs Linux or macOS'
 SIGNALLING = """
 import signal
 from launch import LaunchDescription
@@ -124,7 +124,7 @@ def test_what_must_be_confined_is_refused(tmp_path: Path) -> None:
     batch = on_windows(tmp_path, EDUGRADE, 'batch', str(ROOT / 'exercises'))
     strict = on_windows(tmp_path, EDUGRADE, 'solutions/circle.launch.py', '--sandbox', 'require')
     assert (batch.returncode, strict.returncode) == (2, 3)
-    assert 'cannot confine what others wrote\n  help: grade on a Linux' in batch.stderr
+    assert 'this system has no sandbox for the code of other people\n  help: grade on a Linux' in batch.stderr
     assert 'this system cannot confine a run' in strict.stdout
 
 

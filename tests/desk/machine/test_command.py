@@ -63,7 +63,7 @@ def test_a_full_disk_is_told(desk: Desk, line: list[str], said: str) -> None:
 
 def test_verbose_says_so(desk: Desk, real: Path) -> None:
     done = run(desk, '--verbose', 'topic', 'list', PATH=str(real), ROS_DISTRO='jazzy')
-    assert done.stdout == 'real ros2 topic list\n' and f'stepping aside for {real}/ros2' in done.stderr
+    assert done.stdout == 'real ros2 topic list\n' and f'so {real}/ros2 runs' in done.stderr
 
 
 def test_one_that_is_not_sourced_is_not_meant(desk: Desk, real: Path) -> None:

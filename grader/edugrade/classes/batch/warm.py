@@ -11,6 +11,7 @@ import os
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from typing import Any
 
 from edulaunch.errors import UnusableInput
@@ -76,7 +77,8 @@ class WarmProcess:
         self._process.wait()
         for end in (self._process.stdin, self._process.stdout):
             assert end is not None
-            end.close()
+            with suppress(OSError):  # what was not written any more
+                end.close()
 
 
 _idle: list[WarmProcess] = []
