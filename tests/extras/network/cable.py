@@ -7,12 +7,14 @@ import fcntl
 import os
 import random
 import select
+import socket
 import struct
 import subprocess
 import threading
 import time
 from collections import deque
 
+SIOCGIFFLAGS, IFF_RUNNING = 0x8913, 0x40
 TUNSETIFF, IFF_TAP, IFF_NO_PI = 0x400454CA, 0x0002, 0x1000
 LONGEST_FRAME = 65536
 
@@ -29,7 +31,20 @@ def card(name: str, address: str) -> int:
     ip('address', 'add', f'{address}/24', 'dev', name)
     ip('link', 'set', name, 'up')
     ip('route', 'add', 'default', 'dev', name)
+    wait_until_it_runs(name)
     return end
+
+
+def wait_until_it_runs(name: str) -> None:
+    """Wait until the kernel counts a card as running, some time after it was switched on: DDS leaves out a card that is not."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        end_s = time.monotonic() + 10.0
+        while time.monotonic() < end_s:
+            flags = struct.unpack('16sH', fcntl.ioctl(asked, SIOCGIFFLAGS, struct.pack('16sH14x', name.encode(), 0))[:18])[1]
+            if flags & IFF_RUNNING:
+                return
+            select.select([], [], [], 0.01)
+    raise OSError(f'the card {name} does not run')
 
 
 class Cable(threading.Thread):

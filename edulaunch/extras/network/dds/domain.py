@@ -18,6 +18,8 @@ LOCALHOST = '127.0.0.1'
 LARGE_FRAGMENTS = '<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>8000B</FragmentSize>'
 """On the loopback, a packet may have UDP's maximum size. An image in the usual fragments of 1.3 kB overflows the buffers of its
 subscriber."""
+ANNOUNCED_EVERY = '3s'
+"""How often we announce ourselves. A static peer that starts after us, or loses a packet, finds us within this time."""
 REPEATS = (
     '<HeartbeatInterval min="2ms" minsched="2ms" max="100ms">5ms</HeartbeatInterval>'
     '<MaxQueuedRexmitBytes>4MiB</MaxQueuedRexmitBytes>'
@@ -101,5 +103,6 @@ def configuration(settings: Settings) -> str:
         f'<CycloneDDS><Domain><General><Interfaces><NetworkInterface {interface}/></Interfaces>'
         f'<AllowMulticast>{str(multicast).lower()}</AllowMulticast>{fragments}</General>'
         f'<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{MOST_PARTICIPANTS}</MaxAutoParticipantIndex>'
+        f'<InitialLocatorPruneDelay>inf</InitialLocatorPruneDelay><SPDPInterval>{ANNOUNCED_EVERY}</SPDPInterval>'
         f'<Peers>{named}</Peers></Discovery><Internal>{REPEATS}</Internal></Domain></CycloneDDS>'
     )
