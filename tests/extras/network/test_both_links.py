@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from edulaunch.extras.native import environment
+from edulaunch.extras.network.crossing import Crossing
 from edulaunch.extras.network.link import Settings
 from edulaunch.extras.network.rclpy_link import RclpyLink
 from tests.extras.network.places import Place
@@ -96,8 +97,8 @@ def test_machines_on_both_links_know_each_other_and_hear_each_other_once(places:
 
 
 def test_a_machine_of_which_no_topic_crosses_is_known_and_two_nodes_of_one_name_are_told(places: Places) -> None:
-    plain = places.add(default_link(), 'turtle', chosen=lambda name: name == '/reset')
-    full = places.add(RclpyLink(), 'turtle', chosen=lambda name: False)
+    plain = places.add(default_link(), 'turtle', crossing=Crossing(['/reset']))
+    full = places.add(RclpyLink(), 'turtle', crossing=Crossing(deny=['/']))
     plain.graph.add_node(plain.node.process, 'quiet', '/')
     places.until(lambda: seen(plain) == [('turtle', True)] and seen(full) == [('quiet', True), ('turtle', True)])
     places.until(lambda: plain.said and full.said)
