@@ -139,7 +139,12 @@ def course_arguments(parser: argparse.ArgumentParser) -> None:
     store = verbs.add_parser('store', help='run lessons, and store their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
     add_verbs(verbs)
-    of_class = verbs.add_parser('class', help='write a page on a class: progress, difficult exercises, students who are stuck')
+    _class_arguments(
+        verbs.add_parser('class', help='write a page on a class: progress, difficult exercises, students who are stuck')
+    )
+
+
+def _class_arguments(of_class: argparse.ArgumentParser) -> None:
     of_class.add_argument(
         'folder', metavar='FOLDER', help='folder with what each student handed in: my_progress.toml, or a folder with it'
     )

@@ -14,9 +14,7 @@ import os
 import re
 import select
 import signal
-import subprocess
 import sys
-import sysconfig
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -43,12 +41,6 @@ def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
         return ''
     file, line, function = own[0]
     return f'{file}:{line}' + ('' if function == '<module>' else f' ({function})')
-
-
-def library_folders() -> tuple[str, ...]:
-    """Return the folders of Python's own modules and of installed packages, each with a separator at its end."""
-    paths = (os.path.dirname(os.__file__), *map(sysconfig.get_path, ('stdlib', 'purelib', 'platlib')))
-    return tuple(os.path.join(path, '') for path in paths)
 
 
 class WatchedSignals:
@@ -86,6 +78,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterat
         yield WatchedSignals()
         return
     import faulthandler
+    import subprocess  # late: only a terminal needs it, and it takes as long to load as the rest of this module
 
     reading, writing = os.pipe()
     os.set_blocking(writing, False)

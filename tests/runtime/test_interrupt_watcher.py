@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
@@ -78,13 +78,17 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def started(folder: Path) -> subprocess.Popen[str]:
+@contextmanager
+def started(folder: Path) -> Iterator[subprocess.Popen[str]]:
+    """A run that has begun. It is killed at the end, also when an assertion fails."""
     env = {**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)}
-    run = subprocess.Popen(
-        [sys.executable, 'run.py'], cwd=folder, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert run.stdout is not None and run.stdout.readline() == 'ready\n'
-    return run
+    command = [sys.executable, 'run.py']
+    with subprocess.Popen(command, cwd=folder, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+        try:
+            assert run.stdout is not None and run.stdout.readline() == 'ready\n'
+            yield run
+        finally:
+            run.kill()
 
 
 def lines(run: subprocess.Popen[str]) -> Iterator[str]:

@@ -14,6 +14,7 @@ import select
 import signal
 import sys
 import time
+from sysconfig import get_path
 from types import FrameType
 
 from edulaunch.desk.machine.place import (
@@ -27,7 +28,7 @@ from edulaunch.desk.machine.place import (
     remove_address,
     seconds_from,
 )
-from edulaunch.runtime.interrupt_watcher import innermost_own, library_folders
+from edulaunch.runtime.interrupt_watcher import innermost_own
 
 LOOK_S = 0.25
 SLOW_S = 1.0
@@ -40,7 +41,11 @@ BUSY_INTERRUPT, BUSY_END = 12, 30
 STOP_S = 1.0
 """A machine has this many seconds to end by itself when a user stops it."""
 ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
-LIBRARIES = (ENGINE, *library_folders())
+LIBRARIES = (
+    ENGINE,
+    *(os.path.join(path, '') for path in (os.path.dirname(os.__file__), *map(get_path, ('stdlib', 'purelib', 'platlib')))),
+)
+"""As in `frame_owner`, which loads the engine: this process stays small."""
 HEADER = '(most recent call first):'
 
 
