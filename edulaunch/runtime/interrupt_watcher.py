@@ -156,7 +156,7 @@ class Watcher:
                 again = 'once more' if self._presses == 2 else 'twice more'
                 _print(
                     f'note: {self._where()} is in a call that Python cannot interrupt; '
-                    f'press Ctrl-C {again} to kill the run and lose its recording'
+                    f'press Ctrl-C {again} to kill the run without saving its recording'
                 )
 
     def _where(self) -> str:

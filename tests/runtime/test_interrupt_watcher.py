@@ -102,9 +102,9 @@ def test_each_press_is_answered_and_the_third_one_ends_the_run(folder: Path) -> 
         answers, place = lines(run), f'a program at {folder}/run.py:18'
         can_not = f'note: {place} is in a call that Python cannot interrupt; press Ctrl-C'
         run.send_signal(signal.SIGINT)
-        assert next(answers) == f'{can_not} twice more to kill the run and lose its recording'
+        assert next(answers) == f'{can_not} twice more to kill the run without saving its recording'
         run.send_signal(signal.SIGINT)
-        assert next(answers) == f'{can_not} once more to kill the run and lose its recording'
+        assert next(answers) == f'{can_not} once more to kill the run without saving its recording'
         run.send_signal(signal.SIGINT)
         assert next(answers) == f'error: {place} cannot be interrupted: the run was killed, and its recording is lost'
         assert run.wait() == -signal.SIGKILL
