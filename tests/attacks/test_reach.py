@@ -56,6 +56,10 @@ REFUSED = {
     'a lease of a file': 'fcntl.fcntl(os.open(__file__, 0), fcntl.F_SETLEASE, fcntl.F_RDLCK)',
     'notes about a folder': 'fcntl.fcntl(os.open("/usr", 0), fcntl.F_NOTIFY, 1)',
     'signals about a file to its parent': 'fcntl.fcntl(socket.socketpair()[0], fcntl.F_SETOWN, posix.getppid())',
+    'a lock on a file that all may read': 'fcntl.flock(os.open(os.__file__, 0), fcntl.LOCK_EX)',
+    'a lock on its own text': 'fcntl.flock(os.open(__file__, 0), fcntl.LOCK_SH | fcntl.LOCK_NB)',
+    'who holds a lock': 'fcntl.fcntl(os.open(os.__file__, 0), fcntl.F_GETLK, struct.pack("hhqqi", fcntl.F_WRLCK, 0, 0, 0, 0))',
+    'who holds a lock by another name': 'fcntl.fcntl(os.open(os.__file__, 0), 36, struct.pack("hhqqi", 1, 0, 0, 0, 0))',
     'large pipes': 'fcntl.fcntl(os.pipe()[0], 1031, 1 << 20)',
     'fanotify': 'checked(lib.syscall(300, 0, 0))',
     'perf events': 'checked(lib.syscall(298, None, 0, -1, -1, 0))',
@@ -85,6 +89,8 @@ OWN = {
     'copy': 'shutil.copy(__file__, "copied") == "copied"',
     'copy with its times': 'shutil.copy2(__file__, "copied2") == "copied2" and os.stat("copied2").st_mtime_ns > 0',
     'a tree': '[os.makedirs("tree/a"), shutil.copytree("tree", "tree2"), os.path.isdir("tree2/a")][-1]',
+    'a database': '[sqlite3.connect("own.db").executescript("create table a(b); insert into a values (1)"), os.path.getsize("own.db") > 0][-1]',
+    'a lock': '[fcntl.lockf(open("locked", "w"), fcntl.LOCK_EX | fcntl.LOCK_NB), True][-1]',
     'times': '[open("timed", "w").close(), os.utime("timed", (1, 1)), os.stat("timed").st_mtime == 1][-1]',
 }
 """Each is allowed in the run's own folder."""
@@ -121,7 +127,7 @@ FEW = {
 """Each has an end, long before others of this user find none."""
 ENDS = (11, 24)
 PROBE = """
-import ctypes, fcntl, json, os, posix, resource, shutil, socket, subprocess, sys, tempfile, threading
+import ctypes, fcntl, json, os, posix, resource, shutil, socket, sqlite3, struct, subprocess, sys, tempfile, threading
 settings = json.loads(%r)
 lib = ctypes.CDLL(None, use_errno=True)
 

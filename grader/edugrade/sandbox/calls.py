@@ -9,7 +9,7 @@ NEWEST = 462
 
 _ALLOWED = """
 read:0:63 write:1:64 readv:19:65 writev:20:66 pread64:17:67 pwrite64:18:68 preadv:295:69 pwritev:296:70 preadv2:327:286
-pwritev2:328:287 lseek:8:62 close:3:57 close_range:436:436 dup:32:23 dup2:33:- dup3:292:24 flock:73:32 pipe:22:-
+pwritev2:328:287 lseek:8:62 close:3:57 close_range:436:436 dup:32:23 dup2:33:- dup3:292:24 pipe:22:-
 pipe2:293:59 sendfile:40:71 copy_file_range:326:285 open:2:- openat:257:56 openat2:437:437 creat:85:- stat:4:- fstat:5:80
 lstat:6:- newfstatat:262:79 statx:332:291 access:21:- faccessat:269:48 faccessat2:439:439 readlink:89:- readlinkat:267:78
 getdents:78:- getdents64:217:61 statfs:137:43 fstatfs:138:44 getxattr:191:8 lgetxattr:192:9 fgetxattr:193:10 listxattr:194:11
@@ -50,7 +50,7 @@ chmod:90:- fchmod:91:52 fchmodat:268:53 fchmodat2:452:452 utime:132:- utimes:235
 """Allowed where the run sees its own files only, and what else it sees is read-only."""
 
 _REFUSED = """
-chown:92:- fchown:93:55 lchown:94:- fchownat:260:54
+flock:73:32 chown:92:- fchown:93:55 lchown:94:- fchownat:260:54
 setxattr:188:5 lsetxattr:189:6 fsetxattr:190:7 removexattr:197:14 lremovexattr:198:15
 fremovexattr:199:16 socket:41:198 bind:49:200 connect:42:203 listen:50:201 accept:43:202 accept4:288:242 sendmmsg:307:269
 sched_setaffinity:203:122 sched_setscheduler:144:119 sched_setparam:142:118 sched_setattr:314:274 sched_getattr:315:275

@@ -29,8 +29,12 @@ OPTIONS = (1, 2, 3, 15, 16, 23, 29, 30, 39, 0x53564D41)
 """Of prctl: what tells, the name of a thread, its timer's slack, the signal when its parent dies, names of memory."""
 REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x5421, 0x5429, 0x5450, 0x5451, 0x802C542A)
 """Of ioctl: settings and size of a terminal, its group, bytes that wait, blocking or not, close-on-exec or not."""
-COMMANDS = (*range(8), 36, 37, 38, 1030, 1032, 1033, 1034)
-"""Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes."""
+COMMANDS = (*range(5), 6, 7, 37, 38, 1030, 1032, 1033, 1034)
+"""Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes.
+
+Not who holds a lock (F_GETLK) either: all runs may read the same files, and with read locks on them they could send each other
+messages. Without it such a lock has no effect, since a write lock needs a file of the run's own. `flock` makes no such difference.
+"""
 SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
 """Of setsockopt: names of the sender, timeouts and such. Not: sizes of buffers, whose memory belongs to no process."""
 STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
