@@ -14,6 +14,10 @@ from .evidence import Evidence, Scenario
 CheckFunction = Callable[[Evidence], None]
 
 
+class NoSuchCheck(UnusableInput):
+    """A rubric has no check of that name."""
+
+
 class Check(NamedTuple):
     """One check of a rubric. Call it with the evidence: it returns when it passes, else raises Failure.
 
@@ -104,7 +108,7 @@ class Rubric:
     def part(self, name: str) -> Rubric:
         """Return the rubric of one check and of the checks that it needs.
 
-        :raises UnusableInput: when there is no such check.
+        :raises NoSuchCheck: when there is no such check.
         """
         known = {check.name: check for check in self.checks}
         if name not in known:
@@ -112,7 +116,7 @@ class Rubric:
 
             close = nearest(name, known)
             hint = f'did you mean {close}? ' if close else ''
-            raise UnusableInput(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
+            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
         wanted = {name}
         for check in reversed(self.checks):  # what a check needs stands before it
             if check.name in wanted:

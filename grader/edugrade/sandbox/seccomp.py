@@ -32,8 +32,8 @@ REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x54
 COMMANDS = (*range(5), 6, 7, 37, 38, 1030, 1032, 1033, 1034)
 """Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes.
 
-Not who holds a lock (F_GETLK) either: all runs may read the same files, and with read locks on them they could send each other
-messages. Without it such a lock has no effect, since a write lock needs a file of the run's own. `flock` makes no such difference.
+Not who holds a lock (F_GETLK) either: with read locks on files that all runs may read, they could send each other messages.
+A read lock alone has no effect there, since only a file of the run's own takes a write lock. `flock` is refused altogether.
 """
 SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
 """Of setsockopt: names of the sender, timeouts and such. Not: sizes of buffers, whose memory belongs to no process."""

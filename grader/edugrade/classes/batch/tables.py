@@ -31,7 +31,11 @@ COLUMNS = (
 )
 FORMULA = ('=', '+', '-', '@', '\t', '\r')
 BEHIND_A_SEPARATOR = re.compile(r'([;|\t\n][ "]*)(?=[=+@-])')
+BEHIND_A_COMMA = re.compile(r'(,[ "]*)(?=[=+@-])')
 """Where in another country's spreadsheet a new cell begins, with a formula."""
+
+
+NUMBER = re.compile(r'^(\d+)\.(\d+)$')
 
 
 def rows(results: Results) -> list[dict[str, str]]:
@@ -92,12 +96,18 @@ def class_csv(results: Results) -> str:
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
-    """A table. What a spreadsheet would take for a formula begins with an apostrophe, also behind another separator of cells."""
+    """A table. What a spreadsheet would take for a formula begins with an apostrophe, also behind another separator of cells.
+
+    :param separator: of the cells. With a semicolon, numbers have a decimal comma: such a spreadsheet reads 9.6 as a date.
+    """
     file = io.StringIO()
     writer = csv.DictWriter(file, columns, lineterminator='\n', delimiter=separator)
     writer.writeheader()
     for line in lines:
-        writer.writerow({name: plain(value) for name, value in line.items()})
+        cells = {name: plain(value) for name, value in line.items()}
+        if separator == ';':
+            cells = {name: NUMBER.sub(r'\1,\2', BEHIND_A_COMMA.sub(r"\1'", value)) for name, value in cells.items()}
+        writer.writerow(cells)
     return file.getvalue()
 
 

@@ -18,6 +18,7 @@ from ...job import Limits
 from ...options import is_personal
 from ...reports.document import document, receipt
 from ...results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
+from ...rubric import NoSuchCheck
 from ...submission import Submission
 from ...variant import CourseSecret
 from .entries import Entry
@@ -63,16 +64,27 @@ def plan(entry: Entry, options: Options) -> Work:
 
 
 def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:
-    """Return the submissions that are not graded yet. A submission that cannot be graded gets its verdict here."""
+    """Return the submissions that are not graded yet. A submission that cannot be graded gets its verdict here.
+
+    With a single check, submissions of exercises without this check are left out, and keep their results.
+
+    :raises UnusableInput: when no exercise has the check.
+    """
+    strange, known = None, 0
     for entry in entries:
         try:
             work = plan(entry, options)
+            known += 1
             if not (options.resume and is_current(store, entry, work, options)):
                 yield entry, work
+        except NoSuchCheck as error:
+            strange = error
         except UnusableInput as error:
             keep(store, entry, refusal(UNUSABLE_INPUT, error.message, error.help))
         except Exception as error:  # a fault of ours with one of them
             keep(store, entry, refusal(BROKEN_GRADER, *words_of(error)))
+    if strange is not None and not known:
+        raise strange
 
 
 def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool:

@@ -17,7 +17,8 @@ import pytest
 from edugrade import verdicts
 from edugrade.classes.batch.entries import Entry
 from edugrade.classes.batch.store import Store
-from edugrade.classes.batch.tables import class_csv, class_page, confined_by, one_line, plain
+from edugrade.classes.batch.tables import class_csv, class_page, confined_by, csv_text, one_line, plain
+from edugrade.classes.batch.work import Options, work_to_do
 from edugrade.cli import main
 
 SOLUTIONS = Path(__file__).parents[4] / 'solutions'
@@ -204,11 +205,27 @@ def test_one_check_is_graded_again_and_the_rest_is_kept(two: tuple[Path, Path]) 
     assert again['receipt']['rubric'] != first['receipt']['rubric']
 
 
-def test_a_check_that_is_not_there_is_said_once_for_each(two: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_check_that_no_rubric_has_changes_no_result(two: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
     folder, rubric = two
-    main(['batch', str(folder), '--rubric', str(rubric), '--only', 'c'])
-    found = json.loads(Path(f'{folder}.results/anna/two.launch.py.json').read_text())
-    assert found['refused'] == 'the rubric has no check c'
+    result = Path(f'{folder}.results/anna/two.launch.py.json')
+    result.parent.mkdir(parents=True)
+    result.write_text('{}')
+    assert main(['batch', str(folder), '--rubric', str(rubric), '--only', 'c']) == 2
+    assert 'the rubric has no check c' in capsys.readouterr().err
+    assert result.read_text() == '{}'
+
+
+def test_a_check_of_one_exercise_leaves_the_marks_of_the_others(tmp_path: Path) -> None:
+    for name in ('static_frame', 'water'):
+        (tmp_path / 'class' / 'anna').mkdir(parents=True, exist_ok=True)
+        shutil.copy(SOLUTIONS / f'{name}.launch.py', tmp_path / 'class' / 'anna')
+    store = Store(str(tmp_path / 'results'))
+    entries = [Entry(f'anna/{file.name}', 'anna', file=str(file)) for file in sorted((tmp_path / 'class' / 'anna').iterdir())]
+    for entry in entries:
+        store.save(entry, {'points': {'earned': 12}})
+    todo = list(work_to_do(entries, store, Options(only='green_water')))
+    assert [entry.path for entry, _ in todo] == ['anna/water.launch.py']
+    assert [(store.result(entry) or {})['points'] for entry in entries] == [{'earned': 12}] * 2
 
 
 @pytest.mark.processes
@@ -304,3 +321,9 @@ def test_a_class_gets_no_marks_from_runs_that_are_not_confined(two: tuple[Path, 
     assert json.loads(result.read_text())['points']['earned'] is None
     assert main(['batch', str(folder), '--rubric', str(rubric), '--sandbox', 'auto']) == 0
     assert json.loads(result.read_text())['points']['earned'] == 4.5
+
+
+def test_a_table_with_semicolons_has_decimal_commas_and_no_formulas() -> None:
+    lines = [{'name': 'Ada, =1+1', 'points': '9.6', 'version': '1.0.0'}]
+    assert csv_text(('name', 'points', 'version'), lines, ';').splitlines()[1] == "Ada, '=1+1;9,6;1.0.0"
+    assert csv_text(('name', 'points', 'version'), lines).splitlines()[1] == '"Ada, =1+1",9.6,1.0.0'
