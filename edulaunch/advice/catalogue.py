@@ -1,8 +1,7 @@
 """Update the catalogues of all languages: `python -m edulaunch.advice.catalogue`.
 
 A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new sentences have no translation, and changed ones are
-marked `fuzzy`. Readers load `advice.mo`, which this command compiles again. A new language: make the folder. Needs Babel
-(`pip install '.[dev]'`).
+marked `fuzzy`, which leaves them in English. For a new language, make the folder. Needs Babel (`pip install '.[dev]'`).
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from collections.abc import Iterator
 from datetime import datetime, timezone
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.reader import LOCALE
+from edulaunch.advice.reader import LOCALE, catalogue_file
 from edulaunch.advice.rule import all_rules
 
 if TYPE_CHECKING:
@@ -154,26 +153,20 @@ def missing(language: str) -> list[str]:
         return [line.strip() for line in file if line.strip() and not line.startswith('#')]
 
 
-def path_of(language: str, ending: str) -> str:
-    """The catalogue of a language: 'po' for people, 'mo' for gettext."""
-    return os.path.join(LOCALE, language, 'LC_MESSAGES', f'advice.{ending}')
-
-
 def read(language: str) -> Catalog:
     """The catalogue of a language; empty when it is new."""
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
 
-    if not os.path.isfile(path_of(language, 'po')):
+    if not os.path.isfile(catalogue_file(language)):
         return Catalog(language)
-    with open(path_of(language, 'po'), 'rb') as file:
+    with open(catalogue_file(language), 'rb') as file:
         return read_po(file, language)
 
 
 def update(language: str) -> tuple[int, int]:
-    """Write both files of a language. Return the number of sentences, and how many of them lack a translation."""
+    """Write the catalogue of a language. Return the number of sentences, and how many of them lack a translation."""
     from babel.messages.catalog import Catalog
-    from babel.messages.mofile import write_mo
     from babel.messages.pofile import write_po
 
     template = Catalog(project='edulaunch', creation_date=_FIXED)
@@ -187,10 +180,8 @@ def update(language: str) -> tuple[int, int]:
     catalogue.header_comment = (
         f'# The sentences of edulaunch in the language {language!r}; `python -m edulaunch.advice.catalogue`'
     )
-    with open(path_of(language, 'po'), 'wb') as file:
+    with open(catalogue_file(language), 'wb') as file:
         write_po(file, catalogue, width=0, ignore_obsolete=True)
-    with open(path_of(language, 'mo'), 'wb') as file:
-        write_mo(file, catalogue)
     lacking = [message for message in catalogue if message.id and (message.fuzzy or not message.string)]
     return len(catalogue), len(lacking)
 

@@ -1,14 +1,14 @@
-"""Every language has every sentence, and gettext reads what people wrote."""
+"""Every language has every sentence, and readers get what translators wrote."""
 
 from __future__ import annotations
 
 import re
-from gettext import GNUTranslations
+from pathlib import Path
 
 import pytest
 
-from edulaunch.advice.catalogue import languages, messages, missing, path_of
-from edulaunch.advice.reader import Reader, fields_of
+from edulaunch.advice.catalogue import languages, messages, missing
+from edulaunch.advice.reader import Reader, fields_of, translations
 
 pytest.importorskip('babel', reason='Babel is only there for those who develop edulaunch')
 from edulaunch.advice.catalogue import read  # noqa: E402
@@ -18,12 +18,6 @@ LANGUAGES = languages()
 
 def of_people(language: str) -> dict[str, str]:
     return {str(message.id): str(message.string) for message in read(language) if message.id and not message.fuzzy}
-
-
-def of_gettext(language: str) -> dict[str, str]:
-    with open(path_of(language, 'mo'), 'rb') as file:
-        found: dict[str, str] = vars(GNUTranslations(file))['_catalog']
-    return {english: other for english, other in found.items() if english}
 
 
 def test_german_is_there() -> None:
@@ -36,8 +30,27 @@ def test_the_sentences_are_those_of_today(language: str) -> None:
 
 
 @pytest.mark.parametrize('language', LANGUAGES)
-def test_gettext_reads_what_people_wrote(language: str) -> None:
-    assert of_gettext(language) == {english: other for english, other in of_people(language).items() if other}
+def test_a_reader_gets_what_people_wrote(language: str) -> None:
+    assert translations(language) == {english: other for english, other in of_people(language).items() if other}
+
+
+def test_a_fuzzy_translation_is_not_used_and_lines_and_quotes_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from babel.messages.catalog import Catalog
+    from babel.messages.pofile import write_po
+
+    catalogue = Catalog('xx')
+    odd = {'a "b"': 'c "d" \\ \t', 'one\ntwo': 'eins\nzwei', 'long ' * 40: 'lang ' * 40, 'later': ''}
+    for english, other in odd.items():
+        catalogue.add(english, other)
+    catalogue.add('changed', 'alt', flags=('fuzzy',))
+    catalogue.add('last', 'zuletzt')
+    path = tmp_path / 'xx' / 'LC_MESSAGES' / 'advice.po'
+    path.parent.mkdir(parents=True)
+    with path.open('wb') as file:
+        write_po(file, catalogue)
+    monkeypatch.setattr('edulaunch.advice.reader.LOCALE', str(tmp_path))
+    del odd['later']
+    assert translations('xx') == {**odd, 'last': 'zuletzt'}
 
 
 @pytest.mark.parametrize('language', LANGUAGES)
