@@ -41,7 +41,7 @@ _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
 
 def messages() -> dict[str, str]:
-    """Every sentence with where it comes from: the rule, or the module."""
+    """Return every sentence with where it comes from: the rule, or the module."""
     found: dict[str, str] = {}
     for rule in all_rules().values():
         for text in (*rule.what, *rule.why, *rule.do):
@@ -62,7 +62,7 @@ def messages() -> dict[str, str]:
 
 
 def _of_rubric(path: str) -> Iterator[str]:
-    """The title, and what a student reads of each check of a rubric in YAML."""
+    """Yield the title, and what a student reads of each check of a rubric in YAML."""
     import yaml
 
     with open(path, encoding='utf-8') as file:
@@ -140,7 +140,7 @@ def _tree(path: str) -> ast.AST:
 
 
 def languages() -> list[str]:
-    """The languages that have a folder."""
+    """Return the languages that have a folder."""
     return sorted(name for name in os.listdir(LOCALE) if os.path.isdir(os.path.join(LOCALE, name)))
 
 
@@ -154,7 +154,7 @@ def missing(language: str) -> list[str]:
 
 
 def read(language: str) -> Catalog:
-    """The catalogue of a language; empty when it is new."""
+    """Return the catalogue of a language; empty when it is new."""
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
 

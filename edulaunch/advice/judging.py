@@ -34,7 +34,7 @@ MOST = 20
 
 
 def judge(recording: Recording) -> list[Finding]:
-    """What is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
+    """Return what is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
     with collector_paused():  # takes longer than the rules, where the recording is large
         return _judge(recording)
 
@@ -51,7 +51,7 @@ def _judge(recording: Recording) -> list[Finding]:
 
 @lru_cache(maxsize=16)
 def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
-    """What the rules over launch files find; the same files keep their syntax trees, so each is judged once."""
+    """Return what the rules over launch files find; the same files keep their syntax trees, so each is judged once."""
     return tuple(_asked('scripts', list(scripts)))
 
 
@@ -110,7 +110,7 @@ _WHO = ('node', 'other', 'process', 'first', 'second', 'asker', 'nodes')
 
 
 def _named(finding: Finding) -> set[str]:
-    """The nodes and programs that a finding names."""
+    """Return the nodes and programs that a finding names."""
     facts = {**finding.facts, finding.kind: finding.name}
     named: set[str] = {finding.process} if finding.process else set()
     for key in _WHO:
@@ -120,7 +120,7 @@ def _named(finding: Finding) -> set[str]:
 
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
-    """What is wrong with a launch file, by its dry run."""
+    """Return what is wrong with a launch file, by its dry run."""
     findings = in_order([*_asked('plans', rehearsal), *_asked('scripts', list(students_python(rehearsal)))])
     better = [one for one in findings if one.rule != FAILS]
     if len(better) < len(findings):
@@ -129,7 +129,7 @@ def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
-    """What the rules over errors say of the error that ended a dry run: more than that the launch file fails."""
+    """Return what the rules over errors say of the error that ended a dry run: more than that the launch file fails."""
     error = rehearsal.plan['error'] or {}
     cause = error.get('cause')
     if cause is None:
@@ -141,24 +141,24 @@ def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def judge_scripts(scripts: list[Script]) -> list[Finding]:
-    """What is wrong with launch files in Python, by their syntax trees; nothing of them is executed."""
+    """Return what is wrong with launch files in Python, by their syntax trees; nothing of them is executed."""
     return in_order(_asked('scripts', scripts))
 
 
 def judge_failure(error: Failure | BaseException) -> list[Finding]:
-    """What is behind an error."""
+    """Return what is behind an error."""
     return in_order(_asked('errors', error if isinstance(error, Failure) else failure_of(error)))
 
 
 def judge_sources(path: str) -> list[Finding]:
-    """What is wrong with the packages of a workspace or package folder; nothing of them is executed."""
+    """Return what is wrong with the packages of a workspace or package folder; nothing of them is executed."""
     from edulaunch.advice.source_package import workspace_at
 
     return judge_workspace(workspace_at(path))
 
 
 def judge_workspace(workspace: Workspace) -> list[Finding]:
-    """The same, of a workspace that was read already."""
+    """Return the same, of a workspace that was read already."""
     found = _asked('workspaces', workspace)
     for source in (one for one in workspace.sources if not one.is_of_ros_1):
         found += _asked('sources', source)
@@ -179,7 +179,7 @@ def failures(recording: Recording) -> Iterator[Failure]:
 
 
 def in_order(findings: Iterable[Finding]) -> list[Finding]:
-    """The worst first, then what is sure, then by time; one of each, and nothing that only follows from another."""
+    """Return the worst first, then what is sure, then by time; one of each, and nothing that only follows from another."""
     rules = {finding.rule: rule_named(finding.rule) for finding in findings}
     causes = [one for one in findings if rules[one.rule].hides]
     first: dict[tuple[Any, ...], Finding] = {}
@@ -190,7 +190,7 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
-    """Whether both are about one node or program, as far as that is known. Frames of tf belong to all nodes."""
+    """Return whether both are about one node or program, as far as that is known. Frames of tf belong to all nodes."""
     error = other.facts.get('error') if other.rule == DIED and cause.rule.startswith('tf.') else None
     if error and not _LOOKUP_ERROR.match(error):
         return False
@@ -205,7 +205,7 @@ def _nodes(finding: Finding) -> set[str]:
 
 
 def _asked(kind: str, thing: Any) -> list[Finding]:
-    """What all rules over that kind of thing say of it."""
+    """Return what all rules over that kind of thing say of it."""
     return [finding for rule in rules_over(kind) for finding in _findings_by(rule, thing)]
 
 

@@ -23,8 +23,8 @@ STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'ra
 
 @cache
 def names_in(module: str) -> list[str]:
-    """What a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a report
-    has not sourced ROS 2 yet.
+    """Return what a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a
+    report has not sourced ROS 2 yet.
     """
     try:
         source()
@@ -36,18 +36,18 @@ def names_in(module: str) -> list[str]:
 
 
 def home_of(name: str) -> str | None:
-    """The module that exports the name, or None."""
+    """Return the module that exports the name, or None."""
     return next((one for one in MODULES if name in names_in(one) and f'{one}.{name}' not in MODULES), None)
 
 
 def class_named(name: str) -> Any:
-    """The exported class of this name, or None."""
+    """Return the exported class of this name, or None."""
     home = home_of(name)
     return getattr(import_module(home), name) if home is not None else None
 
 
 def import_line(name: str | None) -> str | None:
-    """The import statement for a name, or None when nothing exports it."""
+    """Return the import statement for a name, or None when nothing exports it."""
     if name in STANDARD:
         return f'import {name}'
     home = home_of(name) if name else None
@@ -55,12 +55,12 @@ def import_line(name: str | None) -> str | None:
 
 
 def nearest_anywhere(name: str) -> str | None:
-    """The exported name of any module that is nearest to `name`."""
+    """Return the exported name of any module that is nearest to `name`."""
     return nearest(name, [known for module in MODULES for known in names_in(module)])
 
 
 def keywords_of(cls: type) -> list[str]:
-    """The keyword arguments that a constructor takes, inherited ones included while it passes `**kwargs` on."""
+    """Return the keyword arguments that a constructor takes, inherited ones included while it passes `**kwargs` on."""
     found: list[str] = []
     for base in cls.__mro__:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)

@@ -13,21 +13,21 @@ if TYPE_CHECKING:
 
 
 def branches(rehearsal: Rehearsal) -> Iterator[Branch]:
-    """All that launch came to, in order."""
+    """Return all that launch came to, in order."""
     from edulaunch.advice.plan.why import branches
 
     return branches(rehearsal.outline)
 
 
 def nodes(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
-    """The node actions that were executed, each with its item."""
+    """Yield the node actions that were executed, each with its item."""
     for branch in branches(rehearsal):
         if branch.item is not None and branch.item['kind'] == 'node':
             yield branch, branch.item
 
 
 def name_of(item: dict[str, Any]) -> str:
-    """What people call a node of a plan: its name, or its executable where the launch file leaves that to the program."""
+    """Return what people call a node of a plan: its name, or its executable where the launch file leaves that to the program."""
     name: str = item['runtime_name'] or item['executable']
     return name
 
@@ -38,13 +38,13 @@ def place_of(branch: Branch) -> dict[str, Any]:
 
 
 def launch_files(rehearsal: Rehearsal) -> list[str]:
-    """The launch files that were read, the first one first."""
+    """Return the launch files that were read, the first one first."""
     files = [rehearsal.plan['file'], *(item['file'] for item in rehearsal.plan['items'] if item['kind'] == 'include')]
     return [file for file in dict.fromkeys(map(os.path.realpath, files)) if os.path.isfile(file)]
 
 
 def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
-    """The student's own Python launch files with their syntax trees; nothing of them is executed."""
+    """Yield the student's own Python launch files with their syntax trees; nothing of them is executed."""
     from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import parsed
 

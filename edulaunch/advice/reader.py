@@ -43,7 +43,7 @@ class Reader(NamedTuple):
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def place(self, file: str, line: int | None) -> str:
-        """A place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
+        """Return a place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
         below = os.path.join(self.folder, '')
         short = file.removeprefix(below) if self.folder else file
         if line is None:
@@ -53,12 +53,12 @@ class Reader(NamedTuple):
 
 
 def reader_of(env: Mapping[str, str], folder: str) -> Reader:
-    """Who reads in a terminal with these variables, in that folder."""
+    """Return who reads in a terminal with these variables, in that folder."""
     return Reader(language_of(env), folder)
 
 
 def language_of(env: Mapping[str, str]) -> str:
-    """The language that environment variables choose: `EDULAUNCH_LANG`, else as gettext does.
+    """Return the language that environment variables choose: `EDULAUNCH_LANG`, else as gettext does.
 
     The locale is the first that is set of `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference; as for
     gettext it counts only where the locale is not `C` or `POSIX`. Of several the first one that has a catalogue is chosen.
@@ -73,12 +73,12 @@ def language_of(env: Mapping[str, str]) -> str:
 
 
 def _plain_name(locale: str) -> str:
-    """A locale without its encoding and variant: 'de_DE' of 'de_DE.UTF-8@euro'."""
+    """Return a locale without its encoding and variant: 'de_DE' of 'de_DE.UTF-8@euro'."""
     return locale.partition('.')[0].partition('@')[0]
 
 
 def reader_here() -> Reader:
-    """Who started this program."""
+    """Return who started this program."""
     try:
         folder = os.getcwd()
     except OSError:  # it has been removed
@@ -128,8 +128,8 @@ def translations(language: str) -> dict[str, str]:
 def _entries(lines: Iterable[str]) -> Iterator[tuple[str, str]]:
     """Yield each translated sentence of a .po file with its translation. Entries that are marked as fuzzy are left out.
 
-    A catalogue here has no plurals and no contexts, and its strings are escaped as in JSON. Reading it takes 9 ms, and no compiled
-    file is needed.
+    A catalogue here has no plurals and no contexts, and its strings are escaped as in JSON. Reading it takes 9 ms, so no
+    compiled file is needed.
     """
     from json import JSONDecoder
 
@@ -185,7 +185,7 @@ class _Pattern(NamedTuple):
         return [name for before, after, name in ends if not (before[-1:] == after[:1] != '' and after[:1] in '"\'')]
 
     def explains(self, foreign: list[str]) -> bool:
-        """Whether a sentence in the other language remains one, with these facts that have no translation."""
+        """Return whether a sentence in the other language remains one, with these facts that have no translation."""
         own = sum(len(_WORD.findall(text)) for text in self.texts)
         lines = [line for fact in foreign for line in fact.splitlines()[:1]]
         return max((len(_WORD.findall(line)) for line in lines), default=0) <= max(own, MOST_WORDS) - (own < 2)
@@ -219,7 +219,7 @@ class Retelling:
         self._patterns = [pattern for pattern in found if pattern is not None]
 
     def __call__(self, text: str) -> str:
-        """The sentence in the other language; as it is when no template fits."""
+        """Return the sentence in the other language; as it is when no template fits."""
         self._tries = 0
         return self._translated(text, DEEPEST)[1] if len(text) <= LONGEST else text
 

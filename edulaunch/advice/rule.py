@@ -41,7 +41,7 @@ class Finding(NamedTuple):
 def found(
     kind: str, name: str, *, file: str | None = None, line: int | None = None, time_s: float | None = None, **facts: Any
 ) -> Finding:
-    """A finding of the rule that yields it; see :class:`Finding`."""
+    """Return a finding of the rule that yields it; see :class:`Finding`."""
     return Finding(kind, name, facts, file, line, time_s)
 
 
@@ -145,7 +145,7 @@ _loaded: dict[str, Rule] = {}
 
 @cache
 def rules_over(kind: str) -> tuple[Rule, ...]:
-    """The rules that look at one kind of thing, in the order of their files; those of plug-ins are the last."""
+    """Return the rules that look at one kind of thing, in the order of their files; those of plug-ins are the last."""
     folder = os.path.join(os.path.dirname(__file__), kind)
     modules = sorted(name.removesuffix('.py') for name in os.listdir(folder) if name.endswith('.py') and name[0] != '_')
     loaded = [import_module(f'edulaunch.advice.{kind}.{name}') for name in modules]
@@ -157,11 +157,11 @@ def rules_over(kind: str) -> tuple[Rule, ...]:
 
 @cache
 def all_rules() -> dict[str, Rule]:
-    """Every rule by its name, in the order of the alphabet."""
+    """Return every rule by its name, in the order of the alphabet."""
     rules = {rule.name: rule for kind in KINDS for rule in rules_over(kind)}
     return dict(sorted(rules.items()))
 
 
 def rule_named(name: str) -> Rule:
-    """The rule of that name; only as many files are loaded as it takes to find it. Raise KeyError if it does not exist."""
+    """Return the rule of that name; only as many files are loaded as it takes to find it. Raise KeyError if it does not exist."""
     return _loaded[name] if name in _loaded else all_rules()[name]

@@ -36,23 +36,23 @@ def programs(recording: Recording) -> dict[str, str]:
 
 
 def node_of(recording: Recording, process: str | None) -> str:
-    """The name of a program's first node; of a program without one its launch name."""
+    """Return the name of a program's first node; of a program without one its launch name."""
     return next((node.name for node in recording.nodes if node.process == process), process or '')
 
 
 def speaker(recording: Recording, node: str) -> str:
-    """What people call a node: of one that a `ros2` command makes, its program."""
+    """Return what people call a node: of one that a `ros2` command makes, its program."""
     return programs(recording).get(node, node) if node.startswith('/_ros2cli') else node
 
 
 def node_place(recording: Recording, node: str) -> Place:
-    """Where the program of a node was started."""
+    """Return where the program of a node was started."""
     return places(recording).get(programs(recording).get(node, ''), NOWHERE)
 
 
 @lru_cache(maxsize=1)
 def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
-    """Where each end was made first, by kind, name and node."""
+    """Return where each end was made first, by kind, name and node."""
     nodes = {row[4]: row[0] for row in recording.rows('nodes')}
     return {
         (kind, name, nodes.get(node, '')): recording.lines[index]
@@ -62,12 +62,12 @@ def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
 
 
 def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
-    """The student's line that made a publisher, subscription, service or client; else where its program was started."""
+    """Return the student's line that made a publisher, subscription, service or client; else where its program was started."""
     return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
 
 
 def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
-    """The student's line that sends transforms; where a file has several, the one that made the broadcaster."""
+    """Return the student's line that sends transforms; where a file has several, the one that made the broadcaster."""
     file, line = end_place(recording, 'publisher', topic, node)
     calls = () if file is None else _calls_of('sendTransform', file)
     return (file, calls[0]) if len(calls) == 1 else (file, line)
@@ -75,7 +75,7 @@ def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
 
 @lru_cache(maxsize=16)
 def _calls_of(method: str, file: str) -> tuple[int, ...]:
-    """The lines of a Python file on which a method of that name is called."""
+    """Return the lines of a Python file on which a method of that name is called."""
     from edulaunch.ros.sources.source_package import parsed
 
     tree = parsed(file) if file.endswith('.py') else None
@@ -91,14 +91,14 @@ def _calls_of(method: str, file: str) -> tuple[int, ...]:
 
 
 def fact_place(recording: Recording, fact: Fact) -> Place:
-    """The student's line that a fact names, else where its program was started."""
+    """Return the student's line that a fact names, else where its program was started."""
     if 'file' in fact.data:
         return fact.data['file'], fact.data['line']
     return places(recording).get(fact.process or '', NOWHERE)
 
 
 def asking_place(recording: Recording, node: str, name: str) -> Place:
-    """Where a node asks a service or action that is not there, or waits for it; else where its program was started."""
+    """Return where a node asks a service or action that is not there, or waits for it; else where its program was started."""
     for fact in recording.facts:
         if fact.kind in ('request lost', 'server awaited') and (fact.data['node'], fact.data['name']) == (node, name):
             return fact_place(recording, fact)
@@ -139,7 +139,7 @@ def names_of(recording: Recording, kind: str) -> list[str]:
 
 
 def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
-    """Whether a topic or service belongs to ROS 2's own machinery."""
+    """Return whether a topic or service belongs to ROS 2's own machinery."""
     return name in ROS_OWN or '/_' in name or (name.startswith(nodes) and name.rpartition('/')[2] in PARAMETER_SERVICES)
 
 
@@ -223,12 +223,12 @@ def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
 
 @lru_cache(maxsize=1)
 def frame_names(recording: Recording) -> list[str]:
-    """All frames that were ever broadcast, parents too."""
+    """Return all frames that were ever broadcast, parents too."""
     return list(dict.fromkeys(name.removeprefix('/') for one in broadcasts(recording) for name in (one.parent, one.child)))
 
 
 def root_of(recording: Recording, frame: str) -> str:
-    """The frame at the top of the tree in which a frame is."""
+    """Return the frame at the top of the tree in which a frame is."""
     links = by_child(recording)
     seen = [frame]
     while frame in links and (frame := links[frame][0].parent.removeprefix('/')) not in seen:

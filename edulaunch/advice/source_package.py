@@ -51,7 +51,7 @@ class Workspace(NamedTuple):
 
 
 def workspace_at(path: str) -> Workspace:
-    """The workspace or package folder at `path`."""
+    """Return the workspace or package folder at `path`."""
     from edulaunch.engine.packages import Index
     from edulaunch.ros.sources import read_source
     from edulaunch.ros.sources.source_package import source_packages

@@ -37,7 +37,7 @@ class Rendered(NamedTuple):
 
 
 def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
-    """What is wrong, where, why that matters, and what to do."""
+    """Return what is wrong, where, why that matters, and what to do."""
     rule = rule_named(finding.rule)
     reader = reader_here() if reader is None else reader
     facts = {**finding.facts, finding.kind: finding.name}
@@ -50,7 +50,7 @@ def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
 def warning_lines(
     findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_SHOWN
 ) -> list[str]:
-    """What is reported at the end of a run, each with what to do; the worst, and how many more there are.
+    """Return what is reported at the end of a run, each with what to do; the worst, and how many more there are.
 
     :param shown_by: the command or expression that shows all of them.
     """
@@ -70,7 +70,7 @@ def end_of_run_lines(
     typed: str = '',
     shown_by: str = 'for warning in recording.warnings: print(warning)',
 ) -> list[str]:
-    """What is reported where a run has ended.
+    """Return what is reported where a run has ended.
 
     :param recording: of a run, or of one command of a machine (`Session.of_command`).
     :param helped: programs whose error was explained below the error itself.
@@ -90,7 +90,7 @@ def place(finding: Finding, reader: Reader) -> Iterator[str]:
 
 
 def _sign(level: str, reader: Reader) -> str:
-    """How a line begins: an error is in the reader's program, not in the command that reports it."""
+    """Return how a line begins: an error is in the reader's program, not in the command that reports it."""
     return reader.says('note') if level == 'info' else reader.says('warning')
 
 
@@ -103,14 +103,14 @@ def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> 
 
 
 def _listed(value: Any) -> Any:
-    """A list of names as words; of a long one the beginning."""
+    """Return a list of names as words; of a long one the beginning."""
     if not isinstance(value, (list, tuple)):
         return value
     return ', '.join([*map(str, value[:MOST_NAMES]), *(['...'] if len(value) > MOST_NAMES else [])])
 
 
 def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
-    """One line about an error, None when nothing is known of it.
+    """Return one line about an error, None when nothing is known of it.
 
     :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without it, the error is
         in a launch file, and the help includes its place.
@@ -127,7 +127,7 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """What is wrong and what to do, in one line, about an error as data, in the language of who started this program."""
+    """Return what is wrong and what to do, in one line, about an error as data, in the language of who started this program."""
     file, line = error.get('place') or (None, None)
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 
@@ -138,7 +138,7 @@ def help_of_facts(facts: dict[str, Any]) -> str:
 
 
 def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
-    """What is wrong and what to do, in one line; None when no rule knows the error."""
+    """Return what is wrong and what to do, in one line; None when no rule knows the error."""
     found = judge_failure(failure)
     if not found:
         return None
@@ -150,7 +150,7 @@ FORMAT = 1
 
 
 def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
-    """The lines for people, the worst first."""
+    """Yield the lines for people, the worst first."""
     if not findings:
         yield reader.says('no problems found')
     for number, finding in enumerate(findings, 1):
@@ -166,7 +166,7 @@ def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
 
 
 def diagnosis_data(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """The same as plain data, with the facts."""
+    """Return the same as plain data, with the facts."""
     return {'format': FORMAT, 'findings': [_data(finding, reader) for finding in findings]}
 
 
@@ -196,13 +196,13 @@ class Mark(NamedTuple):
 
 
 def marks(recording: Recording) -> list[Mark]:
-    """A mark for each finding, the worst first; files are named without their folders, for pages are kept and given on."""
+    """Return a mark for each finding, the worst first; files are named without their folders, for pages are kept and given on."""
     nodes = {node.process: node.name for node in reversed(recording.nodes)}
     return [_mark(finding, nodes) for finding in recording.advice]
 
 
 def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
-    """A finding about a program becomes a mark at its first node."""
+    """Return a finding about a program becomes a mark at its first node."""
     subject = (finding.kind, finding.name)
     if finding.kind not in DRAWN:
         node = nodes.get(finding.process or finding.name)

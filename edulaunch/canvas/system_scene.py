@@ -58,7 +58,7 @@ class SystemScene(NamedTuple):
     panels: list[Panel]
 
     def caption(self) -> str:
-        """What the picture shows, in words."""
+        """Return what the picture shows, in words."""
         return '; '.join(_panel_words(panel) for panel in self.panels)
 
 
@@ -80,7 +80,7 @@ class _Parts(NamedTuple):
 def system_scene(
     system: Any, other: Any = None, changed: Mapping[str, list[str]] | None = None, *, services: bool = False
 ) -> SystemScene:
-    """One system, or two with the same layout.
+    """Return one system, or two with the same layout.
 
     :param changed: for each node that both have and that differs, the names of the parameters that do.
     :param services: show services that a node calls, too.
@@ -151,7 +151,7 @@ def _parts(system: Any, services: bool, changed: Mapping[str, list[str]]) -> _Pa
 
 
 def lines_of(kind: str, name: str, notes: list[str]) -> list[tuple[str, float, bool]]:
-    """The lines of a box, as (text, font size, whether it is a note): the namespace small above the name."""
+    """Return the lines of a box, as (text, font size, whether it is a note): the namespace small above the name."""
     namespace, _, base = name.rpartition('/')
     lines = [(shortened(namespace + '/'), SMALL, False)] if namespace else []
     lines.append((shortened(base if namespace else name), TEXT, False))

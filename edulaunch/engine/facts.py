@@ -12,7 +12,7 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def with_facts(error: Error, about: str, **data: Any) -> Error:
-    """The error, which keeps its own text and now carries facts.
+    """Return the error, which keeps its own text and now carries facts.
 
     :param about: the rule that has words for it, such as 'programs.after-shutdown'.
     :param data: the values of these names: strings, numbers, and lists of strings.
@@ -28,11 +28,11 @@ def facts_of(error: BaseException | None) -> dict[str, Any]:
 
 
 def with_facts_of(error: Error, other: BaseException) -> Error:
-    """The error, which is raised in place of another one, with that one's facts."""
+    """Return the error, which is raised in place of another one, with that one's facts."""
     found = facts_of(other)
     return with_facts(error, **found) if found else error
 
 
 def kind_of(value: object) -> str:
-    """What a value is, for the facts: the name of its class, or 'None'."""
+    """Return what a value is, for the facts: the name of its class, or 'None'."""
     return 'None' if value is None else type(value).__name__

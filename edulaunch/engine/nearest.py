@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 
 def nearest(name: str, names: Iterable[str]) -> str | None:
-    """The known name that `name` was probably meant to be, or None when nothing is close.
+    """Return the known name that `name` was probably meant to be, or None when nothing is close.
 
     Case and the three usual separators are looked through first (`My-Robot` finds `my_robot`); ties go to the
     alphabet.
@@ -69,6 +69,6 @@ def _folded(name: str) -> str:
 
 
 def did_you_mean(name: str, names: Iterable[str]) -> str | None:
-    """The line of help that names the nearest of the known names; None when nothing is close."""
+    """Return the line of help that names the nearest of the known names; None when nothing is close."""
     near = nearest(name, names)
     return None if near is None else f'did you mean {near!r}?'

@@ -56,7 +56,7 @@ def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
 
 
 def matcher(terminal: Terminal) -> Any:
-    """A matcher for IPython's completer: the only one on a line of `ros2`, without results elsewhere."""
+    """Return a matcher for IPython's completer: the only one on a line of `ros2`, without results elsewhere."""
     from IPython.core.completer import SimpleCompletion, context_matcher
 
     @context_matcher(identifier='edulaunch.ros2')  # type: ignore[untyped-decorator, unused-ignore]

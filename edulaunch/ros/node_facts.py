@@ -29,5 +29,5 @@ def choose(core_of_node: CoreOf) -> None:
 
 
 def core_of(node: Any) -> Any:
-    """The state of a node: a `NodeCore`, or what stands for it on ROS 2's own rclpy."""
+    """Return the state of a node: a `NodeCore`, or what stands for it on ROS 2's own rclpy."""
     return _chosen(node)

@@ -77,7 +77,7 @@ class LaunchRun:
                 program.send_signal(signal.SIGINT)
 
     def _main(self, process: Process) -> int:
-        """The main program of `ros2 launch FILE name:=value ...`; return launch's own return code."""
+        """Return the main program of `ros2 launch FILE name:=value ...`; return launch's own return code."""
         from launch import LaunchDescription, LaunchService
         from launch.actions import IncludeLaunchDescription
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource

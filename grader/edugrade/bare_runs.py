@@ -61,7 +61,7 @@ def _with_calculated_given(
 
 
 def _calculated(outcome: Outcome) -> dict[str, str | None]:
-    """The arguments of a run whose default is a substitution, with the values that they should have."""
+    """Return the arguments of a run whose default is a substitution, with the values that they should have."""
     if outcome.recording is None or not any(outcome.scenario.defaults.values()):
         return {}
     declared = described_defaults(outcome.recording)
@@ -73,7 +73,7 @@ def _calculated(outcome: Outcome) -> dict[str, str | None]:
 
 
 def _differ(one: Outcome, other: Outcome) -> bool:
-    """Whether nodes had other parameters in one run than in the other, or published something else."""
+    """Return whether nodes had other parameters in one run than in the other, or published something else."""
     return _what_happened(one) != _what_happened(other)
 
 
@@ -104,7 +104,7 @@ def _why(outcome: Outcome) -> str:
 
 
 def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str | None]:
-    """The arguments that a run has to be given after all, with their values.
+    """Return the arguments that a run has to be given after all, with their values.
 
     :param known: the defaults that another run's recording has.
     """
@@ -131,7 +131,7 @@ def _of_another_type(outcome: Outcome, declared: Mapping[str, str | None]) -> di
 
 
 def _death(outcome: Outcome) -> str | None:
-    """The first program that died in a run."""
+    """Return the first program that died in a run."""
     found = None if outcome.recording is None else next(deaths(outcome.recording), None)
     return None if found is None else f'{found.name} died'
 

@@ -104,7 +104,7 @@ def _verb(word: str) -> Callable[[list[str]], int] | None:
 
 
 def schema_command(words: Sequence[str]) -> int:
-    """The command ``edugrade schema``."""
+    """Run the command ``edugrade schema``, and return its exit code."""
     argparse.ArgumentParser(prog='edugrade schema', description='Print the JSON schema of reports and results.').parse_args(words)
     with open(SCHEMA, encoding='utf-8') as file:
         print(file.read(), end='')
@@ -135,7 +135,7 @@ def _grade(options: argparse.Namespace) -> int:
 
 
 def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
-    """What can be graded, and what cannot; one bad path among several spoils only itself."""
+    """Return what can be graded, and what cannot; one bad path among several spoils only itself."""
     works, refusals = [], []
     secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     for path in options.paths:
@@ -168,7 +168,7 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
 
 
 def _recorded(report: Report, options: argparse.Namespace) -> Report:
-    """The report with as much advice as is asked for, or else as a student gets who has tried so often."""
+    """Return the report with as much advice as is asked for, or else as a student gets who has tried so often."""
     from dataclasses import replace
 
     from .attempts import progress_folder, record_attempt
@@ -207,7 +207,7 @@ def _text(reports: list[Report], refusals: list[Refusal]) -> str:
 
 
 def summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
-    """One line for each submission, and the sum of the points; then what could not be graded at all."""
+    """Return one line for each submission, and the sum of the points; then what could not be graded at all."""
     from .reports.terminal import printable
 
     rows = [HEAD, *(_row(report) for report in reports)]

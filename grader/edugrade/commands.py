@@ -8,5 +8,5 @@ NOT_GRADED = 3
 
 
 def edugrade() -> int:
-    """The command `edugrade`; returns its exit code, 3 when this computer cannot even load it."""
+    """Run the command `edugrade`, and return its exit code, 3 when this computer cannot even load it."""
     return run_quietly('edugrade.cli', 'main', broken=NOT_GRADED)

@@ -53,7 +53,7 @@ class Exercise(NamedTuple):
 
 
 def read_toml(path: str) -> dict[str, Any]:
-    """The tables of a TOML file. Raises OSError or ValueError as the reader does."""
+    """Return the tables of a TOML file. Raises OSError or ValueError as the reader does."""
     with open(path, encoding='utf-8') as file:
         return parse_toml(file.read())
 
@@ -69,7 +69,7 @@ def parse_toml(text: str) -> dict[str, Any]:
 
 
 def read_course(path: str) -> list[Exercise]:
-    """The exercises of a manifest, in the order of the course.
+    """Return the exercises of a manifest, in the order of the course.
 
     :raises UnusableInput: when the manifest cannot be read or lacks something; it is named.
     """
@@ -96,7 +96,7 @@ def read_course(path: str) -> list[Exercise]:
 
 
 def here_and_above(folder: str) -> Iterator[str]:
-    """A folder and those above it in which something of a course is looked for; HIGHEST in all."""
+    """Yield a folder and those above it in which something of a course is looked for; HIGHEST in all."""
     folder = os.path.abspath(folder)
     for _ in range(HIGHEST):
         yield folder
@@ -110,7 +110,7 @@ def course_manifest(inside: str = '') -> str | None:
 
 
 def find_course(folder: str) -> str:
-    """The manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
+    """Return the manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
 
     :raises UnusableInput: when there is no such file.
     """

@@ -70,7 +70,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _can_be_run(folder: str, item: Exercise) -> bool:
-    """Whether the starter file, the solution and the rubric of an exercise can be read. Mistakes are already reported."""
+    """Return whether the starter file, the solution and the rubric of an exercise can be read. Mistakes are already reported."""
     try:
         for kind in (STUBS, SOLUTIONS):
             plan_work(Submission(os.path.join(folder, kind, item.path)), _rubrics(folder)[item.name])
@@ -104,7 +104,7 @@ def listed(found: Iterator[str]) -> Iterator[str]:
 
 
 def check_manifest(path: str) -> Iterator[str]:
-    """Every entry of the manifest has what it needs, of the right types; all that is wrong is named."""
+    """Yield every entry of the manifest has what it needs, of the right types; all that is wrong is named."""
     try:
         entries = read_toml(path).get('exercise')
     except (OSError, ValueError) as error:
@@ -165,7 +165,7 @@ def _entry(folder: str, item: Exercise, rubrics: dict[str, str]) -> Iterator[str
 
 
 def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
-    """Each row of variants has several strings. The starter file, the solution and the rubric contain the first one."""
+    """Yield each row of variants has several strings. The starter file, the solution and the rubric contain the first one."""
     if not item.variants or rubric is None:
         return
     texts = [Submission(os.path.join(folder, kind, item.path)).source.texts().values() for kind in (STUBS, SOLUTIONS)]
@@ -191,7 +191,7 @@ def _tried(item: Exercise, secret: CourseSecret) -> list[Variant]:
 
 
 def check_variants(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """The solution of a student's variant passes everything by that student's rubric, and the usual solution does not."""
+    """Yield the solution of a student's variant passes everything by that student's rubric, and the usual solution does not."""
     rubrics, secret = _rubrics(folder), CourseSecret.of(TRIED)
     with TemporaryDirectory(prefix='edugrade-variants-') as place:
         works = []

@@ -112,7 +112,7 @@ class Evidence(Mapping[str, 'Recording']):
         return len(self._recordings)
 
     def only(self, names: Sequence[str]) -> Evidence:
-        """The same for some of the scenarios."""
+        """Return the same for some of the scenarios."""
         recordings = {name: self[name] for name in self if name in names}
         return Evidence(self._scenarios, recordings, self.source, self.names, self.bags, self.bare)
 
@@ -129,7 +129,7 @@ class Evidence(Mapping[str, 'Recording']):
         return found
 
     def scenario(self, name: str) -> Scenario:
-        """The scenario of that name: its arguments, duration and seed."""
+        """Return the scenario of that name: its arguments, duration and seed."""
         return self._scenarios[name]
 
     def arguments_of(self, name: str) -> Mapping[str, str]:

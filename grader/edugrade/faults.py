@@ -88,7 +88,7 @@ def raise_fault(error: BaseException) -> None:
 
 
 def looks_like_one(outcome: Outcome) -> bool:
-    """Whether the computer may have caused an outcome, judged by the numbers and messages of its errors."""
+    """Return whether the computer may have caused an outcome, judged by the numbers and messages of its errors."""
     text = _text_of(outcome)
     numbers = {int(number) for number in _NUMBER.findall(text)}
     return bool(numbers & OF_THE_COMPUTER) or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)

@@ -17,7 +17,7 @@ BINARY = getattr(os, 'O_BINARY', 0)
 
 
 def read_regular(path: str, most: int) -> bytes:
-    """The first `most` bytes of a file.
+    """Return the first `most` bytes of a file.
 
     :raises OSError: when it is not a regular file or cannot be read. A pipe would block its reader, and a device has no end.
     """
@@ -42,7 +42,7 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
 
 
 def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
-    """The files below a folder, by their path in it with slashes; each folder's own first, by their names.
+    """Yield the files below a folder, by their path in it with slashes; each folder's own first, by their names.
 
     :param is_taken: whether to take a file or to enter a directory, given its name and the path in `folder` of its parent. This
         path is '' or ends in a slash.

@@ -86,7 +86,7 @@ def grade(
     on_outcome: Callable[[], object] | None = None,
     processors: int | None = None,
 ) -> Iterator[Report]:
-    """The report of each piece of work, in order, as soon as it is ready.
+    """Yield the report of each piece of work, in order, as soon as it is ready.
 
     :param workspaces: additional directories with the student's packages.
     :param on_outcome: called after each run.
@@ -112,7 +112,7 @@ class WarmGrader:
         self._runner.__enter__()
 
     def report(self, work: Work, workspaces: Sequence[str] = ()) -> Report:
-        """The report of a piece of work."""
+        """Return the report of a piece of work."""
         return _report(work, self._runner, self._runner.add(work.submission, work.scenarios, workspaces), workspaces)
 
     def close(self) -> None:
@@ -123,7 +123,7 @@ class WarmGrader:
 def runner_here(
     limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
 ) -> Runner | InPlace:
-    """What makes runs on this system: confined ones of their own, or where it has no fork, in this process."""
+    """Return what makes runs on this system: confined ones of their own, or where it has no fork, in this process."""
     if CAN_FORK:
         from .runner import Runner
 
@@ -172,7 +172,7 @@ COPIED = "this is another student's variant, which gets no mark until a teacher 
 
 
 def is_copied(work: Work) -> bool:
-    """Whether a file of the submission has the values of another student's variant."""
+    """Return whether a file of the submission has the values of another student's variant."""
     return work.variant is not None and any(map(work.variant.is_of_another, work.submission.source.texts().values()))
 
 

@@ -59,7 +59,7 @@ class InPlace:
         return None
 
     def wait(self, job: GradingJob) -> list[Outcome]:
-        """The outcomes of a submission's runs, in the rubric's order."""
+        """Return the outcomes of a submission's runs, in the rubric's order."""
         submission, workspaces = self._given.pop(id(job))
         return [self._outcome(scenario, submission, workspaces) for scenario in job.scenarios]
 
@@ -92,7 +92,7 @@ def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> O
 
 
 def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]:
-    """What the bags hold that are written when launch gets Ctrl-C."""
+    """Return what the bags hold that are written when launch gets Ctrl-C."""
     import collections
 
     from edulaunch.engine.interfaces import current_registry

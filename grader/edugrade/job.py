@@ -103,7 +103,7 @@ class RunRequest:
 
 
 def environment(home: str) -> dict[str, str]:
-    """A small environment of its own: where programs are, and maths libraries kept to one thread."""
+    """Return a small environment of its own: where programs are, and maths libraries kept to one thread."""
     return {
         'PATH': os.environ.get('PATH', os.defpath),
         'HOME': home,

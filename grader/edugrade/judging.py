@@ -229,7 +229,7 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
 
 
 def _is_death(result: CheckResult) -> bool:
-    """Whether a program died. What it printed explains the failure, and mistakes of other programs do not."""
+    """Return whether a program died. What it printed explains the failure, and mistakes of other programs do not."""
     return ' died ' in result.reason or DIED in (result.seen or '')
 
 

@@ -39,7 +39,7 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
 
 
 def edugrade_parser() -> argparse.ArgumentParser:
-    """The parser of `edugrade PATH ...`, without the examples of its help."""
+    """Return the parser of `edugrade PATH ...`, without the examples of its help."""
     parser = argparse.ArgumentParser(
         prog='edugrade',
         usage='edugrade [OPTION ...] PATH [PATH ...]\n       edugrade COMMAND ...',
@@ -113,7 +113,7 @@ def add_common(parser: argparse.ArgumentParser) -> None:
 
 
 def is_personal(options: argparse.Namespace) -> bool:
-    """Whether each student has exercises of his or her own.
+    """Return whether each student has exercises of his or her own.
 
     :raises UnusableInput: for --personal without the secret.
     """

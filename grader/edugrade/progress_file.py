@@ -83,7 +83,7 @@ class ProgressFile:
         self._read()
 
     def of(self, exercise: str) -> Progress:
-        """The progress of one exercise, to be changed and saved."""
+        """Return the progress of one exercise, to be changed and saved."""
         return self.exercises.setdefault(exercise, Progress())
 
     @classmethod
@@ -153,7 +153,7 @@ def _locked(folder: str) -> Iterator[None]:
 
 
 def _progress(table: Any) -> Progress:
-    """An exercise's table, as it must be."""
+    """Return an exercise's table, as it must be."""
     found = Progress(**table)
     kinds = {
         'done': (bool,),

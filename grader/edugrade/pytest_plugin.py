@@ -24,7 +24,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile | None:
-    """A launch file that has a rubric."""
+    """Return a launch file that has a rubric."""
     if not parent.config.getoption('--edugrade'):
         return None
     from .rubrics.catalogue import exercises
@@ -44,7 +44,7 @@ class GradedFile(pytest.File):
     _work: Work
 
     def collect(self) -> Iterator[GradedCheck]:
-        """A test for each check, after the one that all need."""
+        """Yield a test for each check, after the one that all need."""
         from .grading import plan_work
         from .results import LAUNCHES
         from .submission import Submission
@@ -55,7 +55,7 @@ class GradedFile(pytest.File):
             yield GradedCheck.from_parent(self, name=name)
 
     def result(self, name: str) -> CheckResult:
-        """What a check came to."""
+        """Return what a check came to."""
         if self._report is None:
             from .grading import grade
 
@@ -81,13 +81,13 @@ class GradedCheck(pytest.Item):
             raise CheckFailed(result)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """The words of the report, without a traceback."""
+        """Return the words of the report, without a traceback."""
         if isinstance(excinfo.value, CheckFailed):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        """Where the student has to look."""
+        """Return where the student has to look."""
         return self.path, None, self.name
 
 

@@ -24,7 +24,7 @@ COMMANDS = ('ros2',)  # programs that are not a node of the student
 
 
 def has_own_programs(recording: Recording) -> bool:
-    """Whether programs ran that did not come with edulaunch."""
+    """Return whether programs ran that did not come with edulaunch."""
     for process in recording.processes:
         own = process.package is not None and not comes_with_edulaunch(process.package)
         script = (

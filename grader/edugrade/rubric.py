@@ -126,7 +126,7 @@ class Rubric:
         return part
 
     def with_points(self, points: Mapping[str, int]) -> Rubric:
-        """The same rubric with other points for some of its checks.
+        """Return the same rubric with other points for some of its checks.
 
         :raises ValueError: for an unknown check or invalid points.
         """
@@ -145,7 +145,7 @@ class Rubric:
         return known
 
     def scenarios(self, seed: int) -> tuple[Scenario, ...]:
-        """The runs for this seed: the same seed gives the same runs."""
+        """Return the runs for this seed: the same seed gives the same runs."""
         made = self._scenarios(Random(seed))
         _refuse_odd_runs(made, self._scenarios)
         return tuple(

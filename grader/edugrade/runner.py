@@ -76,7 +76,7 @@ class Runner:
         return job
 
     def homes(self) -> list[str]:
-        """The private folders of the runs so far; each is removed when its run is over."""
+        """Return the private folders of the runs so far; each is removed when its run is over."""
         return [os.path.join(self._home, str(number + 1)) for number in range(self._started)]
 
     def wait(self, job: GradingJob) -> list[Outcome]:
@@ -129,7 +129,7 @@ class Runner:
                 self._selector.register(end, selectors.EVENT_READ, read)
 
     def _living_starter(self) -> StarterLink:
-        """The starter; another one when it has gone."""
+        """Return the starter; another one when it has gone."""
         if self._starter is None or not self._starter.is_alive:
             if self._starter is not None:
                 self._starter.close()
@@ -162,7 +162,7 @@ class Runner:
         self._settle(job, self._unless_spoilt(found) if most else found)
 
     def _unless_spoilt(self, outcome: Outcome) -> Outcome:
-        """The outcome of a run that has failed again and again; no mark when the computer is at fault."""
+        """Return the outcome of a run that has failed again and again; no mark when the computer is at fault."""
         fault = fault_here(self._home)
         if fault is None and killed_for_memory() > self._killed_for_memory:
             fault = SENTENCES[errno.ENOMEM]
@@ -174,7 +174,7 @@ class Runner:
             self._on_outcome()
 
     def fault(self) -> str | None:
-        """What this computer cannot do now, of what runs need."""
+        """Return what this computer cannot do now, of what runs need."""
         return fault_here(self._home)
 
 
@@ -188,7 +188,7 @@ def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
 
 
 def _private_folder() -> str:
-    """A new folder that only this user can enter.
+    """Return a new folder that only this user can enter.
 
     :raises ComputerFault: when there can be none.
     """

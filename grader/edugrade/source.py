@@ -21,22 +21,22 @@ class Place(NamedTuple):
 
 
 def is_engine(file: str) -> bool:
-    """Whether a file is code of edulaunch itself; the launch files that it ships are not."""
+    """Return whether a file is code of edulaunch itself; the launch files that it ships are not."""
     return is_shipped(file) and not file.startswith(os.path.join(engine_folder(), 'ros', 'share'))
 
 
 def is_shipped(file: str) -> bool:
-    """Whether a file came with edulaunch: nothing that a student can change."""
+    """Return whether a file came with edulaunch: nothing that a student can change."""
     return file.startswith(engine_folder() + os.sep)
 
 
 def shipped_program(package: str, executable: str) -> str:
-    """The path under which edulaunch runs a program of a package of its own."""
+    """Return the path under which edulaunch runs a program of a package of its own."""
     return os.path.join(engine_folder(), 'ros', 'lib', package, executable)
 
 
 def comes_with_edulaunch(package: str) -> bool:
-    """Whether edulaunch brings a package of this name."""
+    """Return whether edulaunch brings a package of this name."""
     return os.path.isdir(os.path.join(engine_folder(), 'ros', 'share', package))
 
 
@@ -72,7 +72,7 @@ class Source:
         return Place(self.file, _line_of(_LIST, self._lines, function or 0) or function)
 
     def place_in(self, name: str, pattern: str = '') -> Place:
-        """A place in another file of the package: the first line that `pattern` matches somewhere.
+        """Return a place in another file of the package: the first line that `pattern` matches somewhere.
 
         :param name: the end of the file's path, such as ``config/turtlesim.yaml``. Without such a file, return :attr:`place`.
         """
@@ -89,13 +89,13 @@ class Source:
         return self.place if line is None else Place(self.file, line)
 
     def texts(self) -> dict[str, str]:
-        """Every text by its path, relative to the folder that all of them are in."""
+        """Return every text by its path, relative to the folder that all of them are in."""
         known = {self.file: self._lines, **self._others}
         above = os.path.commonpath([os.path.dirname(path) for path in known])
         return {os.path.relpath(path, above): '\n'.join(lines) for path, lines in known.items()}
 
     def bodies(self) -> dict[str, list[str]]:
-        """The lines of each file from its launch description on, by the file's name: what a student writes in."""
+        """Return the lines of each file from its launch description on, by the file's name: what a student writes in."""
         found = {}
         for path, lines in {self.file: self._lines, **self._others}.items():
             start = _line_of(_FUNCTION, lines) or 1

@@ -94,7 +94,7 @@ class Submission:
         return sha256(self._content).hexdigest()
 
     def is_as_it_was(self) -> bool:
-        """Whether everything in it can still be read, and is the same text."""
+        """Return whether everything in it can still be read, and is the same text."""
         try:
             return Submission(self.file, self._root).sha256 == self.sha256
         except UnusableInput:
@@ -102,7 +102,7 @@ class Submission:
 
 
 def exercise_of(name: str) -> str:
-    """The exercise of a file name: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
+    """Return the exercise of a file name: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
     for ending in ENDINGS:
         if name.endswith(ending):
             return name[: -len(ending)]
@@ -121,7 +121,7 @@ def _refuse_links(given: str, file: str, folder: str) -> None:
 
 
 def _launch_path(path: str) -> str:
-    """The launch file that is meant; a package stands for the one that is named after it."""
+    """Return the launch file that is meant; a package stands for the one that is named after it."""
     if not os.path.isdir(path):
         return path
     package = package_at(path)
@@ -246,7 +246,7 @@ class PackageFolder(NamedTuple):
 
 
 def package_at(folder: str) -> PackageFolder | None:
-    """The package whose package.xml is in this folder, if there is one."""
+    """Return the package whose package.xml is in this folder, if there is one."""
     try:
         match = _NAME.search(read_regular(os.path.join(folder, MANIFEST), LARGEST_TEXT).decode('utf-8', 'replace'))
     except OSError as error:

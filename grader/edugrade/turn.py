@@ -35,7 +35,7 @@ def find_turn(name: str) -> str | None:
 
 
 def turns() -> dict[str, str]:
-    """The rubrics of all turns of the lessons around, by name."""
+    """Return the rubrics of all turns of the lessons around, by name."""
     above = os.curdir
     for _ in range(HIGHEST):
         for folder in (above, os.path.join(above, 'lessons')):
@@ -46,7 +46,7 @@ def turns() -> dict[str, str]:
 
 
 def grade_turn(name: str, path: str, names: Mapping[str, Any]) -> Report:
-    """The report of a turn.
+    """Return the report of a turn.
 
     :param path: of its rubric.
     :param names: what the cells of the notebook have defined, for a rubric that looks at that.
@@ -128,7 +128,7 @@ def _outcome(scenario: Scenario, launch: str) -> Outcome:
 
 
 def _target(launch: str) -> list[str]:
-    """A launch file by its path; one of a package by the package, so that what is not installed is not found."""
+    """Return a launch file by its path; one of a package by the package, so that what is not installed is not found."""
     package = Submission(launch).package
     return [launch] if package is None else [package.name, os.path.basename(launch)]
 

@@ -53,12 +53,12 @@ class CourseSecret:
         return hmac.digest(self._key, b'edugrade: which secret', 'sha256').hex()[:16]
 
     def number(self, *words: str) -> int:
-        """A number that only this secret and these words give."""
+        """Return a number that only this secret and these words give."""
         message = '\0'.join(('edugrade: variant', *words)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:8], 'big')
 
     def seed(self, exercise: str, student: str, sha256: str) -> int:
-        """The number from which the runs of a submission are chosen: another one for each student and each text."""
+        """Return the number from which the runs of a submission are chosen: another one for each student and each text."""
         message = '\0'.join((exercise, student, sha256)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:4], 'big')
 
@@ -86,17 +86,17 @@ class Variant(NamedTuple):
         return re.sub(rf'(?<![\w.])(?:{words})(?!\w|\.\d)', lambda found: self.values[found[0]], text)
 
     def stub(self, text: str) -> str:
-        """A launch file that is handed out: with this student's values, and a line that says whose it is."""
+        """Return a launch file that is handed out: with this student's values, and a line that says whose it is."""
         line = f'Variant {self.tag}, made for {self.student}.\n\n'
         return re.sub(r'^(?=Grade it: )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
 
     def is_of_another(self, text: str) -> bool:
-        """Whether a file belongs to another student's variant."""
+        """Return whether a file belongs to another student's variant."""
         return any(tag != self.tag for tag in MARK.findall(text))
 
 
 def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant | None:
-    """The variant of a student; None for an exercise that is the same for all.
+    """Return the variant of a student; None for an exercise that is the same for all.
 
     The same student, exercise and secret give the same on every machine and every Python.
     """
@@ -122,7 +122,7 @@ def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant
 
 
 def write_variants(student: str, variants: Mapping[str, Variant]) -> bytes:
-    """The file of a student's copy that has the values of each exercise."""
+    """Return the file of a student's copy that has the values of each exercise."""
     lines = [f'# The values of the exercises as they were made for {student}. check() and edugrade read them.\n']
     for name, variant in variants.items():
         lines.append(f'\n[{name}]\nstudent = {json.dumps(student)}\ntag = "{variant.tag}"\n[{name}.values]\n')

@@ -55,7 +55,7 @@ def attended(attend: Attend) -> Iterator[None]:
 
 
 def in_worker(work: Callable[[], Any]) -> Any:
-    """What `work` returns, as JSON keeps it; the work is done in a worker.
+    """Return what `work` returns, as JSON keeps it; the work is done in a worker.
 
     A process with threads (a notebook's) cannot be forked safely: it does the work itself, and the limits of processor time hold.
 
@@ -79,7 +79,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
 
 
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
-    """The exit code of a worker (below zero: the signal that ended it), and what it answered."""
+    """Return the exit code of a worker (below zero: the signal that ended it), and what it answered."""
     for stream in (sys.stdout, sys.stderr):
         stream.flush()  # or both processes would write what is kept back
     answer, end = os.pipe()
@@ -110,7 +110,7 @@ def _load(names: Sequence[str]) -> None:
 
 
 def _all_of(end: int) -> bytes:
-    """All that the worker writes; nothing when that is not whole."""
+    """Return all that the worker writes; nothing when that is not whole."""
     deadline = monotonic() + LONGEST_S
     parts: list[bytes] = []
     attend = _attending[-1] if _attending else is_readable
@@ -146,7 +146,7 @@ def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
 
 
 def _own(known: set[str]) -> list[str]:
-    """The modules of edulaunch and edugrade that were loaded since, in their order."""
+    """Return the modules of edulaunch and edugrade that were loaded since, in their order."""
     return [name for name in sys.modules if name not in known and name.split('.')[0] in ('edulaunch', 'edugrade')]
 
 

@@ -260,7 +260,7 @@ EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
 
 
 def misspelt(module: str) -> str | None:
-    """The module of launch or ament_index_python that was meant; `launch_utils` is another package's."""
+    """Return the module of launch or ament_index_python that was meant; `launch_utils` is another package's."""
     near = nearest_spelling(module, MODULES)
     top = module.partition('.')[0]
     tops = {one.partition('.')[0] for one in MODULES}

@@ -184,7 +184,7 @@ def class_for_action(failure: Failure) -> Iterator[Finding]:
 
 
 def _lines(file: str) -> list[str]:
-    """The lines of a launch file that is not too long."""
+    """Return the lines of a launch file that is not too long."""
     lines = linecache.getlines(file) if file.endswith('.py') else []
     return lines if sum(map(len, lines)) < LONGEST else []
 

@@ -14,7 +14,7 @@ LESSON = '14_services'
 
 
 def calls_on_line(failure: Failure) -> list[ast.Call]:
-    """The calls of the student's line, the outer ones first."""
+    """Return the calls of the student's line, the outer ones first."""
     tree = script_of(failure.file)
     nodes = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     return [call for call in nodes if call.lineno <= (failure.line or 0) <= (call.end_lineno or 0)]

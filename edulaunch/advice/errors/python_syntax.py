@@ -130,7 +130,7 @@ def indentation(failure: Failure) -> Iterator[Finding]:
 
 
 def _simple(name: str, pattern: str, what: str, do: str) -> Rule:
-    """A rule that has nothing to add to what Python says but a clear word."""
+    """Return a rule that explains an error message of Python in one sentence."""
 
     def look(failure: Failure) -> Iterator[Finding]:
         if _matched(failure, pattern):

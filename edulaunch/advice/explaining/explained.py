@@ -100,7 +100,7 @@ class Explanation(Tree):
         return self._rehearsal.missing
 
     def system(self, earlier: Recording | None = None) -> System:
-        """The nodes, endpoints and frames that the launch file plans; see :mod:`edulaunch.advice.explaining.systems`.
+        """Return the nodes, endpoints and frames that the launch file plans; see :mod:`edulaunch.advice.explaining.systems`.
 
         :param earlier: a run of it, whose nodes have the endpoints that they had there.
         """
@@ -110,11 +110,11 @@ class Explanation(Tree):
             return planned_system(self.plan, session.index, earlier, _subject(self))
 
     def graph(self, earlier: Recording | None = None, *, services: bool = False) -> Any:
-        """A picture of :meth:`system`; see :func:`edulaunch.canvas.plot_system`."""
+        """Return a picture of :meth:`system`; see :func:`edulaunch.canvas.plot_system`."""
         return view('plot_system')(self.system(earlier), services=services)
 
     def why(self, name: str, parameter: str | None = None) -> Reason:
-        """Why a node's parameter, or a launch argument, has the value it has.
+        """Return why a node's parameter, or a launch argument, has the value it has.
 
         :param name: of a node ('/sim'); without `parameter` also of a launch argument.
         :raises UnusableInput: if that name does not exist; the error has the nearest name.
@@ -124,7 +124,7 @@ class Explanation(Tree):
         return Reason(reasons(self._rehearsal.outline, name, parameter, self._declared))
 
     def compare(self, other: Explanation) -> Comparison:
-        """What is different in another launch file, or with other arguments."""
+        """Return what is different in another launch file, or with other arguments."""
         return Comparison(self, other)
 
     def _declared(self, package: str, executable: str) -> dict[str, Any]:
@@ -140,7 +140,7 @@ class Comparison(Tree):
         self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')
 
     def graph(self, *, services: bool = False) -> Any:
-        """A picture of both plans, with what differs; see :func:`edulaunch.canvas.plot_system`."""
+        """Return a picture of both plans, with what differs; see :func:`edulaunch.canvas.plot_system`."""
         from edulaunch.advice.explaining.systems import pictured
 
         before, after = self._both

@@ -18,7 +18,7 @@ Declared = Callable[[str, str], Mapping[str, Any]]
 
 
 def reasons(outline: Branch, name: str, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
-    """One dict for each value asked for: `name`, `value`, `steps`.
+    """Return one dict for each value asked for: `name`, `value`, `steps`.
 
     :param declared: called with package and executable: what that program declares by itself.
     :raises UnusableInput: when there is no such node, parameter or argument.
@@ -59,7 +59,7 @@ def _default(item: dict[str, Any], name: str, defaults: Mapping[str, Any]) -> St
 
 
 def rendered_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
-    """A title and the chains as entries, the strongest last; a single one needs no title of its own."""
+    """Return a title and the chains as entries, the strongest last; a single one needs no title of its own."""
     found = []
     for reason in data:
         one = entry('why', f'{reason["name"]} = {shown_value(reason["value"])}')

@@ -91,7 +91,7 @@ def read_defaults(paths: Sequence[str]) -> dict[str, Any]:
 
 
 def files_of(path: str) -> list[str]:
-    """A program's file, and the files beside it that it imports, directly or not."""
+    """Return a program's file, and the files beside it that it imports, directly or not."""
     found: list[str] = []
     waiting = [path]
     while waiting:
@@ -141,7 +141,7 @@ class _Reader:
                 self._set.setdefault(node.arg, []).append(None)
 
     def defaults(self) -> dict[str, Any]:
-        """The declared parameters whose default is certain."""
+        """Return the declared parameters whose default is certain."""
         values = {name: self.value(default) for name, default in self._defaults.items()}
         return {name: value for name, value in values.items() if value is not UNKNOWN}
 
@@ -163,7 +163,7 @@ class _Reader:
                     yield value
 
     def ends(self) -> Iterator[End | str]:
-        """Each endpoint, or the expression of its name where that is unknown."""
+        """Yield each endpoint, or the expression of its name where that is unknown."""
         for call in self._calls:
             name = name_of_call(call)
             yield from OF_TF.get(name, ())
@@ -186,7 +186,7 @@ class _Reader:
         return '/'.join(parts) if len(parts) == 3 and parts[1] in ('msg', 'srv', 'action') else full
 
     def frames(self) -> Iterator[tuple[str, str, bool] | str]:
-        """Each transform that the file fills in, or the expression of a frame that is unknown."""
+        """Yield each transform that the file fills in, or the expression of a frame that is unknown."""
         makers = {name_of_call(call) for call in self._calls}
         if not makers & {'TransformBroadcaster', 'StaticTransformBroadcaster'}:
             return
@@ -203,7 +203,7 @@ class _Reader:
                         yield 'frame ' + ' in '.join('?' if one is None else ast.unparse(one) for one in pair)
 
     def value(self, node: ast.expr | None, steps: int = 0) -> Any:
-        """The value of an expression; `UNKNOWN` where it is not certain."""
+        """Return the value of an expression; `UNKNOWN` where it is not certain."""
         if node is None or steps > MOST_STEPS:
             return UNKNOWN
         if isinstance(node, ast.Constant):

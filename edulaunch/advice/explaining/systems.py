@@ -68,7 +68,7 @@ class System(NamedTuple):
     frames: list[SystemFrame]
 
     def lines(self) -> Iterator[str]:
-        """The system in words."""
+        """Yield the system in words."""
         for node in self.nodes:
             yield f'node {node.name}' + (f' ({node.program})' if node.program else '')
             yield from (f'  {words}' for words in _end_words(node))
@@ -87,7 +87,7 @@ def _end_words(node: SystemNode) -> list[str]:
 
 
 def system_of_run(recording: Recording, title: str = '') -> System:
-    """The nodes, endpoints and frames that a run had at any time."""
+    """Return the nodes, endpoints and frames that a run had at any time."""
     programs = {process.name: _program(process.argv) for process in recording.processes}
     nodes: dict[str, SystemNode] = {}
     for node in recording.nodes:
@@ -120,7 +120,7 @@ def _ends_of(node: NodeRecord) -> list[End]:
 
 
 def planned_system(plan: Mapping[str, Any], index: Index, earlier: Recording | None = None, title: str = '') -> System:
-    """What the plan of a launch file would start.
+    """Return what the plan of a launch file would start.
 
     :param plan: in the plan format 1.
     :param earlier: a run of it; its nodes have the endpoints that they had there.
@@ -253,7 +253,7 @@ class Difference(NamedTuple):
 
 
 def differences(before: System, after: System) -> list[Difference]:
-    """What differs in nodes, endpoints, parameters and frames, in this order."""
+    """Return what differs in nodes, endpoints, parameters and frames, in this order."""
     old, new = ({node.name: node for node in system.nodes} for system in (before, after))
     found = [Difference('-', name, f'node {name} ({old[name].program})') for name in old if name not in new]
     found += [Difference('+', name, f'node {name} ({new[name].program})') for name in new if name not in old]
@@ -288,7 +288,7 @@ def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
 
 
 def run_differences(before: Recording, after: Recording) -> list[str]:
-    """What else two runs do not share, a line each: arguments, exit codes, messages of each topic, and advice."""
+    """Return what else two runs do not share, a line each: arguments, exit codes, messages of each topic, and advice."""
     found: list[str] = []
     tables: list[tuple[str, list[dict[str, str]]]] = [
         ('argument', [dict(run.launch.arguments) for run in (before, after)]),
@@ -305,7 +305,7 @@ def run_differences(before: Recording, after: Recording) -> list[str]:
 
 
 def _codes(run: Recording) -> dict[str, str]:
-    """The exit codes of processes that have nodes, by the name of the first node."""
+    """Return the exit codes of processes that have nodes, by the name of the first node."""
     codes = {one.name: 'none, it runs' if one.returncode is None else str(one.returncode) for one in run.processes}
     owners = {node.process: node.name for node in reversed(run.nodes)}
     return {name: codes[process] for process, name in owners.items() if process in codes}
@@ -316,5 +316,5 @@ def _counts(run: Recording) -> dict[str, str]:
 
 
 def pictured(before: System, after: System, *, services: bool = False) -> Any:
-    """A picture of two systems side by side; see :func:`edulaunch.canvas.plot_system`."""
+    """Return a picture of two systems side by side; see :func:`edulaunch.canvas.plot_system`."""
     return view('plot_system')(before, after, changed_parameters(differences(before, after)), services=services)

@@ -51,7 +51,7 @@ def place_of(entry: Entry) -> str:
 
 
 def text_of(entry: Entry) -> str:
-    """The line of an entry, with the sign of a difference before it, and what it was before the change."""
+    """Return the line of an entry, with the sign of a difference before it, and what it was before the change."""
     sign, text = entry.get('sign', '').strip(), entry['text']
     if sign == '~':
         text += f'  was {_other_words(entry["before"], text)}'
@@ -82,7 +82,7 @@ def drawn(
     indent: str = '',
     shown: Callable[[Entry, str, str], Iterator[str]] = _plain,
 ) -> Iterator[str]:
-    """The tree with its branches drawn.
+    """Yield the tree with its branches drawn.
 
     :param shown: returns the line of an entry, its branch, and the start of its further lines.
     """
@@ -114,7 +114,7 @@ def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] =
 
 
 def html_tree(title: str, entries: Sequence[Entry]) -> str:
-    """The tree as HTML; every line is escaped, for names come from a launch file."""
+    """Return the tree as HTML; every line is escaped, for names come from a launch file."""
     opens = _count(entries) <= LARGE
     inside = ''.join(_html(entry, opens) for entry in entries)
     label = escape(f'explanation of {title}', quote=True)

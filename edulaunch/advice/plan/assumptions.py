@@ -38,7 +38,7 @@ class Assumptions:
             self.packages.append(name)
 
     def program(self, name: str) -> str:
-        """The path of a program that is not on the PATH: its name."""
+        """Return the path of a program that is not on the PATH: its name."""
         self._programs.add(name)
         self._note(f'program {name}')
         return name
@@ -55,7 +55,7 @@ class Assumptions:
         return ''
 
     def lacks_file(self, path: str) -> bool:
-        """Whether a file belongs to a placeholder package, and so cannot be there."""
+        """Return whether a file belongs to a placeholder package, and so cannot be there."""
         missing = self._is_missing(path)
         if missing:
             self._note(f'file {self.shown(path)}')

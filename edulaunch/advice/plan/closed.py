@@ -95,7 +95,7 @@ class Closed:
         return open_apart
 
     def _copy(self, path: str, mode: str) -> str:
-        """The file that is written in place of the one at `path`."""
+        """Return the file that is written in place of the one at `path`."""
         folder = os.path.dirname(path)
         if not (os.path.isdir(folder) or folder in self._folders):
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
@@ -130,7 +130,7 @@ class Closed:
         return seem
 
     def _may_change(self, path: str) -> bool:
-        """Whether it is a device, or a temporary file that the program made itself."""
+        """Return whether it is a device, or a temporary file that the program made itself."""
         own = (*self._temporary, *([self._room] if self._room else ()))
         return path in REPEATS or any(path == place or path.startswith(place + os.sep) for place in own)
 
@@ -159,7 +159,7 @@ class Closed:
 
 
 def _finds_temporary_folder() -> bool:
-    """Whether `tempfile` tries out where it may write, once in a process; it removes what it wrote."""
+    """Return whether `tempfile` tries out where it may write, once in a process; it removes what it wrote."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None and frame.f_code.co_name != '_get_default_tempdir':
         frame = frame.f_back if not is_own(frame.f_code.co_filename) else None
@@ -167,13 +167,13 @@ def _finds_temporary_folder() -> bool:
 
 
 def _second_path(event: str, arguments: tuple[Any, ...]) -> list[str]:
-    """The target of a rename or link."""
+    """Return the target of a rename or link."""
     is_pair = event.removeprefix('os.') in TWO_PATHS
     return [os.path.abspath(os.fsdecode(one)) for one in arguments[1:2] if is_pair and isinstance(one, (str, bytes, os.PathLike))]
 
 
 def _command(arguments: tuple[Any, ...]) -> str:
-    """The command in the arguments of an audit event."""
+    """Return the command in the arguments of an audit event."""
     words = arguments[1] if len(arguments) > 1 and arguments[1] else arguments[:1]
     return ' '.join(map(os.fsdecode, words)) if isinstance(words, (list, tuple)) else str(words)
 
@@ -199,7 +199,7 @@ def _writes(arguments: tuple[Any, ...]) -> bool:
 
 
 def _is_students() -> bool:
-    """Whether the student's code leads here, by itself or through libraries."""
+    """Return whether the student's code leads here, by itself or through libraries."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         file = frame.f_code.co_filename

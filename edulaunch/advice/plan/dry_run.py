@@ -31,11 +31,11 @@ class AssumingIndex(Index):
         self.assumptions = Assumptions(self._image.path)
 
     def search_paths(self) -> list[str]:
-        """The real ones, and the placeholders' last."""
+        """Return the real ones, and the placeholders' last."""
         return [*super().search_paths(), self._image.path]
 
     def prefix(self, package: str) -> str:
-        """The package's prefix, or that of the placeholders."""
+        """Return the package's prefix, or that of the placeholders."""
         found = super().prefix(package)
         if found is not None:
             return found
@@ -44,7 +44,7 @@ class AssumingIndex(Index):
         return self._image.path
 
     def find_executable(self, package: str, executable: str) -> str:
-        """Where the executable would be; nothing is looked up."""
+        """Return where the executable would be; nothing is looked up."""
         return os.path.join(self.prefix(package), 'lib', package, executable)
 
 
@@ -57,7 +57,7 @@ def make_plan(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Plan:
-    """What `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
+    """Return what `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
 
     :param arguments: a mapping, or strings 'name:=value'.
     :param environ: the environment variables that launch would see.

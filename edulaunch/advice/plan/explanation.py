@@ -29,7 +29,7 @@ HIDDEN = frozenset(
 
 
 def explanation_of(rehearsal: Rehearsal) -> Entry:
-    """The explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (how many),
+    """Return the explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (how many),
     `shutdown_reason`, and the `tree`."""
     plan = rehearsal.plan
     kinds = [item['kind'] for item in plan['items']]
@@ -48,7 +48,7 @@ def explanation_of(rehearsal: Rehearsal) -> Entry:
 
 
 def _without(folder: str, entries: list[Entry]) -> list[Entry]:
-    """The same without a folder that is there only to stand for missing packages."""
+    """Return the same without a folder that is there only to stand for missing packages."""
     return [
         {**entry, 'text': entry['text'].replace(folder, ''), 'children': _without(folder, entry['children'])} for entry in entries
     ]
@@ -60,13 +60,13 @@ def _below(branch: Branch) -> list[Entry]:
 
 
 def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
-    """Whether an include sets an argument here whose own entry will show the value."""
+    """Return whether an include sets an argument here whose own entry will show the value."""
     item = branch.item
     return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
 
 
 def _entries(branch: Branch) -> Iterator[Entry]:
-    """The entry of a branch; what only holds others, and says nothing itself, gives way to them."""
+    """Yield the entry of a branch; what only holds others, and says nothing itself, gives way to them."""
     below = _below(branch)
     kind, text = kind_and_text(branch)
     if kind == 'event' and not _is_from_a_file(branch):
@@ -89,17 +89,17 @@ def _entries(branch: Branch) -> Iterator[Entry]:
 
 
 def entry(kind: str, text: str, file: str | None = None, line: int | None = None, is_taken: bool = True) -> Entry:
-    """An entry without children."""
+    """Return an entry without children."""
     return {'kind': kind, 'text': text, 'file': file, 'line': line, 'is_taken': is_taken, 'children': []}
 
 
 def _is_from_a_file(branch: Branch) -> bool:
-    """Whether anything below was written in a launch file."""
+    """Return whether anything below was written in a launch file."""
     return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
 
 
 def kind_and_text(branch: Branch) -> tuple[str, str]:
-    """What a branch is, and its title."""
+    """Return what a branch is, and its title."""
     if isinstance(branch.action, str):
         return 'event', branch.action
     if branch.item is not None:
@@ -141,7 +141,7 @@ def _add_argument(found: Entry, branch: Branch) -> None:
 
 
 def is_declaration(branch: Branch) -> bool:
-    """Whether it declares a launch argument."""
+    """Return whether it declares a launch argument."""
     return branch.item is not None and branch.item['kind'] == 'argument'
 
 
@@ -154,7 +154,7 @@ def default_text(declaration: Any) -> str | None:
 
 
 def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
-    """Who has set a launch configuration, in words, and where."""
+    """Return who has set a launch configuration, in words, and where."""
     before = setter.setters.get(setter.item['name']) if is_declaration(setter) and setter.item is not None else None
     if before is not None:
         return origin_of_setter(before)
@@ -166,7 +166,7 @@ def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
 
 
 def parameters_of(branch: Branch) -> list[Entry]:
-    """The parameters of a node, each with what it overrode."""
+    """Return the parameters of a node, each with what it overrode."""
     item = branch.item
     assert item is not None
     if 'parameter_error' in item:
@@ -218,7 +218,7 @@ def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
 
 
 def _identity(entry: Entry) -> tuple[Any, ...]:
-    """What makes two entries the same thing, perhaps with another value."""
+    """Return what makes two entries the same thing, perhaps with another value."""
     kind = entry['kind']
     if kind in ('argument', 'parameter', 'set_configuration', 'set_parameter'):
         return kind, entry['text'].partition(' = ')[0]

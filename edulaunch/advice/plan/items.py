@@ -22,7 +22,7 @@ SILENT = frozenset(
 
 
 def item_of(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item | None:
-    """The item of an action that was just executed, without its phase, or None for a group.
+    """Return the item of an action that was just executed, without its phase, or None for a group.
 
     :param environ: what launch saw at its start.
     :param index: how many processes came before.

@@ -208,7 +208,7 @@ class LaunchTrace(Watch):
                 self._stop(shown)
 
     def _event_step(self, event: Any, about: Step | None) -> Step:
-        """The step of the event that is processed now."""
+        """Return the step of the event that is processed now."""
         if self._event is None:
             self._event = self._add(Step(event), self.outline)
             self._order += 1
@@ -218,7 +218,7 @@ class LaunchTrace(Watch):
         return self._event
 
     def _reaction(self, handler: Any, event: Any, parent: Branch) -> Branch:
-        """The step of the handler itself: the step of the event says which handlers fired."""
+        """Return the step of the handler itself: the step of the event says which handlers fired."""
         return parent
 
     def registered(self, handler: Any) -> None:
@@ -326,25 +326,25 @@ def _step_of(action: Any) -> Step:
 
 
 def _says_nothing(entity: Any) -> bool:
-    """Whether an action is only the scope of a group, or calls a function of launch itself."""
+    """Return whether an action is only the scope of a group, or calls a function of launch itself."""
     kind = type(entity).__name__
     return kind in HIDDEN or (kind == 'OpaqueFunction' and entity.is_made_by_launch)
 
 
 def _is_from_a_file(handler: Any, step: Step) -> bool:
-    """Whether a launch file wrote the handler; launch itself registers others for each process and timer."""
+    """Return whether a launch file wrote the handler; launch itself registers others for each process and timer."""
     if hasattr(step.action, 'event_handler'):
         return step.action.event_handler is handler and step.origin is not None
     return type(handler).__name__ == 'OnActionEventBase'  # on_exit= of a process
 
 
 def _kept(value: Any) -> Any:
-    """The value of a launch configuration as it is now: `SetRemap` and `SetParameter` append to a list."""
+    """Return the value of a launch configuration as it is now: `SetRemap` and `SetParameter` append to a list."""
     return tuple(value) if isinstance(value, list) else value
 
 
 def _differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:
-    """What has another value now; None for what is gone."""
+    """Return what has another value now; None for what is gone."""
     changed = {name: value for name, value in after.items() if name not in before or before[name] != value}
     return changed | {name: None for name in before if name not in after}
 

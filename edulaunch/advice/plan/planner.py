@@ -140,7 +140,7 @@ class Planner:
             self._host.end_all()
 
     def _run(self, process: Process) -> int:
-        """The body of the process in which launch runs; what breaks here is our own mistake."""
+        """Return the body of the process in which launch runs; what breaks here is our own mistake."""
         try:
             process.state['launch.on_error'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
@@ -233,7 +233,7 @@ class Planner:
 
 
 def _declared_arguments(source: Any) -> list[Plan]:
-    """The arguments that the launch file declares; the source keeps what it has loaded for the visit."""
+    """Return the arguments that the launch file declares; the source keeps what it has loaded for the visit."""
     from launch.launch_context import LaunchContext
 
     try:
@@ -253,7 +253,7 @@ def _declared_arguments(source: Any) -> list[Plan]:
 
 
 def _plain(value: Any) -> Any:
-    """The value as JSON can hold it, keys sorted."""
+    """Return the value as JSON can hold it, keys sorted."""
     kind = type(value)
     if kind in _SCALARS:
         return value

@@ -22,8 +22,8 @@ UNNAMED = 'unnamed'
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
-    """The item of an ExecuteLocal action that was just executed. A node's has more in it; :func:`add_names_and_parameters` is
-    still to come.
+    """Return the item of an ExecuteLocal action that was just executed. A node's has more in it; :func:`add_names_and_parameters`
+    is still to come.
 
     :param environ: what launch saw at its start.
     :param index: how many processes came before.
@@ -59,7 +59,7 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
 
 
 def _node_part(action: Any, words: list[str], own: int) -> Item:
-    """What only a node has.
+    """Return what only a node has.
 
     :param own: how many of the words of the command line are the node's own; a prefix comes before them.
     """

@@ -147,7 +147,7 @@ class RehearsalHost(Host):
         return self._entries[path]
 
     def parameter_content(self, path: str) -> Any:
-        """What YAML reads in a parameter file; None when it cannot be read, or is too much with its aliases replaced."""
+        """Return what YAML reads in a parameter file; None when it cannot be read, or is too much with its aliases replaced."""
         if path not in self._contents:
             generated: Any = self.generated_files.get(path)
             self._contents[path] = _content_of_file(path) if generated is None else generated.content
@@ -290,12 +290,12 @@ def run_to_rest(sim: Simulation) -> str | None:
 
 
 def still_busy(sim: Simulation) -> str:
-    """What to say then."""
+    """Return what to say then."""
     return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
 
 
 def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
-    """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
+    """Return the error of a plan whose launch file was stopped in a loop, with the line at which it was."""
     from traceback import walk_tb
 
     places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]

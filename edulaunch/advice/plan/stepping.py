@@ -32,7 +32,7 @@ class Stepper:
         self._depth = self.at.depth if way == NEXT and self.at is not None else None
 
     def stops_before(self, step: Step) -> bool:
-        """Whether to stop before this action."""
+        """Return whether to stop before this action."""
         if step.origin is None or self.way in (GO, EVENT):
             return False
         if self.way == LINE:
@@ -43,6 +43,6 @@ class Stepper:
         return self._depth is None or step.depth <= self._depth
 
     def stops_at(self, event: Step) -> bool:
-        """Whether to stop before this event. The actions that follow an event are not part of an earlier include."""
+        """Return whether to stop before this event. The actions that follow an event are not part of an earlier include."""
         self._depth = None
         return self.way == EVENT

@@ -94,7 +94,7 @@ class Step(Branch):
 
 
 def name_of_process(action: Any) -> str:
-    """The unique name of the process that an action starts; empty before that, and for other actions."""
+    """Return the unique name of the process that an action starts; empty before that, and for other actions."""
     return (isinstance(action, ExecuteLocal) and action.process_description.final_name) or ''
 
 
@@ -174,7 +174,7 @@ def _chains(step: Step, shown: Row) -> Iterator[Row]:
 
 
 def _reasons(step: Step) -> Iterator[Row]:
-    """Why an action was left out: the launch configurations that its condition reads."""
+    """Yield why an action was left out: the launch configurations that its condition reads."""
     if step.state != 'left out':
         return
     for name in dict.fromkeys(configurations_in(step.action.condition)):
@@ -204,7 +204,7 @@ _ONCE = ('Command', 'PythonExpression')
 
 
 def is_repeatable(value: Any, depth: int = 0) -> bool:
-    """Whether substitutions can be evaluated a second time without any effect."""
+    """Return whether substitutions can be evaluated a second time without any effect."""
     if isinstance(value, (list, tuple, set)):
         return all(is_repeatable(part, depth) for part in value)
     if isinstance(value, dict):
@@ -228,7 +228,7 @@ _WAITS = {
 
 
 def waits_for(handler: Any) -> str:
-    """What an event handler waits for, in words."""
+    """Return what an event handler waits for, in words."""
     words = _WAITS.get(type(handler).__name__)
     if words is None:
         return f'{type(handler).__name__}: {handler.matcher_description}'.partition(' at 0x')[0]

@@ -121,7 +121,7 @@ class Watch:
         self._open.append(parent)
 
     def _reaction(self, handler: Any, event: Event, parent: Branch) -> Branch:
-        """The branch of what a handler does now."""
+        """Return the branch of what a handler does now."""
         text = _EVENTS.get(type(event).__name__, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
         branch = parent.add(Branch(text))
         branch.is_taken = True
@@ -138,7 +138,7 @@ class Watch:
 
 
 def written_origin(action: Any) -> Origin | None:
-    """Where a launch file makes the action; None when launch itself makes it."""
+    """Return where a launch file makes the action; None when launch itself makes it."""
     if action.is_made_by_launch:
         return None
     origin: Origin | None = action.origin

@@ -23,14 +23,14 @@ _OF_ARGUMENT = 'launch argument '
 
 
 def branches(outline: Branch) -> Iterator[Branch]:
-    """All branches of an outline, in order."""
+    """Yield all branches of an outline, in order."""
     for child in outline.children:
         yield child
         yield from branches(child)
 
 
 def nodes_named(outline: Branch, name: str) -> list[Branch]:
-    """The nodes of that name; a node without a name in the launch file is found by its executable.
+    """Return the nodes of that name; a node without a name in the launch file is found by its executable.
 
     :raises UnusableInput: if no node has that name.
     """
@@ -45,14 +45,14 @@ def nodes_named(outline: Branch, name: str) -> list[Branch]:
 
 
 def name_of(branch: Branch) -> str:
-    """The full name of a node, with its executable where the launch file gives no name."""
+    """Return the full name of a node, with its executable where the launch file gives no name."""
     item = branch.item
     assert item is not None
     return item['runtime_name'] or f'{(item["namespace"] or "").rstrip("/")}/{item["executable"]}'
 
 
 def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -> list[Step]:
-    """The steps of one parameter of a node.
+    """Return the steps of one parameter of a node.
 
     :param default: what the node itself declares, where that is known.
     :returns: no step if no value is set.
@@ -68,7 +68,7 @@ def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -
 
 
 def argument_chain(outline: Branch, name: str) -> list[Step]:
-    """The steps of a launch argument, as the launch file that declares it first sees it.
+    """Return the steps of a launch argument, as the launch file that declares it first sees it.
 
     :raises UnusableInput: when none declares it.
     """
@@ -99,7 +99,7 @@ def _steps_of_argument(setters: Mapping[str, Branch], origin: str) -> list[Step]
 
 
 def declared_steps(declaration: Branch) -> list[Step]:
-    """The default of an argument, and what was set instead of it."""
+    """Return the default of an argument, and what was set instead of it."""
     item, action = declaration.item, declaration.action
     assert item is not None
     setter = declaration.setters.get(item['name'])

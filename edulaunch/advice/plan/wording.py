@@ -95,7 +95,7 @@ def action_words(action: Any) -> tuple[str, str]:
 
 
 def _subject(action: Any) -> str:
-    """What an action that was not executed is about, as far as it is known."""
+    """Return what an action that was not executed is about, as far as it is known."""
     for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
         value = getattr(action, attribute, None)
         if value is not None:
@@ -129,7 +129,7 @@ _TITLES = {
 
 
 def title_of(item: Item) -> str:
-    """The title of an action that was executed."""
+    """Return the title of an action that was executed."""
     kind = item['kind']
     if kind == 'node':
         name = item['runtime_name'] or _unnamed(item['namespace'])
@@ -143,7 +143,7 @@ def title_of(item: Item) -> str:
 
 
 def _unnamed(namespace: str | None) -> str:
-    """A node that the launch file gives no name, but perhaps a namespace."""
+    """Return a node that the launch file gives no name, but perhaps a namespace."""
     own = "(the program's own name)"
     return own if namespace in (None, '', '/') else f'{namespace}/{own}'
 
@@ -177,7 +177,7 @@ def _node_details(item: Item, branch: Branch) -> Iterator[Detail]:
 
 
 def shown_value(value: Any) -> str:
-    """The value on one line; of a long text (a robot description) only the beginning."""
+    """Return the value on one line; of a long text (a robot description) only the beginning."""
     text = repr(value)
     return text if len(text) <= 100 else f'{text[:80]}...  [{len(text)} characters]'
 

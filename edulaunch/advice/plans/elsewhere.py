@@ -170,7 +170,7 @@ def _first(pattern: re.Pattern[str], text: str) -> str | None:
 
 
 def _is_of_others(module: str) -> bool:
-    """Whether a module is neither one of launch, nor nearly one."""
+    """Return whether a module is neither one of launch, nor nearly one."""
     from edulaunch.advice.errors.launch_files import misspelt
 
     return misspelt(module) is None

@@ -70,7 +70,7 @@ def _in_sources(path: str) -> str:
 
 
 def is_container(executable: str) -> bool:
-    """Whether a program is a component container: it hands its parameter files on to the nodes that it loads."""
+    """Return whether a program is a component container: it hands its parameter files on to the nodes that it loads."""
     return executable.startswith('component_container')
 
 
@@ -195,6 +195,6 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_package(path: str) -> tuple[str | None, str | None]:
-    """The package of a path such as `src/PACKAGE/config/a.yaml`, and what comes behind it as arguments."""
+    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and what comes behind it as arguments."""
     said = re.search(r'/(?:src|share)/([\w-]+)/((?:config|launch|maps?|meshes|params?|rviz|urdf|worlds?)/.+)', path)
     return (None, None) if said is None else (said[1], ', '.join(map(repr, said[2].rstrip('/').split('/'))))

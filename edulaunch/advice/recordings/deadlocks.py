@@ -17,7 +17,7 @@ WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
 def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = frozenset()) -> Iterator[Finding]:
-    """One finding for each fact of a kind; `rest` are the facts of its data that the sentences name.
+    """Yield one finding for each fact of a kind; `rest` are the facts of its data that the sentences name.
 
     :param but: kinds of facts that explain one of this kind in the same program.
     """

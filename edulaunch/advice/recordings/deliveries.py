@@ -182,7 +182,7 @@ def asked_too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _alike(name: str, known: list[str]) -> str | None:
-    """The only known name that ends as this one does."""
+    """Return the only known name that ends as this one does."""
     same = [one for one in known if one.rpartition('/')[2] == name.rpartition('/')[2]]
     return same[0] if len(same) == 1 else None
 

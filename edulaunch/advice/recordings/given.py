@@ -63,7 +63,7 @@ def _tested(recording: Recording) -> set[str]:
 
 
 def _parameter_read(node: ast.AST) -> str | None:
-    """The parameter whose value an expression is: `self.get_parameter('x').value` and the like."""
+    """Return the parameter whose value an expression is: `self.get_parameter('x').value` and the like."""
     if isinstance(node, ast.Attribute) and node.attr in ('value', 'string_value'):
         inner: ast.AST = node.value
         while isinstance(inner, (ast.Attribute, ast.Call)):

@@ -58,7 +58,7 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
 
 
 def _near(name: str, known: list[str]) -> str | None:
-    """The frame that was probably meant; another number behind the same name is another robot."""
+    """Return the frame that was probably meant; another number behind the same name is another robot."""
     near = nearest(name, known)
     return None if near is None or near.rstrip('0123456789') == name.rstrip('0123456789') else near
 

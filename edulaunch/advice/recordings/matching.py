@@ -159,7 +159,7 @@ def unused(recording: Recording) -> Iterator[Finding]:
 
 
 def _used(recording: Recording) -> set[str]:
-    """The first names of all remappings that some node of their program has used."""
+    """Return the first names of all remappings that some node of their program has used."""
     nodes: dict[str, list[NodeRecord]] = {}
     for node in recording.nodes:
         nodes.setdefault(node.process, []).append(node)
@@ -192,7 +192,7 @@ def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
 
 
 def _has(node: NodeRecord, rule: RemapRule) -> bool:
-    """Whether the node has an end of the rule's new name, or the rule is for another node."""
+    """Return whether the node has an end of the rule's new name, or the rule is for another node."""
     namespace, _, name = node.name.rpartition('/')
     if rule.node_name not in (None, name):
         return False

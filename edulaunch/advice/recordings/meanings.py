@@ -105,13 +105,13 @@ def _at(poses: tuple[list[int], list[Any]], time_ns: int) -> Any:
 
 
 def _bearing(seen_from: Any, of: Any) -> float:
-    """The angle at which one turtle sees another, in radians from its own heading."""
+    """Return the angle at which one turtle sees another, in radians from its own heading."""
     angle = math.atan2(of[1] - seen_from[1], of[0] - seen_from[0]) - seen_from[2]
     return math.atan2(math.sin(angle), math.cos(angle))
 
 
 def _is_one_number(ratios: list[float]) -> bool:
-    """Whether nine of ten values are close to their middle."""
+    """Return whether nine of ten values are close to their middle."""
     ordered = sorted(ratios)
     middle = ordered[len(ordered) // 2]
     near = sum(abs(value - middle) <= CLOSE * abs(middle) for value in ratios)

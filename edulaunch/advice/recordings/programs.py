@@ -120,7 +120,7 @@ def _is_command(process: ProcessRecord) -> bool:
 
 
 def _is_child(recording: Recording, process: ProcessRecord) -> bool:
-    """Whether a program that ran before, and still ran, goes under the same name."""
+    """Return whether a program that ran before, and still ran, goes under the same name."""
     for other in recording.processes:
         if other is process:
             return False
@@ -131,7 +131,7 @@ def _is_child(recording: Recording, process: ProcessRecord) -> bool:
 
 
 def _said(recording: Recording, process: ProcessRecord) -> list[str]:
-    """The lines that a program wrote to its error stream."""
+    """Return the lines that a program wrote to its error stream."""
     text = ''.join(row.text for row in recording.output if row.process == process.name and row.stream == 'stderr')
     return [line.strip() for line in text.splitlines() if line.strip()]
 

@@ -82,7 +82,7 @@ def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
 
 
 def _in_file(path: str) -> Iterator[str]:
-    """The value in a parameter file of launch, which has gone with the run when it was a temporary one."""
+    """Yield the value in a parameter file of launch, which has gone with the run when it was a temporary one."""
     if os.path.isfile(path) and os.path.getsize(path) < 100_000:
         with open(path, encoding='utf-8', errors='replace') as file:
             yield from re.findall(r'robot_description: *[\'"]?([^\'"\n<]+)', file.read())

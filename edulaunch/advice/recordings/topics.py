@@ -29,8 +29,8 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """The lone end that an other one was probably meant for: same type, and a name of nearly the same spelling, or that ends
-    alike.
+    """Return the lone end that an other one was probably meant for: same type, and a name of nearly the same spelling, or that
+    ends alike.
     """
     same = {other.name: other for other in others if other.type == end.type and other.node != end.node}
     near = nearest_spelling(end.name, same)
@@ -164,7 +164,7 @@ def too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _apart(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
-    """Whether an end is of another program than all others."""
+    """Return whether an end is of another program than all others."""
     return all(programs(recording).get(other.node) != programs(recording).get(end.node) for other in others)
 
 
@@ -192,7 +192,7 @@ def two_commanders(recording: Recording) -> Iterator[Finding]:
 
 
 def _quarrels(rows: list[tuple[int, str, object]]) -> tuple[int, float, tuple[str, str]]:
-    """How often another node says something else within a second, when first, and who."""
+    """Return how often another node says something else within a second, when first, and who."""
     turns, first_s, pair = 0, 0.0, ('', '')
     for (before_ns, node, wire), (time_ns, other, new) in zip(rows, rows[1:], strict=False):
         if node != other and wire != new and time_ns - before_ns < CLOSE_NS:

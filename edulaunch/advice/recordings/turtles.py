@@ -33,7 +33,7 @@ def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, A
 
 @lru_cache(maxsize=1)
 def turtles(recording: Recording) -> dict[str, str]:
-    """The turtles that ever were, by absolute name, with their turtlesim."""
+    """Return the turtles that ever were, by absolute name, with their turtlesim."""
     served = {name for kind, name in ends_by_name(recording) if kind == 'service' and name.endswith('/set_pen')}
     found: dict[str, str] = {}
     for (kind, name), ends in ends_by_name(recording).items():
@@ -45,7 +45,7 @@ def turtles(recording: Recording) -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
-    """The commands that were sent to each turtle that is there: (time in ns, node, wire)."""
+    """Return the commands that were sent to each turtle that is there: (time in ns, node, wire)."""
     topics = {turtle: f'{turtle}/cmd_vel' for turtle in turtles(recording)}
     return {turtle: recording.published(topic, TWIST) for turtle, topic in topics.items() if topic in recording.topics}
 

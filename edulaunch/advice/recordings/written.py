@@ -68,7 +68,7 @@ def spun_once(recording: Recording) -> Iterator[Finding]:
 
 
 def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
-    """Whether others published on a topic for a second and more after a node had left."""
+    """Return whether others published on a topic for a second and more after a node had left."""
     others = [end for end in ends_by_name(recording).get(('publisher', topic), ()) if end.node != node.name]
     times = [row['times'][-1] / 1e9 for row in recording.rows('topics') if row['topic'] == topic and row['times']]
     return not is_ros_own(topic) and bool(others and times) and max(times) > (node.ended_s or node.started_s) + 1.0
@@ -132,6 +132,6 @@ def waits_for_endless(recording: Recording) -> Iterator[Finding]:
 
 
 def _outlived(recording: Recording, process: ProcessRecord) -> bool:
-    """Whether a program ran to the end of the run, or until Ctrl-C ended it."""
+    """Return whether a program ran to the end of the run, or until Ctrl-C ended it."""
     end_s = recording.duration_s if process.ended_s is None else process.ended_s
     return process.returncode in (None, -2, -15) and end_s - process.started_s >= RUNS_LONG_S

@@ -63,7 +63,7 @@ def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _variables(tree: ast.Module) -> dict[str, ast.expr]:
-    """What is assigned to each variable, where that happens once."""
+    """Return what is assigned to each variable, where that happens once."""
     values: dict[str, list[ast.expr]] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):

@@ -106,7 +106,7 @@ def _own(function: Function) -> Iterator[ast.AST]:
 
 
 def _tests(function: Function) -> Iterator[ast.expr]:
-    """What decides an `if`, in both forms, part by part."""
+    """Yield what decides an `if`, in both forms, part by part."""
     for node in _own(function):
         if isinstance(node, (ast.If, ast.IfExp)):
             yield from node.test.values if isinstance(node.test, ast.BoolOp) else (node.test,)

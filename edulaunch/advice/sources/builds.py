@@ -50,7 +50,7 @@ def changed_after_build(source: Source) -> Iterator[Finding]:
 
 
 def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
-    """The prefix in which colcon has installed a package, alone or with all others, and the workspace."""
+    """Return the prefix in which colcon has installed a package, alone or with all others, and the workspace."""
     for _ in range(LEVELS_ABOVE):
         folder = os.path.dirname(folder)
         for prefix in (os.path.join(folder, 'install', package), os.path.join(folder, 'install')):
@@ -60,7 +60,7 @@ def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
 
 
 def _is_equal(built: str, path: str) -> bool:
-    """Whether the installed file is the one of the sources, or has the same content."""
+    """Return whether the installed file is the one of the sources, or has the same content."""
     if os.path.islink(built) or not os.path.isfile(path) or os.path.realpath(built) == os.path.realpath(path):
         return True
     try:
@@ -134,7 +134,7 @@ def _left_out(source: Source) -> Iterator[str]:
 
 
 def executables_launched(source: Source) -> set[str]:
-    """What the launch files of a package name as `executable` or `exec`."""
+    """Return what the launch files of a package name as `executable` or `exec`."""
     texts = (read_text(path) for path in source.package.files() if source.package.is_launch_file(path))
     return {name for text in texts for name in _EXECUTABLE.findall(text)}
 
@@ -179,7 +179,7 @@ def main_never_called(source: Source) -> Iterator[Finding]:
 
 
 def _calls(statement: ast.stmt) -> bool:
-    """Whether a statement of a module calls something when the module runs."""
+    """Return whether a statement of a module calls something when the module runs."""
     if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign)):
         return False
     return any(isinstance(node, ast.Call) for node in ast.walk(statement))

@@ -45,7 +45,7 @@ def entry_point_module(source: Source) -> Iterator[Finding]:
 
 
 def _is_of_another(source: Source, module: str) -> bool:
-    """Whether a module is of another package of the workspace: a build does not mind."""
+    """Return whether a module is of another package of the workspace: a build does not mind."""
     top, folder = module.partition('.')[0], os.path.dirname(source.package.folder)
     return top != source.package.name and (
         top in source.around.packages() or os.path.isfile(os.path.join(folder, top, 'package.xml'))
@@ -218,7 +218,7 @@ def _of_entry(
 
 
 def _is_node(path: str) -> bool:
-    """Whether there is a main() that starts rclpy."""
+    """Return whether there is a main() that starts rclpy."""
     text = read_text(path)
     tree = parsed(path) if 'rclpy' in text else None
     called = None if tree is None else main_of(tree, 'main')

@@ -75,7 +75,7 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
 
 
 def _asking_texts(source: Source) -> Iterator[str]:
-    """The files of the package that ask for a share folder, without comments."""
+    """Yield the files of the package that ask for a share folder, without comments."""
     for text in map(read_text, _used_texts(source)):
         if 'share' in text:
             yield _COMMENT.sub('', text)

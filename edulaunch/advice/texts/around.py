@@ -61,7 +61,7 @@ class Around:
         return self._executables[package]
 
     def launch_files(self, package: str) -> dict[str, str]:
-        """The launch files that a package has installed: name -> path below its share folder."""
+        """Return the launch files that a package has installed: name -> path below its share folder."""
         share = self.index.share(package) if package in self.packages else None
         found: dict[str, str] = {}
         for folder, folders, names in os.walk(share or '', followlinks=True) if share else ():
@@ -72,7 +72,7 @@ class Around:
         return found
 
     def unknown_package(self, package: str) -> dict[str, Any] | None:
-        """What is known of a package that is misspelt; None for one that is there, or that may be somewhere else."""
+        """Return what is known of a package that is misspelt; None for one that is there, or that may be somewhere else."""
         from edulaunch.engine.nearest import nearest_spelling
 
         if package in self.packages or self.index.absent(package) is not None:

@@ -39,7 +39,7 @@ class Marked(NamedTuple):
 
 
 def kind_of(path: str, text: str) -> str | None:
-    """What a file is to us, by its name and what is in it; None for one that we do not look at."""
+    """Return what a file is to us, by its name and what is in it; None for one that we do not look at."""
     name = os.path.basename(path)
     if name == 'package.xml':
         return MANIFEST
@@ -59,7 +59,7 @@ def kind_of(path: str, text: str) -> str | None:
 
 
 def check(text: str, path: str, around: Around | None = None) -> list[Marked]:
-    """The mistakes in a file, the worst first. Nothing of it is executed.
+    """Return the mistakes in a file, the worst first. Nothing of it is executed.
 
     :param path: where the text is stored, or will be: its name says what it is, and its folder what is known around it.
     :param around: the packages around it. By default they are read again.
@@ -92,7 +92,7 @@ def _looked_at(kind: str, text: Text, around: Around) -> Iterator[Marked]:
 
 
 def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
-    """The findings of the rules over errors, for the errors that a rule knows."""
+    """Yield the findings of the rules over errors, for the errors that a rule knows."""
     for foreseen in failures:
         for finding in judge_failure(foreseen.failure)[:1]:
             finding = finding._replace(file=text.path, process=None)
@@ -100,7 +100,7 @@ def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
 
 
 def marked(finding: Finding, text: Text, span: Span | None = None, edits: Edits | None = None) -> Marked:
-    """A finding with its place in the text: where it is known, else a word that occurs once in its line, else the line.
+    """Return a finding with its place in the text: where it is known, else a word that occurs once in its line, else the line.
 
     :param edits: the certain ones, or None for what the rule offers.
     """

@@ -30,7 +30,7 @@ Edits = tuple[Edit, ...]
 
 
 def written(finding: Finding) -> tuple[str, str, str] | None:
-    """What a rule wants in place of what: (old, new, place), the first of its forms whose facts are all known."""
+    """Return what a rule wants in place of what: (old, new, place), the first of its forms whose facts are all known."""
     facts = {**finding.facts, finding.kind: finding.name}
     for old, new, place in rule_named(finding.rule).edits:
         if all(facts.get(name) not in (None, '', [], ()) for name in (*fields_of(old), *fields_of(new))):
@@ -41,7 +41,7 @@ def written(finding: Finding) -> tuple[str, str, str] | None:
 
 
 def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
-    """The edits that cure a finding in the file.
+    """Return the edits that cure a finding in the file.
 
     :param within: where what is wrong is, when that is known more exactly than by line.
     """
@@ -59,12 +59,12 @@ def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
 
 
 def inserted(text: Text, offset: int, new: str) -> Edit:
-    """An edit that only adds something."""
+    """Return an edit that only adds something."""
     return Edit(text.path, Span(offset, offset), '', new)
 
 
 def _import(text: Text, line: str, facts: dict[str, Any]) -> Edits:
-    """A line among the imports: behind the last one at the top of the file, or below its docstring and comments."""
+    """Return a line among the imports: behind the last one at the top of the file, or below its docstring and comments."""
     tree = text.tree
     if tree is None or line in text.text.splitlines():
         return ()
@@ -79,7 +79,7 @@ def _import(text: Text, line: str, facts: dict[str, Any]) -> Edits:
 
 def _in_list(keyword: str) -> Callable[[Text, str, dict[str, Any]], Edits]:
     def insert(text: Text, new: str, facts: dict[str, Any]) -> Edits:
-        """An item at the end of a list of setup.py: `data_files=[...]`, or `console_scripts` of the entry points."""
+        """Return an item at the end of a list of setup.py: `data_files=[...]`, or `console_scripts` of the entry points."""
         tree = text.tree
         found = None if tree is None or facts.get('move') or facts.get('beside') else _list_of(tree, keyword)
         if tree is None or found is None or new in text.text:
@@ -130,7 +130,7 @@ def _behind_last(text: Text, found: ast.List, end: int, new: str) -> Edit:
 
 
 def _manifest(text: Text, new: str, facts: dict[str, Any]) -> Edits:
-    """A line of a package.xml: behind the last dependency, else in front of <export> or of the end."""
+    """Return a line of a package.xml: behind the last dependency, else in front of <export> or of the end."""
     if new in text.text:
         return ()
     found = list(re.finditer(r'^([ \t]*)<(?:\w+_)?depend>.*</(?:\w+_)?depend>[ \t]*$', text.text, re.MULTILINE))
@@ -153,7 +153,7 @@ FILES = {'data_files': 'setup.py', 'console_scripts': 'setup.py', 'manifest': 'p
 
 
 def applied(text: str, edits: Edits) -> str:
-    """The text with edits made; of two that overlap the first counts."""
+    """Return the text with edits made; of two that overlap the first counts."""
     made, last = text, len(text) + 1
     for edit in sorted(edits, key=lambda one: one.span, reverse=True):
         if edit.span.end <= last and text[edit.span.start : edit.span.end] == edit.old:

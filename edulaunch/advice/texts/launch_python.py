@@ -25,7 +25,7 @@ DECLARING = ('DeclareLaunchArgument', 'SetLaunchConfiguration')
 
 
 def foreseen_in_launch(text: Text, tree: ast.Module, around: Around) -> Iterator[Foreseen]:
-    """What launch would refuse, in any order."""
+    """Yield what launch would refuse, in any order."""
     yield from launch_imports(text, tree)
     yield from unknown_names(text, tree)
     yield from _entry(text, tree)
@@ -38,7 +38,7 @@ def foreseen_in_launch(text: Text, tree: ast.Module, around: Around) -> Iterator
 
 
 def _entry(text: Text, tree: ast.Module) -> Iterator[Foreseen]:
-    """The function that every launch file has, and what it returns."""
+    """Yield the function that every launch file has, and what it returns."""
     functions = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))}
     others = {
         name.id for node in tree.body for name in ast.walk(node) if isinstance(name, ast.Name) and isinstance(name.ctx, ast.Store)
@@ -84,7 +84,7 @@ def _of_call(text: Text, call: ast.Call, names: dict[str, str], around: Around) 
 
 
 def _called_item(text: Text, call: ast.Call, names: dict[str, str]) -> Iterator[Foreseen]:
-    """Two items of a list without a comma between them."""
+    """Yield two items of a list without a comma between them."""
     inner: Any = call.func
     name = (full_name(inner.func, names) or '').rpartition('.')[2]
     if name and isinstance(class_named(name), type):
@@ -121,7 +121,7 @@ def _arguments(text: Text, call: ast.Call, cls: Any) -> Iterator[Foreseen]:
 
 
 def _needed(cls: Any, positional: int) -> tuple[list[str], int]:
-    """The arguments that a constructor still needs by name, and how many it takes without names."""
+    """Return the arguments that a constructor still needs by name, and how many it takes without names."""
     function = cls.__init__
     code = getattr(function, '__code__', None)
     if code is None or code.co_flags & 0x04:  # *args
@@ -149,7 +149,7 @@ def _executable(text: Text, package: ast.expr | None, node: ast.expr | None, aro
 
 
 def _declared(calls: list[ast.Call], names: dict[str, str]) -> set[str]:
-    """The launch arguments and configurations that the file itself names."""
+    """Return the launch arguments and configurations that the file itself names."""
     found = set()
     for call in calls:
         if (full_name(call.func, names) or '').rpartition('.')[2] in DECLARING and call.args:
@@ -158,7 +158,7 @@ def _declared(calls: list[ast.Call], names: dict[str, str]) -> set[str]:
 
 
 def _configuration(text: Text, call: ast.Call, names: dict[str, str], declared: set[str]) -> Iterator[Foreseen]:
-    """A launch configuration that nothing declares, and whose name is nearly that of one that is declared."""
+    """Yield a launch configuration that nothing declares, and whose name is nearly that of one that is declared."""
     if (full_name(call.func, names) or '').rpartition('.')[2] != 'LaunchConfiguration' or not call.args:
         return
     name = text_of(call.args[0])
@@ -172,7 +172,7 @@ def _configuration(text: Text, call: ast.Call, names: dict[str, str], declared: 
 
 
 def joined_in_lists(text: Text, tree: ast.Module) -> Iterator[tuple[Finding, Span]]:
-    """Two strings on one line of a list or pair that nothing separates: Python joins them."""
+    """Yield two strings on one line of a list or pair that nothing separates: Python joins them."""
     for node in ast.walk(tree):
         for item in node.elts if isinstance(node, (ast.List, ast.Tuple)) else ():
             if text_of(item) is None or item.lineno != item.end_lineno:

@@ -19,37 +19,37 @@ SOURCE = 'edulaunch'
 
 
 def position(text: Text, offset: int) -> dict[str, int]:
-    """A place in the file: line and character count from 0, and characters are UTF-16 units."""
+    """Return a place in the file: line and character count from 0, and characters are UTF-16 units."""
     line, column = text.place(offset)
     start = offset - column
     return {'line': line - 1, 'character': len(text.text[start:offset].encode('utf-16-le')) // 2}
 
 
 def offset_of(text: Text, line: int, character: int) -> int:
-    """The offset of such a place."""
+    """Return the offset of such a place."""
     start, end = text.whole_line(line + 1)
     units = text.text[start:end].encode('utf-16-le')[: 2 * character]
     return start + len(units.decode('utf-16-le', errors='ignore'))
 
 
 def range_of(text: Text, span: Span) -> dict[str, Any]:
-    """A part of the file."""
+    """Return a part of the file."""
     return {'start': position(text, span.start), 'end': position(text, span.end)}
 
 
 def changes(text: Text, edits: Edits) -> list[dict[str, Any]]:
-    """The edits as `TextEdit`s of one document."""
+    """Return the edits as `TextEdit`s of one document."""
     return [{'range': range_of(text, edit.span), 'newText': edit.new} for edit in edits]
 
 
 def title(edits: Edits) -> str:
-    """What a quick fix is called in a menu."""
+    """Return what a quick fix is called in a menu."""
     edit = edits[-1]
     return f"replace '{edit.old}' by '{edit.new}'" if edit.old else f'add: {edit.new.strip()}'
 
 
 def diagnostic(mark: Marked, text: Text, reader: Reader) -> dict[str, Any]:
-    """A mark as a `Diagnostic`; its `data` has the edits that cure it, and the title of the quick fix."""
+    """Return a mark as a `Diagnostic`; its `data` has the edits that cure it, and the title of the quick fix."""
     words = rendered(mark.finding, reader)
     data = {'title': title(mark.edits), 'changes': changes(text, mark.edits)} if mark.edits else None
     return {
@@ -63,15 +63,15 @@ def diagnostic(mark: Marked, text: Text, reader: Reader) -> dict[str, Any]:
 
 
 def uri_of(path: str) -> str:
-    """The address of a file."""
+    """Return the address of a file."""
     return Path(path).absolute().as_uri()
 
 
 def path_of(uri: str) -> str:
-    """The path of a document. A document that is not a file has the path that its address names."""
+    """Return the path of a document. A document that is not a file has the path that its address names."""
     return unquote(urlparse(uri).path)
 
 
 def diagnostics(marks: Iterable[Marked], text: Text, reader: Reader) -> list[dict[str, Any]]:
-    """The marks of one file."""
+    """Return the marks of one file."""
     return [diagnostic(mark, text, reader) for mark in marks]

@@ -30,7 +30,7 @@ _DECLARED = {
 
 
 def foreseen_in_markup(text: Text, around: Around) -> Iterator[Foreseen]:
-    """What launch would refuse in a launch file in XML or YAML: at the outermost level, one error for each element."""
+    """Yield what launch would refuse in a launch file in XML or YAML: at the outermost level, one error for each element."""
     source()
     format = 'xml' if text.path.endswith('.xml') else 'yaml'
     if format == 'xml':
@@ -63,7 +63,7 @@ def _of_error(text: Text, error: Exception) -> Foreseen:
 
 
 def _span(text: Text, failure: Failure, line: int) -> Span | None:
-    """Where the attribute, the element or the substitution is that the facts name."""
+    """Return where the attribute, the element or the substitution is that the facts name."""
     extent = text.extent(line)
     for name in ('attribute', 'call', 'element'):
         word = failure.facts.get(name)
@@ -107,7 +107,7 @@ def _misspelt(text: Text, span: Span, message: str, facts: dict[str, Any]) -> Fo
 
 
 def foreseen_in_parameters(text: Text) -> Iterator[Foreseen]:
-    """What rcl would refuse in a parameter file; the first error, as it reads no further."""
+    """Yield what rcl would refuse in a parameter file; the first error, as it reads no further."""
     try:
         read_parameter_file(text.text)
     except ParameterFileError as error:

@@ -21,7 +21,7 @@ ALWAYS = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__packag
 
 
 def bound_names(tree: ast.Module) -> set[str] | None:
-    """Every name that the file binds anywhere; None when `import *`, `exec` or `globals()` may bind others."""
+    """Return every name that the file binds anywhere; None when `import *`, `exec` or `globals()` may bind others."""
     found: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, (ast.Import, ast.ImportFrom)):
@@ -82,7 +82,7 @@ def imported(tree: ast.Module) -> dict[str, str]:
 
 
 def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
-    """The full name of what is called, by the imports; None when it is not imported."""
+    """Return the full name of what is called, by the imports; None when it is not imported."""
     parts: list[str] = []
     while isinstance(function, ast.Attribute):
         parts.insert(0, function.attr)
@@ -122,7 +122,7 @@ def _no_module(text: Text, module: str, node: ast.stmt) -> Foreseen:
 
 @cache
 def is_module(name: str) -> bool:
-    """Whether a built-in module has that name. No file of a student is imported."""
+    """Return whether a built-in module has that name. No file of a student is imported."""
     if name in MODULES:
         return True
     if name.partition('.')[0] not in OF_LAUNCH:
@@ -135,7 +135,7 @@ def is_module(name: str) -> bool:
 
 @cache
 def has_name(module: str, name: str) -> bool:
-    """Whether a module of launch has a name, or a module of that name."""
+    """Return whether a module of launch has a name, or a module of that name."""
     if name in names_in(module):
         return True
     try:
@@ -183,11 +183,11 @@ def _no_interface(text: Text, node: ast.ImportFrom, alias: ast.alias, known: lis
 
 
 def text_of(node: ast.AST | None) -> str | None:
-    """The text of a literal; None for anything else."""
+    """Return the text of a literal; None for anything else."""
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
 
 
 def inside_quotes(text: Text, node: ast.AST) -> Span:
-    """The literal without its quotes."""
+    """Return the literal without its quotes."""
     span = text.of_node(node)
     return Span(span.start + 1, span.end - 1)

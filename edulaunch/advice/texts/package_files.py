@@ -17,7 +17,7 @@ LEFT_OUT = frozenset(('.git', '__pycache__', 'build', 'install', 'log', 'node_mo
 
 
 def findings_of_package(text: Text) -> list[Finding]:
-    """What the rules say of the package around a file, with the text in place of what is stored; of that file only."""
+    """Return what the rules say of the package around a file, with the text in place of what is stored; of that file only."""
     folder = package_around(os.path.dirname(text.path))
     if folder is None:
         return []

@@ -16,7 +16,7 @@ from edulaunch.engine.nearest import nearest
 
 
 def foreseen_in_program(text: Text, tree: ast.Module, around: Around) -> Iterator[Foreseen]:
-    """What would end the program, in any order."""
+    """Yield what would end the program, in any order."""
     process = os.path.basename(text.path).removesuffix('.py')
     registry = around.registry
     yield from unknown_names(text, tree, process)

@@ -27,7 +27,7 @@ class Foreseen(NamedTuple):
 
 
 def syntax_error(text: Text) -> Foreseen | None:
-    """The first error that Python finds; None when it can read the text."""
+    """Return the first error that Python finds; None when it can read the text."""
     try:
         ast.parse(text.text, text.path)
     except SyntaxError as error:
@@ -81,7 +81,7 @@ def _tries(text: Text, said: str, line: int, span: Span) -> Iterator[Edits]:
 
 
 def _reads(text: str, edits: Edits, line: int) -> bool:
-    """Whether Python reads the edited text beyond that line."""
+    """Return whether Python reads the edited text beyond that line."""
     from edulaunch.advice.texts.edits import applied
 
     try:
@@ -116,7 +116,7 @@ def _gaps(text: Text, span: Span) -> Iterator[int]:
 
 
 def _end_of_code(text: Text, line: int) -> int:
-    """The end of a line, in front of a comment."""
+    """Return the end of a line, in front of a comment."""
     start, end = text.line_span(line)
     before = text.text[start:end].partition('#')[0].rstrip()
     return start + len(before)

@@ -56,35 +56,35 @@ class Text:
         return Place(number, offset - self._starts[number - 1])
 
     def offset(self, line: int, column: int) -> int:
-        """The offset of a place; one outside the text is moved to its nearest end."""
+        """Return the offset of a place; one outside the text is moved to its nearest end."""
         number = min(max(line, 1), len(self._starts))
         return min(self._starts[number - 1] + max(column, 0), self.whole_line(number).end)
 
     def whole_line(self, line: int) -> Span:
-        """A line without its line break."""
+        """Return a line without its line break."""
         number = min(max(line, 1), len(self._starts))
         start = self._starts[number - 1]
         end = self.text.find('\n', start)
         return Span(start, len(self.text) if end < 0 else end)
 
     def line_span(self, line: int) -> Span:
-        """A line without its indentation and the spaces at its end."""
+        """Return a line without its indentation and the spaces at its end."""
         start, end = self.whole_line(line)
         words = self.text[start:end]
         return Span(start + len(words) - len(words.lstrip()), start + len(words.rstrip())) if words.strip() else Span(start, end)
 
     def _byte_offset(self, line: int, column: int) -> int:
-        """The offset of a place of a syntax tree, whose columns count bytes."""
+        """Return the offset of a place of a syntax tree, whose columns count bytes."""
         start, end = self.whole_line(line)
         words = self.text[start:end]
         return start + (column if words.isascii() else len(words.encode()[:column].decode(errors='ignore')))
 
     def of_node(self, node: Any) -> Span:
-        """Where a node of the syntax tree is."""
+        """Return where a node of the syntax tree is."""
         return Span(self._byte_offset(node.lineno, node.col_offset), self._byte_offset(node.end_lineno, node.end_col_offset))
 
     def found(self, words: str, within: Span) -> Span | None:
-        """Where the words are in a part of the text; None when they are not there, or more than once."""
+        """Return where the words are in a part of the text; None when they are not there, or more than once."""
         before = r'(?<!\w)' if words[:1].isidentifier() else ''
         behind = r'(?!\w)' if words[-1:].isidentifier() or words[-1:].isdigit() else ''
         spans = [
@@ -94,7 +94,7 @@ class Text:
         return spans[0] if len(spans) == 1 else None
 
     def extent(self, line: int) -> Span:
-        """What begins in a line: the call or statement in Python, the tag in XML, or else the line."""
+        """Return what begins in a line: the call or statement in Python, the tag in XML, or else the line."""
         own = self.line_span(line)
         if self.path.endswith('.py') and self.tree is not None:
             nodes: list[Any] = [

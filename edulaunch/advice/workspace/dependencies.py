@@ -34,7 +34,7 @@ class Missing(NamedTuple):
 
 
 def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
-    """The packages below `path`, and each dependency of theirs that neither the underlay nor the workspace has."""
+    """Return the packages below `path`, and each dependency of theirs that neither the underlay nor the workspace has."""
     index = Index((), [path], read_source=read_source)
     packages = source_packages(index)
     here = list(index.packages())
@@ -49,7 +49,7 @@ def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
 
 
 def is_here(name: str, here: list[str]) -> bool:
-    """Whether a dependency is satisfied, or needed only for what edulaunch does not do (building, compiled programs)."""
+    """Return whether a dependency is satisfied, or needed only for what edulaunch does not do (building, compiled programs)."""
     if SAME.get(name, name) in here or any(fnmatchcase(name, pattern) for pattern in NOT_NEEDED):
         return True
     for prefix in ('python3-', 'python-'):

@@ -129,7 +129,7 @@ class _Writer:
 
 
 def manifest_text(package: NewPackage) -> str:
-    """The package.xml."""
+    """Return the package.xml."""
     from xml.sax.saxutils import escape, quoteattr
 
     tool = [] if package.build_type == 'ament_python' else [f'<buildtool_depend>{package.build_type}</buildtool_depend>']

@@ -208,7 +208,7 @@ def write_cmake(package: NewPackage, writer: Any) -> None:
 
 
 def cmake_text(package: NewPackage) -> str:
-    """The CMakeLists.txt."""
+    """Return the CMakeLists.txt."""
     finds = ''.join(f'find_package({name} REQUIRED)\n' for name in package.dependencies)
     text = HEAD.format(name=package.name, finds=finds)
     for template, key, target in ((LIBRARY, 'library', package.library_name), (NODE, 'node', package.node_name)):

@@ -292,7 +292,7 @@ def _json(value: Any) -> Any:
 
 
 def _place(file: str | None, line: int | None) -> str:
-    """A place without the folders of this machine, '' for none."""
+    """Return a place without the folders of this machine, '' for none."""
     return '' if not file else f'{os.path.basename(file)}:{line}'
 
 

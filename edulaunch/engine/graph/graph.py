@@ -24,7 +24,7 @@ class Graph(Members):
     clients: dict[str, list[ServiceClient]]
 
     def create_publisher(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Publisher:
-        """A publisher of `node`, connected to all subscriptions that it suits."""
+        """Return a publisher of `node`, connected to all subscriptions that it suits."""
         made = WatchedPublisher if qos.deadline_ns or qos.lease_ns else Publisher
         publisher = made(self, node, topic, cls, qos)
         self.add_end(node, self.publishers, topic, publisher)
@@ -51,7 +51,7 @@ class Graph(Members):
         return server
 
     def create_client(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceClient:
-        """A client of `node`."""
+        """Return a client of `node`."""
         client = ServiceClient(self, node, name, cls, qos, on_ready)
         self.add_end(node, self.clients, name, client)
         return client

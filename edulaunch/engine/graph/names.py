@@ -18,7 +18,7 @@ _PATH = _WORD | {'/'}
 
 
 def _is_plain(path: str) -> bool:
-    """Whether a path without leading slash has nothing but good tokens; most names are such, and this is quickly seen."""
+    """Return whether a path without leading slash has nothing but good tokens; most names are such, and this is quickly seen."""
     return path.isascii() and all(map(str.isidentifier, path.split('/')))
 
 
@@ -32,7 +32,7 @@ def _digit_token(name: str) -> int:
 
 
 def node_name_problem(name: str) -> Problem | None:
-    """What is wrong with a node's own name, or None."""
+    """Return what is wrong with a node's own name, or None."""
     if not name:
         return 'node name must not be empty', 0
     if name.isascii() and name.isidentifier() and len(name) <= MAX_NODE_NAME:
@@ -63,7 +63,7 @@ def _absolute_path_problem(kind: str, name: str, limit: int, too_long: str) -> P
 
 
 def namespace_problem(namespace: str) -> Problem | None:
-    """What is wrong with an absolute namespace, or None."""
+    """Return what is wrong with an absolute namespace, or None."""
     if not namespace:
         return 'namespace must not be empty', 0
     if namespace[0] != '/':
@@ -77,7 +77,7 @@ def namespace_problem(namespace: str) -> Problem | None:
 
 
 def full_topic_name_problem(name: str) -> Problem | None:
-    """What is wrong with an expanded topic or service name, or None."""
+    """Return what is wrong with an expanded topic or service name, or None."""
     if not name:
         return 'topic name must not be empty', 0
     if name[0] != '/':
@@ -88,7 +88,7 @@ def full_topic_name_problem(name: str) -> Problem | None:
 
 
 def topic_name_problem(name: str) -> Problem | None:
-    """What is wrong with a topic or service name as a program writes it (before expansion), or None."""
+    """Return what is wrong with a topic or service name as a program writes it (before expansion), or None."""
     if not name:
         return 'topic name must not be empty string', 0
     if _is_plain(name):
@@ -129,7 +129,7 @@ def _character_problem(name: str) -> Problem | None:
 
 
 def caret_text(kind: str, name: str, problem: Problem) -> str:
-    """The three lines in which ROS 2 reports a refused name: reason, name, and a caret under the offending character."""
+    """Return the three lines in which ROS 2 reports a refused name: reason, name, and a caret under the offending character."""
     reason, index = problem
     return f"Invalid {kind}: {reason}:\n  '{name}'\n   {' ' * index}^"
 
@@ -140,7 +140,7 @@ def absolute_namespace(namespace: str) -> str:
 
 
 def fully_qualified_name(namespace: str, name: str) -> str:
-    """The absolute name of a node, or of a relative topic, in `namespace`."""
+    """Return the absolute name of a node, or of a relative topic, in `namespace`."""
     return f'/{name}' if namespace == '/' else f'{namespace}/{name}'
 
 
@@ -156,7 +156,7 @@ class UnknownSubstitution(ValueError):
 
 
 def expand_name(name: str, node_name: str, namespace: str) -> str:
-    """The absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
+    """Return the absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
 
     :raises UnknownSubstitution: for a substitution that ROS 2 does not know.
     """
@@ -195,12 +195,12 @@ class RemapRule(NamedTuple):
 
 
 def remapped_node_name(rules: Iterable[RemapRule], name: str) -> str:
-    """The node's name after the first `__node` rule that is for it."""
+    """Return the node's name after the first `__node` rule that is for it."""
     return _replacement(rules, 'node', name) or name
 
 
 def remapped_namespace(rules: Iterable[RemapRule], node_name: str, namespace: str) -> str:
-    """The node's namespace after the first `__ns` rule that is for it (`node_name` is the renamed one)."""
+    """Return the node's namespace after the first `__ns` rule that is for it (`node_name` is the renamed one)."""
     return _replacement(rules, 'namespace', node_name) or namespace
 
 
@@ -212,7 +212,7 @@ def _replacement(rules: Iterable[RemapRule], kind: str, node_name: str) -> str |
 
 
 def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: str, namespace: str) -> str:
-    """An expanded topic or service name after the first rule that matches it; rules never chain.
+    """Return an expanded topic or service name after the first rule that matches it; rules never chain.
 
     :param kind: 'topic' or 'service'.
     """
@@ -227,5 +227,5 @@ def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: s
 
 
 def is_hidden(name: str) -> bool:
-    """Whether tools leave this name out: one of its tokens begins with an underscore."""
+    """Return whether tools leave this name out: one of its tokens begins with an underscore."""
     return name.startswith('_') or '/_' in name

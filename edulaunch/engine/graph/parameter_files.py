@@ -27,7 +27,7 @@ class Entry(NamedTuple):
 
 
 def read_parameter_file(text: str) -> list[Entry]:
-    """All parameters of a parameter file, in order.
+    """Return all parameters of a parameter file, in order.
 
     :raises ParameterFileError: with rcl's reason, which names the line.
     """
@@ -43,7 +43,7 @@ def read_parameter_file(text: str) -> list[Entry]:
 
 
 def read_value(text: str) -> Any:
-    """The value of a `-p name:=value` argument.
+    """Return the value of a `-p name:=value` argument.
 
     :raises ParameterFileError: for anything but a scalar or a list of scalars of one type.
     """
@@ -98,7 +98,7 @@ def _problem(error: Any) -> dict[str, Any]:
 
 
 def line_of(event: Any) -> int:
-    """The line an event starts at, from 1."""
+    """Return the line an event starts at, from 1."""
     return int(event.start_mark.line) + 1
 
 

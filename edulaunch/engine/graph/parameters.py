@@ -34,7 +34,7 @@ _INT64 = range(-(1 << 63), 1 << 63)
 
 
 def type_of_value(value: Any) -> int:
-    """The number of the parameter type that `value` has.
+    """Return the number of the parameter type that `value` has.
 
     An empty sequence is a byte array, as in rclpy.
 
@@ -54,7 +54,7 @@ def type_of_value(value: Any) -> int:
 
 
 def precedence(value: Any) -> int:
-    """Which of several values counts that one node has for one parameter: the last of those with the lowest number."""
+    """Return which of several values counts that one node has for one parameter: the last of those with the lowest number."""
     try:
         return type_of_value(value) or STRING_ARRAY + 1
     except TypeError:
@@ -76,7 +76,7 @@ def value_fits(value: Any, number: int) -> bool:
 
 
 def scalar_from_text(text: str) -> Any:
-    """The value of an unquoted scalar, by the rules of rcl's parameter parser (YAML 1.1 booleans, C numbers).
+    """Return the value of an unquoted scalar, by the rules of rcl's parameter parser (YAML 1.1 booleans, C numbers).
 
     `off` is False, `0x10` is 16, `010` is 8, `1e3` is 1000.0, anything else is a string.
     """
@@ -117,12 +117,12 @@ def _c_float(text: str) -> float | str:
 
 
 def sequence_type_name(value: Any) -> str:
-    """What rcl's parser calls the type of a scalar in its messages about lists."""
+    """Return what rcl's parser calls the type of a scalar in its messages about lists."""
     return {BOOL: 'bool', INTEGER: 'integer', DOUBLE: 'double', STRING: 'string'}[type_of_value(value)]
 
 
 def integer_range_problem(name: str, value: int, lowest: int, highest: int, step: int) -> str | None:
-    """Why an integer is refused by its range, in rclpy's words, or None. Both ends are always allowed, in either order."""
+    """Return why an integer is refused by its range, in rclpy's words, or None. Both ends are always allowed, in either order."""
     lowest, highest = min(lowest, highest), max(lowest, highest)
     if value in (lowest, highest):
         return None
@@ -134,7 +134,7 @@ def integer_range_problem(name: str, value: int, lowest: int, highest: int, step
 
 
 def float_range_problem(name: str, value: float, lowest: float, highest: float, step: float) -> str | None:
-    """Why a float is refused by its range, in rclpy's words, or None.
+    """Return why a float is refused by its range, in rclpy's words, or None.
 
     Ends (in either order) and steps have a relative tolerance of 1e-6.
     """
@@ -158,7 +158,7 @@ def _close(first: float, second: float) -> bool:
 
 
 def pattern_matches(pattern: str, fully_qualified_name: str) -> bool:
-    """Whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) means the node of that name.
+    """Return whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) means the node of that name.
 
     `*` stands for exactly one token, `**` for any number of them.
     """

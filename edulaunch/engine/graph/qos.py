@@ -34,7 +34,7 @@ class QoS(NamedTuple):
 
 
 def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
-    """The policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
+    """Return the policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
 
     The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
     If several do not fit, return the one that Fast DDS reports last.

@@ -69,7 +69,7 @@ class RosArguments:
         self.unknown: list[str] = []
 
     def overrides_for(self, fully_qualified_name: str) -> dict[str, Override]:
-        """The parameters for one node: later patterns overwrite earlier ones."""
+        """Return the parameters for one node: later patterns overwrite earlier ones."""
         found: dict[str, Override] = {}
         for pattern, values in self.parameters.items():
             if pattern_matches(pattern, fully_qualified_name):
@@ -111,7 +111,7 @@ def _read_other(result: RosArguments, token: str) -> None:
 
 
 def entries_of_file(path: str) -> Sequence[Entry]:
-    """What a parameter file says.
+    """Return what a parameter file says.
 
     :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
     """
@@ -184,7 +184,7 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
 
 
 def remap_rule(text: str) -> RemapRule:
-    """The rule that `from:=to` is.
+    """Return the rule that `from:=to` is.
 
     :raises RuleError: when it is invalid.
     """
@@ -271,7 +271,7 @@ def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
 
 
 def _log_level(text: str) -> tuple[str, int]:
-    """The logger ('' for the default level) and the severity that `level` or `logger:=level` names.
+    """Return the logger ('' for the default level) and the severity that `level` or `logger:=level` names.
 
     :raises RuleError: when it names none.
     """

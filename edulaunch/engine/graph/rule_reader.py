@@ -41,7 +41,7 @@ class RuleReader:
         self.kind, self._end = self._lexeme_at(position)
 
     def _lexeme_at(self, start: int) -> tuple[int, int]:
-        """The lexeme that begins there, and where it ends."""
+        """Return the lexeme that begins there, and where it ends."""
         if start == len(self.text):
             return END, start
         for words, kind in _LEXEMES:
@@ -54,14 +54,14 @@ class RuleReader:
         return NOTHING, start
 
     def take(self) -> str:
-        """The lexeme, gone past."""
+        """Return the lexeme, gone past."""
         taken = self.text[self.position : self._end]
         self.position = self._end
         self.kind, self._end = self._lexeme_at(self.position)
         return taken
 
     def expect(self, kind: int) -> str:
-        """The lexeme, gone past, when it is of that kind.
+        """Return the lexeme, gone past, when it is of that kind.
 
         :raises RuleError: when it is not.
         """
@@ -72,7 +72,7 @@ class RuleReader:
         return self.take()
 
     def node_prefix(self) -> str | None:
-        """The name before a single colon at the beginning, or None."""
+        """Return the name before a single colon at the beginning, or None."""
         if self.kind != TOKEN or self._lexeme_at(self._end)[0] != COLON:
             return None
         name = self.take()
@@ -115,7 +115,7 @@ def read_parameter_name(reader: RuleReader) -> str:
 
 
 def read_matched_name(reader: RuleReader) -> str:
-    """The topic or service name left of `:=`, which is gone past.
+    """Return the topic or service name left of `:=`, which is gone past.
 
     :raises RuleError: when it breaks the rules.
     """
@@ -132,7 +132,7 @@ def read_matched_name(reader: RuleReader) -> str:
 
 
 def read_new_name(reader: RuleReader) -> str:
-    """The topic or service name right of `:=`, up to the end.
+    """Return the topic or service name right of `:=`, up to the end.
 
     :raises RuleError: when it breaks the rules.
     """
@@ -147,7 +147,7 @@ def read_new_name(reader: RuleReader) -> str:
 
 
 def read_new_namespace(reader: RuleReader) -> str:
-    """The absolute namespace right of `:=`, up to the end.
+    """Return the absolute namespace right of `:=`, up to the end.
 
     :raises RuleError: when it breaks the rules.
     """

@@ -52,7 +52,7 @@ class ServiceServer(ServiceEnd):
         self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
 
     def take(self) -> tuple[Any, RequestId] | None:
-        """The oldest waiting (wire, request id), or None."""
+        """Return the oldest waiting (wire, request id), or None."""
         return self.queue.popleft() if self.queue else None
 
     def respond(self, request_id: RequestId, wire: Any) -> None:
@@ -89,7 +89,7 @@ class ServiceClient(ServiceEnd):
         self._sequence = 0
 
     def server_is_ready(self) -> bool:
-        """Whether a server of this name and type exists now."""
+        """Return whether a server of this name and type exists now."""
         return bool(self.servers())
 
     def servers(self) -> list[ServiceServer]:
@@ -113,7 +113,7 @@ class ServiceClient(ServiceEnd):
         return sequence
 
     def take(self) -> tuple[int, Any] | None:
-        """The oldest waiting (sequence, wire), or None."""
+        """Return the oldest waiting (sequence, wire), or None."""
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:

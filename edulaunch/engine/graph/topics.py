@@ -77,11 +77,11 @@ class Publisher(Endpoint):
             subscription.on_ready()
 
     def late_samples(self) -> list[Sample]:
-        """What a late subscription gets: the messages whose lifespan is not over."""
+        """Return what a late subscription gets: the messages whose lifespan is not over."""
         return [sample for sample in self.history or () if self.is_current(sample[1])]
 
     def is_current(self, published_ns: int) -> bool:
-        """Whether the lifespan of a message is not over; one that is exactly that old is gone."""
+        """Return whether the lifespan of a message is not over; one that is exactly that old is gone."""
         return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
@@ -146,7 +146,7 @@ class Subscription(Endpoint):
         return len(self.publishers)
 
     def take(self) -> Sample | None:
-        """The oldest waiting (wire, source time in ns, publisher), or None."""
+        """Return the oldest waiting (wire, source time in ns, publisher), or None."""
         if self.may_expire:
             self.drop_expired()
         return self.queue.popleft() if self.queue else None

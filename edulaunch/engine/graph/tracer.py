@@ -24,7 +24,7 @@ class Tracer:
     """Is called for everything that crosses a process boundary, before the receiver gets it. Subclass it to keep a record."""
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """Where this publisher's publications go: called once per publisher, so that publishing stays cheap."""
+        """Return where this publisher's publications go: called once per publisher, so that publishing stays cheap."""
         return _forget
 
     def node_added(self, node: NodeEntry) -> None:

@@ -56,7 +56,7 @@ class FieldRule:
         self.message = message
 
     def accept(self, value: Any) -> Any:
-        """The value as the slot stores it.
+        """Return the value as the slot stores it.
 
         :raises AssertionError: in rclpy's words, when the value has a wrong type, length or range.
         """
@@ -136,7 +136,7 @@ class FieldRule:
         return self._are_plain_numbers(values) or all(self._is_one(value) and self._is_in_range(value) for value in values)
 
     def _are_plain_numbers(self, values: Collection[Any]) -> bool:
-        """Whether a glance is enough, as it nearly always is: an image has a million values."""
+        """Return whether a glance is enough, as it nearly always is: an image has a million values."""
         kind = self.kind
         if kind is None or not kind.is_number or not values:
             return False
@@ -172,7 +172,7 @@ class FieldRule:
         return value
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
-        """A numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when
+        """Return a numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when
         first read.
         """
         assert self.kind is not None
@@ -217,7 +217,7 @@ class FieldRule:
     # Snapshots of the fields whose content may have changed since it was assigned
 
     def list_to_wire(self, values: Any) -> Any:
-        """The wire value of a list field (bool, byte, strings).
+        """Return the wire value of a list field (bool, byte, strings).
 
         :raises AssertionError: when something wrong was appended to the list since it was assigned.
         """
@@ -235,19 +235,19 @@ class FieldRule:
             self._refuse(f'must be {self._several_words()}', values)
 
     def array_to_wire(self, values: array[Any]) -> tuple[Any, ...] | bytes:
-        """The wire value of a bounded sequence of numbers."""
+        """Return the wire value of a bounded sequence of numbers."""
         self._accept_array(values)
         return values.tobytes() if is_byte_like(self.type) else tuple(values)
 
     def fixed_to_wire(self, values: Any) -> tuple[Any, ...] | bytes:
-        """The wire value of a fixed array of numbers that has been read, and so became a numpy array."""
+        """Return the wire value of a fixed array of numbers that has been read, and so became a numpy array."""
         raw = self._accept_fixed_numbers(values)
         if isinstance(raw, (tuple, bytes)):
             return raw
         return raw.tobytes() if is_byte_like(self.type) else tuple(raw.ravel().tolist())
 
     def to_numpy(self, wire: Any) -> Any:
-        """A fresh numpy array with the wire value of a fixed array of numbers."""
+        """Return a fresh numpy array with the wire value of a fixed array of numbers."""
         import numpy  # late: a run that never looks into a covariance does not pay for it
 
         assert self.kind is not None

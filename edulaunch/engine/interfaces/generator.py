@@ -49,7 +49,7 @@ class ClassSource:
         return {name: key for key, name in self._ids.items()}
 
     def text(self) -> str:
-        """The whole class."""
+        """Return the whole class."""
         slots = ', '.join(f"'_{field.name}'" for field in self._spec.fields)
         lines = [f'class {self._name}(_Message):', f' __slots__ = ({slots}{"," if slots else ""})']
         for part in (self._init(), self._to_wire(), self._from_wire(), self._eq(), *map(self._field, self._spec.fields)):
@@ -85,7 +85,7 @@ class ClassSource:
         return self._global('default', leaf.path, value) if isinstance(value, float) and not isfinite(value) else repr(value)
 
     def _fresh(self, leaf: Leaf) -> str:
-        """An expression for the default of a repeated field: a new object unless it is immutable."""
+        """Return an expression for the default of a repeated field: a new object unless it is immutable."""
         field_type = leaf.type
         if field_type.kind is None:
             one = self._global('class', field_type.base)
@@ -200,7 +200,7 @@ class ClassSource:
         return [*lines, f'{field.name} = _property({getter}, {field.name})']
 
     def _is_right(self, field_type: FieldType) -> str:
-        """A quick test that accepts the common right value; whatever fails it goes through the field's rule."""
+        """Return a quick test that accepts the common right value; whatever fails it goes through the field's rule."""
         kind = field_type.kind
         if field_type.array or field_type.string_bound is not None or field_type.base == 'byte':
             return ''
@@ -214,7 +214,7 @@ MessageOf = Callable[[str], type[Message]]
 
 
 def make_message(spec: MessageSpec, message_of: MessageOf) -> type[Message]:
-    """The class of a message; `message_of` gives the classes of the types it contains."""
+    """Return the class of a message; `message_of` gives the classes of the types it contains."""
     nested = {field.name: message_of(field.type.base) for field in spec.fields if field.type.kind is None}
     layout = layout_of(spec, lambda type_name: message_of(type_name)._SPEC)
     rules = {field.name: FieldRule(field, nested.get(field.name)) for field in spec.fields}
@@ -284,7 +284,7 @@ def _slot_types(spec: MessageSpec) -> tuple[object, ...]:
 
 
 def default_object(field: Field) -> Any:
-    """A field's default as its reader sees it."""
+    """Return a field's default as its reader sees it."""
     if is_fixed_numbers(field.type):
         return FieldRule(field, None).to_numpy(default_wire(field))
     if is_number_sequence(field.type):
@@ -293,7 +293,7 @@ def default_object(field: Field) -> Any:
 
 
 def module_of(type_name: str) -> str:
-    """The module that a class says it comes from: 'geometry_msgs.msg._transform_stamped'. Parts of a service
+    """Return the module that a class says it comes from: 'geometry_msgs.msg._transform_stamped'. Parts of a service
     share its module.
     """
     package, kind, name = type_name.split('/')

@@ -34,7 +34,7 @@ class InterfaceFinder(Loader):
         return 'edulaunch interfaces'  # shown in the repr of the modules
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """The spec of a module that this finder provides, else None."""
+        """Return the spec of a module that this finder provides, else None."""
         package, *rest = fullname.split('.')
         if len(rest) > 2 or not self.registry.has(package):
             return None
@@ -83,7 +83,7 @@ def install(registry: Registry) -> InterfaceFinder:
 
 
 def installed_registry() -> Registry | None:
-    """The registry whose interfaces are importable now, if any."""
+    """Return the registry whose interfaces are importable now, if any."""
     return next((finder.registry for finder in sys.meta_path if isinstance(finder, InterfaceFinder)), None)
 
 
@@ -98,7 +98,7 @@ def uninstall() -> None:
 
 
 def _is_real_package(name: str) -> bool:
-    """Whether Python itself finds a module of this name; a bare folder (namespace package) does not count."""
+    """Return whether Python itself finds a module of this name; a bare folder (namespace package) does not count."""
     spec = PathFinder.find_spec(name)
     return spec is not None and spec.loader is not None and spec.origin is not None
 
@@ -163,7 +163,7 @@ class PartModule(ModuleType):
 
 
 def _is_from_import(frame: FrameType) -> bool:
-    """Whether the frame is executing `from module import name` at this moment."""
+    """Return whether the frame is executing `from module import name` at this moment."""
     from opcode import opmap
 
     return frame.f_code.co_code[frame.f_lasti] == opmap['IMPORT_FROM']

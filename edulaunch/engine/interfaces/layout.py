@@ -50,7 +50,7 @@ class Leaf:
         return f'{self.holder}._{self.field.name}'
 
     def held_by(self, variable: str) -> Leaf:
-        """The same leaf in another variable."""
+        """Return the same leaf in another variable."""
         return Leaf(self.path, variable, self.owner, self.field)
 
 
@@ -65,7 +65,7 @@ class Layout:
 
 
 def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
-    """The flat layout of a message; `spec_of` gives the spec of a nested type."""
+    """Return the flat layout of a message; `spec_of` gives the spec of a nested type."""
     branches: list[Branch] = []
     leaves: list[Leaf] = []
 
@@ -84,29 +84,29 @@ def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
 
 
 def is_byte_like(field_type: FieldType) -> bool:
-    """Whether a repeated field travels as one bytes object."""
+    """Return whether a repeated field travels as one bytes object."""
     return bool(field_type.array) and field_type.base in BYTE_LIKE
 
 
 def is_fixed_numbers(field_type: FieldType) -> bool:
-    """Whether the field is a numpy array to its reader."""
+    """Return whether the field is a numpy array to its reader."""
     return field_type.array == 'fixed' and field_type.kind is not None and field_type.kind.is_number
 
 
 def is_number_sequence(field_type: FieldType) -> bool:
-    """Whether the field is an array.array to its reader."""
+    """Return whether the field is an array.array to its reader."""
     return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
 
 
 def zero(field_type: FieldType) -> Any:
-    """The value of one element that was never set."""
+    """Return the value of one element that was never set."""
     kind = field_type.kind
     assert kind is not None
     return b'\x00' if kind.python is bytes else kind.python()
 
 
 def default_wire(field: Field) -> Any:
-    """The wire value of a field that was never set."""
+    """Return the wire value of a field that was never set."""
     field_type = field.type
     if not field_type.array:
         return zero(field_type) if field.default is None else field.default

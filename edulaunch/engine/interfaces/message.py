@@ -89,12 +89,12 @@ class Message(metaclass=ConstantsStay):
 
 
 def spec_of(message: Message | type[Message]) -> MessageSpec:
-    """How a message was defined; no public attribute of its own, since those are the fields'."""
+    """Return how a message was defined; no public attribute of its own, since those are the fields'."""
     return message._SPEC
 
 
 def rules_of(message: Message | type[Message]) -> dict[str, Any]:
-    """What each field takes, by name; `rules_of(m)['pose'].message` is the class of a nested message."""
+    """Return what each field takes, by name; `rules_of(m)['pose'].message` is the class of a nested message."""
     return message._RULES
 
 

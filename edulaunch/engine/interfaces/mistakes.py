@@ -23,19 +23,19 @@ class KnownTypes(Protocol):
     """What a registry knows: where a wrong type name is looked for."""
 
     def has(self, package: str, /) -> bool:
-        """Whether a package has interfaces."""
+        """Return whether a package has interfaces."""
 
     def homes(self, name: str, kind: str | None, /) -> list[str]:
-        """The modules that have an interface of this name."""
+        """Return the modules that have an interface of this name."""
 
     def packages(self) -> list[str]:
-        """The names of all packages that have interfaces."""
+        """Return the names of all packages that have interfaces."""
 
     def types(self) -> list[str]:
-        """All full type names."""
+        """Return all full type names."""
 
     def classes(self) -> list[type[Any]]:
-        """All classes made so far."""
+        """Return all classes made so far."""
 
 
 def value_facts(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
@@ -143,12 +143,12 @@ def _candidates(error: BaseException, name: str, registry: KnownTypes) -> list[t
 
 
 def unknown_type(registry: KnownTypes, type_name: str) -> InterfaceError:
-    """The error for a type name that nothing defines, with the nearest one that exists."""
+    """Return the error for a type name that nothing defines, with the nearest one that exists."""
     return InterfaceError(f"unknown interface '{type_name}'", help=type_help(registry, type_name))
 
 
 def type_help(registry: KnownTypes, type_name: str) -> str | None:
-    """What may have been meant by a wrong type name."""
+    """Return what may have been meant by a wrong type name."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')
     elsewhere = registry.homes(name, kind or None)

@@ -25,7 +25,7 @@ class Line(NamedTuple):
 
 
 def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]]:
-    """The lines between the `---`, without comments and blanks."""
+    """Return the lines between the `---`, without comments and blanks."""
     sections: list[list[Line]] = [[]]
     number = 0
     for number, raw in enumerate(re.split('\r\n|\r|\n', text.removeprefix('\ufeff')), 1):
@@ -87,7 +87,7 @@ def split_type(text: str) -> FieldType | None:
 
 
 def field_type(line: Line, text: str, package: str) -> FieldType:
-    """The type of a field, its base resolved to a primitive kind or a full type name.
+    """Return the type of a field, its base resolved to a primitive kind or a full type name.
 
     :raises InterfaceError: when the string does not describe a type; types of other files are checked later.
     """
@@ -103,7 +103,7 @@ def field_type(line: Line, text: str, package: str) -> FieldType:
 
 
 def _base(line: Line, name: str, package: str) -> str:
-    """The full name of a type: a primitive, or 'pkg/msg/Type'."""
+    """Return the full name of a type: a primitive, or 'pkg/msg/Type'."""
     if primitive_name(name) in KINDS:
         return primitive_name(name)
     if name == 'Header':
@@ -135,7 +135,7 @@ def constant_value(base: str, text: str) -> Any:
 
 
 def default_value(field_type: FieldType, text: str) -> Any:
-    """The default of a field: a scalar, or a tuple for `[1, 2, 3]`.
+    """Return the default of a field: a scalar, or a tuple for `[1, 2, 3]`.
 
     :raises ValueError: naming what was expected.
     """

@@ -20,7 +20,7 @@ _RESERVED = frozenset(
 
 
 def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
-    """The interface that `text` describes; the kind (msg, srv, action) is taken from `type_name`, such as
+    """Return the interface that `text` describes; the kind (msg, srv, action) is taken from `type_name`, such as
     'turtlesim/srv/Spawn'.
 
     :param file: named in errors; the type name is used when it is empty.

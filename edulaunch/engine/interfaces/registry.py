@@ -46,23 +46,23 @@ class Registry:
     # What there is
 
     def packages(self) -> list[str]:
-        """The names of all packages that have interfaces, sorted."""
+        """Return the names of all packages that have interfaces, sorted."""
         own = [name for name in self._package_folders() if self._files(name)]
         return sorted({*own, *(self.base.packages() if self.base else ())})
 
     def has(self, package: str, kind: str | None = None) -> bool:
-        """Whether a package has interfaces (of a kind)."""
+        """Return whether a package has interfaces (of a kind)."""
         files = self._files(package)
         if not files and self.base is not None:
             return self.base.has(package, kind)
         return bool(files) if kind is None else kind in files
 
     def owns(self, package: str) -> bool:
-        """Whether a package's interfaces are this registry's own, not its base's."""
+        """Return whether a package's interfaces are this registry's own, not its base's."""
         return bool(self._files(package))
 
     def names(self, package: str, kind: str) -> list[str]:
-        """The interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill',
+        """Return the interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill',
         'SetPen', ...].
         """
         files = self._files(package)
@@ -71,7 +71,7 @@ class Registry:
         return sorted(files.get(kind, ()))
 
     def types(self, kind: str | None = None) -> list[str]:
-        """All full type names (of one kind), sorted."""
+        """Return all full type names (of one kind), sorted."""
         return sorted(
             f'{package}/{each}/{name}'
             for package in self.packages()
@@ -81,11 +81,11 @@ class Registry:
         )
 
     def homes(self, name: str, kind: str | None = None) -> list[str]:
-        """The modules that have an interface of this name: homes('Twist') -> ['geometry_msgs.msg']."""
+        """Return the modules that have an interface of this name: homes('Twist') -> ['geometry_msgs.msg']."""
         return [full.rpartition('/')[0].replace('/', '.') for full in self.types(kind) if full.endswith(f'/{name}')]
 
     def path(self, type_name: str) -> str:
-        """The file that defines 'pkg/kind/Name'.
+        """Return the file that defines 'pkg/kind/Name'.
 
         :raises InterfaceError: with the nearest type name when there is no such file.
         """
@@ -99,7 +99,7 @@ class Registry:
             raise self._unknown(type_name) from None
 
     def text(self, type_name: str) -> str:
-        """The text of the file that defines a type, as `ros2 interface show` starts from.
+        """Return the text of the file that defines a type, as `ros2 interface show` starts from.
 
         :raises InterfaceError: when there is no such type or its file cannot be read as UTF-8.
         """
@@ -110,7 +110,7 @@ class Registry:
     # Specs and classes
 
     def spec(self, type_name: str) -> InterfaceSpec:
-        """The spec of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
+        """Return the spec of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
 
         :raises InterfaceError: when there is no such type or its text is wrong.
         """
@@ -122,7 +122,7 @@ class Registry:
         return self._specs[type_name]
 
     def get(self, type_name: str) -> type[Any]:
-        """The class of 'pkg/kind/Name' (message, service, action, or a part of one), made at the first call.
+        """Return the class of 'pkg/kind/Name' (message, service, action, or a part of one), made at the first call.
 
         :raises InterfaceError: when there is no such type, its text is wrong, or it contains itself.
         """
@@ -147,7 +147,7 @@ class Registry:
         return cls
 
     def classes(self) -> list[type[Any]]:
-        """All classes made so far, base first, in the order they were made."""
+        """Return all classes made so far, base first, in the order they were made."""
         return [*(self.base.classes() if self.base else ()), *self._classes.values()]
 
     def refresh(self) -> None:
@@ -209,7 +209,7 @@ class Registry:
         return make_service(spec, self.get) if isinstance(spec, ServiceSpec) else make_action(spec, self.get)
 
     def _nested(self, spec: MessageSpec, type_name: str) -> type[Message]:
-        """The class of a field's type; an unknown one is reported at the line that asks for it."""
+        """Return the class of a field's type; an unknown one is reported at the line that asks for it."""
         try:
             return self.get(type_name)
         except InterfaceError as error:
@@ -238,7 +238,7 @@ def _interface_files(folder: str, kind: str) -> dict[str, str]:
 
 @cache
 def underlay_registry() -> Registry:
-    """The one registry of the underlay's interfaces. Its files never change while a program runs, so all
+    """Return the one registry of the underlay's interfaces. Its files never change while a program runs, so all
     simulations share it.
     """
     return Registry([os.path.join(underlay_prefix(), 'share')])
@@ -253,5 +253,5 @@ def answer_with(source: Callable[[], Registry | None]) -> None:
 
 
 def running_registry() -> Registry | None:
-    """The registry of the running program; None outside any, or when its workspace has no interfaces."""
+    """Return the registry of the running program; None outside any, or when its workspace has no interfaces."""
     return _sources[0]() if _sources else None

@@ -15,7 +15,7 @@ _GOAL_ID = Field('goal_id', FieldType('unique_identifier_msgs/msg/UUID'))
 
 
 def event_of(service: ServiceSpec) -> MessageSpec:
-    """The introspection event of a service."""
+    """Return the introspection event of a service."""
     return MessageSpec(
         f'{service.type}_Event',
         (
@@ -29,7 +29,7 @@ def event_of(service: ServiceSpec) -> MessageSpec:
 
 
 def send_goal_of(action: ActionSpec) -> ServiceSpec:
-    """The service that carries a goal to an action server."""
+    """Return the service that carries a goal to an action server."""
     name, file = f'{action.type}_SendGoal', action.goal.file
     return ServiceSpec(
         name,
@@ -44,7 +44,7 @@ def send_goal_of(action: ActionSpec) -> ServiceSpec:
 
 
 def get_result_of(action: ActionSpec) -> ServiceSpec:
-    """The service that answers with the result once a goal has ended."""
+    """Return the service that answers with the result once a goal has ended."""
     name, file = f'{action.type}_GetResult', action.goal.file
     return ServiceSpec(
         name,
@@ -56,14 +56,14 @@ def get_result_of(action: ActionSpec) -> ServiceSpec:
 
 
 def feedback_message_of(action: ActionSpec) -> MessageSpec:
-    """The message of the feedback topic."""
+    """Return the message of the feedback topic."""
     return MessageSpec(
         f'{action.type}_FeedbackMessage', (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))), (), action.goal.file
     )
 
 
 def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
-    """The interface itself and everything derived from it, by full type name."""
+    """Return the interface itself and everything derived from it, by full type name."""
     if isinstance(spec, MessageSpec):
         return {spec.type: spec}
     if isinstance(spec, ServiceSpec):
@@ -103,7 +103,7 @@ class Action:
 
 
 def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
-    """The class of a service; its parts are made when first read."""
+    """Return the class of a service; its parts are made when first read."""
     return type(
         _name(spec.type),
         (Service,),
@@ -116,7 +116,7 @@ def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
 
 
 def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
-    """The class of an action; its parts are made when first read."""
+    """Return the class of an action; its parts are made when first read."""
     impl = type(
         'Impl',
         (),

@@ -61,7 +61,7 @@ class UnboundedSequence(NamedTuple):
 
 
 def slot_types(spec: MessageSpec) -> tuple[object, ...]:
-    """One entry for each field, in order."""
+    """Return one entry for each field, in order."""
     return tuple(_slot_type(field.type) for field in spec.fields)
 
 

@@ -78,7 +78,7 @@ BYTE_LIKE = frozenset({'byte', 'int8', 'uint8'})
 
 
 def primitive_name(name: str) -> str:
-    """The kind that stands for a primitive type name: `char` is uint8 in ROS 2."""
+    """Return the kind that stands for a primitive type name: `char` is uint8 in ROS 2."""
     return 'uint8' if name == 'char' else name
 
 
@@ -182,7 +182,7 @@ InterfaceSpec = MessageSpec | ServiceSpec | ActionSpec
 
 
 def module_name(type_name: str) -> str:
-    """The module that ROS generates for a type name: 'TransformStamped' -> 'transform_stamped', 'Pose2D' ->
+    """Return the module that ROS generates for a type name: 'TransformStamped' -> 'transform_stamped', 'Pose2D' ->
     'pose2_d'.
     """
     spaced = re.sub('(.)([A-Z][a-z]+)', r'\1_\2', type_name)

@@ -27,7 +27,7 @@ class TextRegistry(Registry):
             self._packages.setdefault(package, {}).setdefault(kind, {})[short] = f'{name}.{kind}'
 
     def text(self, type_name: str) -> str:
-        """The text of a type.
+        """Return the text of a type.
 
         :raises InterfaceError: when there is no such type.
         """

@@ -45,14 +45,14 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
 
 
 def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str | os.PathLike[str]) -> list[str]:
-    """What `--workspace` names; when it names nothing, what is found for a command here that launches `target`."""
+    """Return what `--workspace` names; when it names nothing, what is found for a command here that launches `target`."""
     if given:
         return [os.fspath(path) for path in given]
     return find_workspaces(os.getcwd(), os.environ, os.fspath(target) if os.path.isfile(target) else None)
 
 
 def folder_of(target: str | os.PathLike[str]) -> str:
-    """The folder of the launch file that a command names by its path; of a package, the current folder."""
+    """Return the folder of the launch file that a command names by its path; of a package, the current folder."""
     return os.path.dirname(os.path.abspath(target)) if os.path.isfile(target) else os.getcwd()
 
 
@@ -74,12 +74,12 @@ def workspace_around(path: str) -> str | None:
 
 
 def package_around(path: str) -> str | None:
-    """The innermost folder with a `package.xml` that is, or is around, a path."""
+    """Return the innermost folder with a `package.xml` that is, or is around, a path."""
     return next((folder for folder in _upwards(os.path.abspath(path)) if _has_manifest(folder)), None)
 
 
 def _above(folder: str) -> list[str]:
-    """The innermost workspace around a folder, as a list that may be empty."""
+    """Return the innermost workspace around a folder, as a list that may be empty."""
     around = workspace_around(folder)
     if around is not None:
         return [around]
@@ -87,14 +87,14 @@ def _above(folder: str) -> list[str]:
 
 
 def _around(here: str, launch_file: str | None) -> list[str]:
-    """The current folder, when the launch file is in a package deeper in it: `colcon build` there finds all of them."""
+    """Return the current folder, when the launch file is in a package deeper in it: `colcon build` there finds all of them."""
     path = os.path.join(here, launch_file or '')
     is_inside = path.startswith(here + os.sep) and here != os.path.expanduser('~')
     return [here] if launch_file is not None and is_inside and workspace_around(path) is not None else []
 
 
 def _below(folder: str) -> list[str]:
-    """The folder itself when packages lie in it; else the workspaces in it."""
+    """Return the folder itself when packages lie in it; else the workspaces in it."""
     if _with_manifest(folder):
         return [folder]
     return [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
@@ -110,12 +110,12 @@ def _upwards(folder: str) -> Iterator[str]:
 
 
 def _root_of(outer: str) -> str:
-    """The workspace with the sources `outer`/src. Of a home folder, or of the whole disk, only these are meant."""
+    """Return the workspace with the sources `outer`/src. Of a home folder, or of the whole disk, only these are meant."""
     return os.path.join(outer or os.sep, 'src') if outer in ('', os.sep, os.path.expanduser('~')) else outer
 
 
 def _holds_sources(folder: str) -> bool:
-    """Whether packages lie in `src`, or one level further down, as repositories are cloned there."""
+    """Return whether packages lie in `src`, or one level further down, as repositories are cloned there."""
     sources = os.path.join(folder, 'src')
     return bool(_with_manifest(sources)) or any(_with_manifest(os.path.join(sources, name)) for name in _names(sources))
 
@@ -146,7 +146,7 @@ def _is_overlay(prefix: str) -> bool:
 
 
 def _of_prefix(prefix: str) -> str:
-    """The workspace that was built into a prefix, if its sources are there; else the `install` folder, or the prefix."""
+    """Return the workspace that was built into a prefix, if its sources are there; else the `install` folder, or the prefix."""
     path = os.path.abspath(prefix)
     install = os.path.dirname(path) if install_folders([os.path.dirname(path)])[0] else path
     workspace = os.path.dirname(install)

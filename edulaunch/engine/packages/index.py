@@ -44,7 +44,7 @@ class Place(Protocol):
         """Packages with msg/, srv/ or action/ files in their share folder, sorted."""
 
     def source_path(self, path: str) -> str | None:
-        """The file as the student wrote it, for a path below :attr:`path`."""
+        """Return the file as the student wrote it, for a path below :attr:`path`."""
 
 
 _ON_PATH = ('rviz2', 'xacro')
@@ -102,11 +102,11 @@ class Index:
         return tuple(self._warnings)
 
     def search_paths(self) -> list[str]:
-        """The prefixes in order of search, as AMENT_PREFIX_PATH would list them."""
+        """Return the prefixes in order of search, as AMENT_PREFIX_PATH would list them."""
         return [place.path for place in self._places]
 
     def packages(self) -> dict[str, str]:
-        """Each package's prefix, by name; the first place that has a package wins."""
+        """Return each package's prefix, by name; the first place that has a package wins."""
         found: dict[str, str] = {}
         for place in self._places:
             for name in place.packages():
@@ -128,7 +128,7 @@ class Index:
         return None if prefix is None else os.path.join(prefix, 'share', package)
 
     def absent(self, package: str) -> str | None:
-        """What a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
+        """Return what a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
 
         Its files would be below :attr:`absent_prefix`.
         """
@@ -167,17 +167,17 @@ class Index:
         return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
 
     def contents(self, package: str) -> Contents | None:
-        """What the build file of a source package installs; None when the package comes from elsewhere."""
+        """Return what the build file of a source package installs; None when the package comes from elsewhere."""
         place = self._place(package)
         return place.contents(package) if isinstance(place, Workspace) else None
 
     def source_folder(self, package: str) -> str | None:
-        """The folder with the package.xml of a source package; None when the package comes from elsewhere."""
+        """Return the folder with the package.xml of a source package; None when the package comes from elsewhere."""
         place = self._place(package)
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours.
+        """Return the program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours.
 
         `rviz2` and `xacro` are on the PATH, too, wherever that finds them.
         """
@@ -199,12 +199,12 @@ class Index:
         return None if kind is None else Program('absent', package, executable, path, file=kind)
 
     def _native(self, package: str, executable: str, path: str) -> Program | None:
-        """A program of the workspace that only a C++ compiler could make."""
+        """Return a program of the workspace that only a C++ compiler could make."""
         line = self.native_executables(package).get(executable)
         return None if line is None else Program('native', package, executable, path, file=line)
 
     def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
-        """The built-in program for one that a workspace would build from C++."""
+        """Return the built-in program for one that a workspace would build from C++."""
         if not isinstance(place, Workspace) or place.contents(package).entry_points:
             return None
         for other in self._places[self._places.index(place) + 1 :]:
@@ -232,7 +232,7 @@ class Index:
         return found
 
     def python_roots(self) -> list[str]:
-        """The folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
+        """Return the folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
         places = [place for place in self._places if place.path != self._underlay]
         return list(dict.fromkeys(os.path.dirname(path) for place in places for path in _modules(place).values()))
 
@@ -245,7 +245,7 @@ class Index:
         return list(found.values())
 
     def source_path(self, path: str) -> str:
-        """The file as the student wrote it: links of generated prefixes are followed, other paths come back
+        """Return the file as the student wrote it: links of generated prefixes are followed, other paths come back
         as they are."""
         for place in self._places:
             found = place.source_path(path)
@@ -264,7 +264,7 @@ def _modules(place: Place) -> dict[str, str]:
 
 
 def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
-    """The packages whose interfaces come from a workspace, and the registry of all.
+    """Return the packages whose interfaces come from a workspace, and the registry of all.
 
     Packages that the underlay has too keep the underlay's interfaces, because its programs communicate with them. The workspace's
     interfaces are used only if they have types which the underlay lacks.
@@ -279,7 +279,7 @@ def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
 
 
 def _adds(folder: str, package: str, shared: Registry) -> bool:
-    """Whether a share folder has an interface that the underlay's package of that name lacks."""
+    """Return whether a share folder has an interface that the underlay's package of that name lacks."""
     return any(
         name.removesuffix(f'.{kind}') not in shared.names(package, kind)
         for kind in ('msg', 'srv', 'action')

@@ -28,7 +28,7 @@ MARKERS = os.path.join('share', 'ament_index', 'resource_index', 'packages')
 
 
 def expand_prefixes(path: str) -> list[str]:
-    """The prefixes that a path stands for: itself, or each package's own folder in an isolated colcon
+    """Return the prefixes that a path stands for: itself, or each package's own folder in an isolated colcon
     `install/`."""
     if os.path.isdir(os.path.join(path, MARKERS)) or not os.path.isdir(path):
         return [path]
@@ -63,7 +63,7 @@ class Prefix:
         return [name for name in names if os.path.isfile(file := os.path.join(folder, name)) and os.access(file, os.X_OK)]
 
     def program(self, package: str, executable: str) -> Program | None:
-        """An entry point of an installed Python package, or a Python script."""
+        """Return an entry point of an installed Python package, or a Python script."""
         path = os.path.join(self.path, 'lib', package, executable)
         if not os.path.isfile(path) or not os.access(path, os.X_OK):
             return None
@@ -75,7 +75,7 @@ class Prefix:
         return Program('script', package, executable, path, file=os.path.realpath(path), python_roots=tuple(self._site_folders()))
 
     def modules(self) -> dict[str, str]:
-        """Every module in the prefix's site-packages."""
+        """Return every module in the prefix's site-packages."""
         found: dict[str, str] = {}
         for folder in self._site_folders():
             for name in sorted(os.listdir(folder)):
@@ -91,7 +91,7 @@ class Prefix:
         return interface_packages(self.path, self.packages())
 
     def source_path(self, path: str) -> str | None:
-        """The file behind a link of `colcon build --symlink-install`."""
+        """Return the file behind a link of `colcon build --symlink-install`."""
         return os.path.realpath(path) if path.startswith(self.path + os.sep) else None
 
     def _site_folders(self) -> list[str]:
@@ -119,14 +119,14 @@ class Prefix:
 
 
 def is_python(path: str) -> bool:
-    """Whether a file is Python: by its first line, or by its name."""
+    """Return whether a file is Python: by its first line, or by its name."""
     with open(path, 'rb') as stream:
         first = stream.readline(200)
     return first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')
 
 
 def _starts_entry_point(path: str) -> bool:
-    """Whether a script is one that setuptools generated to call an entry point."""
+    """Return whether a script is one that setuptools generated to call an entry point."""
     with open(path, 'rb') as stream:
         text = stream.read(4000)
     return b'console_scripts' in text or b'EASY-INSTALL' in text
@@ -144,7 +144,7 @@ def _egg_links(folder: str) -> list[str]:
 
 
 def _console_scripts(file: str) -> dict[str, tuple[str, str]]:
-    """The [console_scripts] of an entry_points.txt."""
+    """Return the [console_scripts] of an entry_points.txt."""
     from configparser import ConfigParser
 
     parser = ConfigParser(delimiters=('=',), interpolation=None)
@@ -180,7 +180,7 @@ class Underlay:
         return sorted(self._entries(package))
 
     def program(self, package: str, executable: str) -> Program | None:
-        """A built-in program."""
+        """Return a built-in program."""
         entry = self._entries(package).get(executable)
         if entry is None:
             return None

@@ -64,7 +64,7 @@ class Image:
         return path
 
     def source_path(self, path: str) -> str | None:
-        """The real file behind a path of the image, or None when it is not from here."""
+        """Return the real file behind a path of the image, or None when it is not from here."""
         if not path.startswith(self.path + os.sep):
             return None
         source = self._sources.get(path)
@@ -110,7 +110,7 @@ def _remove(path: str) -> None:
 
 
 def _living(users: str) -> bool:
-    """Whether any claim belongs to a process that still runs."""
+    """Return whether any claim belongs to a process that still runs."""
     try:
         claims = os.listdir(users)
     except OSError:
@@ -131,7 +131,7 @@ def _runs(pid: int) -> bool:
 
 
 def _base() -> str:
-    """A folder that belongs to this user alone, below the temporary folder."""
+    """Return a folder that belongs to this user alone, below the temporary folder."""
     import tempfile
 
     user = str(os.getuid()) if hasattr(os, 'getuid') else 'user'
@@ -210,7 +210,7 @@ class Workspace:
         )
 
     def program(self, package: str, executable: str) -> Program | None:
-        """A console script, or an installed Python file."""
+        """Return a console script, or an installed Python file."""
         name = f'lib/{package}/{executable}'
         contents = self.contents(package)
         path = os.path.join(self.path, name)
@@ -223,7 +223,7 @@ class Workspace:
         return None
 
     def modules(self) -> dict[str, str]:
-        """What the packages' build files install for import."""
+        """Return what the packages' build files install for import."""
         found: dict[str, str] = {}
         for package in self.packages():
             for name, path in self.contents(package).python_modules.items():
@@ -238,11 +238,11 @@ class Workspace:
         return found
 
     def source_path(self, path: str) -> str | None:
-        """The student's own file."""
+        """Return the student's own file."""
         return self._image.source_path(path)
 
     def contents(self, package: str) -> Contents:
-        """What the package installs; read at the first question."""
+        """Return what the package installs; read at the first question."""
         contents = self._contents.get(package)
         if contents is None:
             contents = self._contents[package] = self._read_source(self._manifests()[package])
@@ -250,7 +250,7 @@ class Workspace:
         return contents
 
     def package_folder(self, package: str) -> str:
-        """The folder with the package.xml."""
+        """Return the folder with the package.xml."""
         return self._manifests()[package].folder
 
     def _manifests(self) -> dict[str, Manifest]:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def spec_of(
     process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None, **_: Any
 ) -> ProcessSpec:
-    """What to start for the arguments of `subprocess.Popen`."""
+    """Return what to start for the arguments of `subprocess.Popen`."""
     words = [args] if isinstance(args, (str, bytes)) or not isinstance(args, Sequence) else list(args)
     return ProcessSpec(
         argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
@@ -101,7 +101,7 @@ class Child:
             task.wake()
 
     def poll(self) -> int | None:
-        """The return code, None while it runs."""
+        """Return the return code, None while it runs."""
         return self.returncode
 
     def wait(self, timeout: float | None = None) -> int:
@@ -191,13 +191,13 @@ class Pipe:
         return self._cut(len(self._text) if size < 0 else size)
 
     def readline(self) -> Any:
-        """The next line; empty at the end."""
+        """Return the next line; empty at the end."""
         self._wait(lambda: '\n' in self._text)
         end = self._text.find('\n')
         return self._cut(len(self._text) if end < 0 else end + 1)
 
     def readlines(self) -> list[Any]:
-        """All lines until the end."""
+        """Return all lines until the end."""
         return list(self)
 
     def __iter__(self) -> Iterator[Any]:
@@ -220,7 +220,7 @@ def _give_input(child: Any, stdin: Any) -> None:
 
 
 def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
-    """What takes the child's output: a pipe, a file, nothing, or the stream of the program itself."""
+    """Return what takes the child's output: a pipe, a file, nothing, or the stream of the program itself."""
     if pipe is not None:
         return pipe.feed
     if where == subprocess.DEVNULL:

@@ -61,13 +61,13 @@ class Shell(Protocol):
     """Reads and follows the lines of a shell."""
 
     def needs_shell(self, line: str) -> bool:
-        """Whether a line has signs that mean something to a shell; else its words are the command."""
+        """Return whether a line has signs that mean something to a shell; else its words are the command."""
 
     def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
-        """The line and its arguments of a command such as `sh -c LINE ARGUMENT...`, else None."""
+        """Return the line and its arguments of a command such as `sh -c LINE ARGUMENT...`, else None."""
 
     def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
-        """What follows a line in simulated time; None when a real shell has to.
+        """Return what follows a line in simulated time; None when a real shell has to.
 
         :param knows: whether the simulation runs the command of these words.
         """
@@ -100,7 +100,7 @@ class CommandSet:
         self.shell = shell
 
     def find(self, spec: ProcessSpec, index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-        """The command of a spec, if the simulation runs it.
+        """Return the command of a spec, if the simulation runs it.
 
         :param modules: gives the top-level modules of the workspaces, which `python3 -m` may name.
         """
@@ -126,7 +126,7 @@ class CommandSet:
         return _python(words, spec.cwd, modules)
 
     def _line(self, script: Sequence[str], index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-        """A shell line of which the simulation knows a command."""
+        """Return a shell line of which the simulation knows a command."""
 
         def knows(words: Sequence[str]) -> bool:
             return self.find(ProcessSpec(argv=tuple(words), name=''), index, modules) is not None
@@ -138,7 +138,7 @@ class CommandSet:
 
 
 def _python(words: Sequence[str], cwd: str | None, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-    """A command that names Python, or a Python file, itself."""
+    """Return a command that names Python, or a Python file, itself."""
     first = os.path.basename(words[0]) if words else ''
     if not first.endswith('.py') and not first.startswith('python'):
         return None

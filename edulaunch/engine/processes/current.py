@@ -8,7 +8,7 @@ from edulaunch.engine.sim.task import current_task
 
 
 def current_process() -> Process:
-    """The process whose code runs now.
+    """Return the process whose code runs now.
 
     Outside any simulation (a plain script, a notebook cell that uses `rclpy` directly), it is the *ambient* process of this
     thread. It is created at first use, with its own simulation, graph and host. Waiting in it runs that simulation.

@@ -55,7 +55,7 @@ class DeferredHints:
             self.pending.append(_Pending(lines[-1], group, error, set()))
 
     def helped(self, group: int) -> set[str]:
-        """The programs of one terminal below whose error a hint has appeared.
+        """Return the programs of one terminal below whose error a hint has appeared.
 
         :param group: number of that program.
         """

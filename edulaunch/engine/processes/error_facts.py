@@ -104,7 +104,7 @@ def compiled_module(process: Program, name: str) -> str | None:
 
 
 def missing_library(error: BaseException) -> str | None:
-    """The native library that the operating system did not find when something was loaded."""
+    """Return the native library that the operating system did not find when something was loaded."""
     found = _LIBRARY.match(str(error))
     return found[1] if found is not None else None
 
@@ -235,5 +235,5 @@ def _unknown_module(process: Program, top: str) -> Found:
 
 
 def _alike(name: str, near: str) -> bool:
-    """Whether only a letter or two differ: modules of other projects are called much like ROS's."""
+    """Return whether only a letter or two differ: modules of other projects are called much like ROS's."""
     return SequenceMatcher(None, name, near).ratio() >= 0.8

@@ -51,7 +51,7 @@ class Finder:
         self._absent: dict[str, tuple[str, ...]] = {}
 
     def first_match(self, top: str) -> Found | None:
-        """A top-level module that comes before the shared ones."""
+        """Return a top-level module that comes before the shared ones."""
         before, _ = self._program_path()
         folders = (*before, *self.roots)
         if self._absent.get(top) == folders:
@@ -71,20 +71,20 @@ class Finder:
         return found
 
     def last_match(self, top: str) -> Found | None:
-        """A top-level module for a name that nothing shared has."""
+        """Return a top-level module for a name that nothing shared has."""
         _, after = self._program_path()
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
 
     def folders(self) -> list[str]:
-        """Every folder that may hold a top-level module of the program, each once."""
+        """Return every folder that may hold a top-level module of the program, each once."""
         before, after = self._program_path()
         places = [os.path.dirname(place) for place in self._installed().values()]
         return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
 
     def _may_have(self, folder: str, top: str) -> bool:
-        """Whether a module can be in a folder. Each is listed once: most imports are of something else. What is written there
-        later is found last.
+        """Return whether a module can be in a folder. Each is listed once: most imports are of something else. What is written
+        there later is found last.
         """
         names = self._listed.get(folder)
         if names is None:
@@ -102,7 +102,7 @@ class Finder:
 
 
 def regular(leaf: str, path: list[str]) -> Found | None:
-    """A package with `__init__.py`, or a module, in the first folder that has one."""
+    """Return a package with `__init__.py`, or a module, in the first folder that has one."""
     for folder in path:
         base = os.path.join(folder, leaf)
         package = os.path.join(base, '__init__.py')
@@ -114,7 +114,7 @@ def regular(leaf: str, path: list[str]) -> Found | None:
 
 
 def namespace(leaf: str, path: list[str]) -> Found | None:
-    """A folder without `__init__.py` that has Python code in it, or in the folders below."""
+    """Return a folder without `__init__.py` that has Python code in it, or in the folders below."""
     for folder in path:
         base = os.path.join(folder, leaf)
         if _has_code(base) or any(_has_code(os.path.join(base, name)) for name in _names(base)):
@@ -179,7 +179,7 @@ answer_with(_registry_of_the_running_program)
 
 
 def read_script(path: str) -> CodeType:
-    """The code of a script or launch file, of which Python keeps no compiled copy.
+    """Return the code of a script or launch file, of which Python keeps no compiled copy.
 
     :raises: whatever compiling raises.
     """
@@ -210,7 +210,7 @@ def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | 
 
 
 def code_of(source: SourceFileLoader) -> CodeType:
-    """The compiled code of a source file, through Python's own cache of compiled files."""
+    """Return the compiled code of a source file, through Python's own cache of compiled files."""
     code = source.get_code(source.name)
     assert code is not None
     return code

@@ -28,17 +28,17 @@ LIBRARIES = tuple(
 
 
 def is_engine(filename: str) -> bool:
-    """Whether it is a file of edulaunch, or no file at all."""
+    """Return whether it is a file of edulaunch, or no file at all."""
     return filename.startswith((ENGINE, '<frozen', '<interface '))
 
 
 def is_library(filename: str) -> bool:
-    """Whether it belongs to Python or to a package that was installed for it; a student writes neither."""
+    """Return whether it belongs to Python or to a package that was installed for it; a student writes neither."""
     return filename.startswith(LIBRARIES) and not is_engine(filename)
 
 
 def is_own(filename: str) -> bool:
-    """Whether the student wrote it."""
+    """Return whether the student wrote it."""
     return not filename.startswith(('<frozen', '<interface ', ENGINE, *LIBRARIES))
 
 
@@ -67,7 +67,7 @@ def waiting_line(task: Task) -> dict[str, Any]:
 
 
 def coroutine_line(coroutine: Any) -> dict[str, Any]:
-    """Where a coroutine waits, in the same form."""
+    """Return where a coroutine waits, in the same form."""
     line: dict[str, Any] = {}
     while (frame := getattr(coroutine, 'cr_frame', None)) is not None:
         if is_own(frame.f_code.co_filename):

@@ -107,7 +107,7 @@ class Host:
         return RealLook(self)
 
     def overlay(self, index: Index) -> Overlay:
-        """What the workspaces of an index add to the underlay."""
+        """Return what the workspaces of an index add to the underlay."""
         for known, overlay in self._overlays:
             if known is index:
                 return overlay
@@ -116,7 +116,7 @@ class Host:
         return overlay
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """What the parameter file at `path` says: one that launch generated, or any other.
+        """Return what the parameter file at `path` says: one that launch generated, or any other.
 
         :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
         """
@@ -153,7 +153,7 @@ class Host:
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
-        """The program of this machine whose code runs now; what it starts finds the packages that it finds."""
+        """Return the program of this machine whose code runs now; what it starts finds the packages that it finds."""
         task = running_task()
         owner = None if task is None else task.owner
         return owner if isinstance(owner, Process) and owner.host is self else None
@@ -218,11 +218,11 @@ class Host:
         process.lifecycle.task.start()
 
     def knows(self, spec: ProcessSpec) -> bool:
-        """Whether the command runs in the simulation."""
+        """Return whether the command runs in the simulation."""
         return self.known_command(spec) is not None
 
     def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
-        """The command of a spec, if the simulation runs it.
+        """Return the command of a spec, if the simulation runs it.
 
         :param index: the packages among which it is looked for, if not those of the program whose code runs.
         """

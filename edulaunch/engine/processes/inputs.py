@@ -40,7 +40,7 @@ class Input:
         self._text = text
 
     def has_ended(self) -> bool:
-        """Whether no more text will come."""
+        """Return whether no more text will come."""
         return True
 
     def take_more(self, deadline_ns: int | None) -> bool:
@@ -51,7 +51,7 @@ class Input:
         """Add what has come already, without waiting."""
 
     def is_ready(self) -> bool:
-        """Whether reading would not have to wait."""
+        """Return whether reading would not have to wait."""
         self.take_due()
         return bool(self._text) or (self.has_ended() and not self.by_key)
 
@@ -110,7 +110,7 @@ class Input:
         return self._cut(len(self._text) if size < 0 else size)
 
     def read1(self, size: int) -> str:
-        """What is there, at most `size` characters; waits when nothing is."""
+        """Return what is there, at most `size` characters; waits when nothing is."""
         self._fill(1)
         return self._cut(size)
 
@@ -121,7 +121,7 @@ class Input:
         return self._cut(end if size < 0 else min(size, end))
 
     def readlines(self, hint: int = -1, /) -> list[str]:
-        """All lines until the end."""
+        """Return all lines until the end."""
         return list(self)
 
     def __iter__(self) -> Iterator[str]:
@@ -139,11 +139,11 @@ class Input:
         return BytesInput(self)
 
     def isatty(self) -> bool:
-        """A launched program reads no terminal."""
+        """Return a launched program reads no terminal."""
         return False
 
     def fileno(self) -> int:
-        """The number that it has in every program."""
+        """Return the number that it has in every program."""
         return 0
 
     def readable(self) -> bool:

@@ -60,7 +60,7 @@ class Lifecycle:
         self.task.add_done_callback(self._end_unbegun)
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """A further task of the program. The program does not end before its threads do, unless they are daemons.
+        """Return a further task of the program. The program does not end before its threads do, unless they are daemons.
 
         :param at_once: let it run up to where it first waits, before this returns.
         """
@@ -133,7 +133,7 @@ class Lifecycle:
             return 1
 
     def _exit_code(self, value: object) -> int:
-        """The exit status that `sys.exit(value)` gives: None is 0, a number itself, anything else is printed and 1."""
+        """Return the exit status that `sys.exit(value)` gives: None is 0, a number itself, anything else is printed and 1."""
         if value is None:
             return 0
         if isinstance(value, int):

@@ -108,7 +108,7 @@ class Loader:
         return module
 
     def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
-        """The compiled code of a file; copies of a program share it until the file changes."""
+        """Return the compiled code of a file; copies of a program share it until the file changes."""
         compiled, now = self._compiled, os.stat(path)
         stamp = (now.st_mtime_ns, now.st_size)
         known = compiled.get(path)
@@ -117,7 +117,7 @@ class Loader:
         return known[1]
 
     def load_entry_module(self, name: str) -> ModuleType:
-        """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
+        """Return the module of an entry point. One of the underlay is executed privately too, its package is shared."""
         self.finder.own = name.partition('.')[0]
         if self.finder.last:
             return self.import_module(name)
@@ -135,7 +135,7 @@ class Loader:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """What `import` statements of this program call."""
+        """Return what `import` statements of this program call."""
         if level:
             name = absolute_name(name, globals or {}, level)
         top = name.partition('.')[0]
@@ -191,7 +191,7 @@ class Loader:
         return made
 
     def is_private(self, top: str) -> bool:
-        """Whether a top-level name is this program's own module (or a view)."""
+        """Return whether a top-level name is this program's own module (or a view)."""
         return (
             top in self.modules
             or top in PRIVATE_COPIES
@@ -249,7 +249,7 @@ class Loader:
         return interfaces
 
     def _interfaces_of_the_underlay(self, name: str) -> ModuleType | None:
-        """A student's copy of a package such as turtlesim may have modules; its interfaces are the underlay's."""
+        """Return a student's copy of a package such as turtlesim may have modules; its interfaces are the underlay's."""
         if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
             return None
         try:
@@ -276,7 +276,7 @@ class Loader:
         return view
 
     def _is_hidden(self, top: str) -> bool:
-        """Whether a file of the program, such as a `queue.py` beside the script, comes before the standard module."""
+        """Return whether a file of the program, such as a `queue.py` beside the script, comes before the standard module."""
         return top in VIEWS and top not in LOADED_FIRST and self.finder.first_match(top) is not None
 
     def load_file(self, name: str, found: Found) -> ModuleType:
@@ -325,7 +325,7 @@ class Loader:
 
 
 def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
-    """The full name of a relative import.
+    """Return the full name of a relative import.
 
     :raises ImportError: with Python's messages, outside any package or above the topmost one.
     """

@@ -96,7 +96,7 @@ class Process:
         return self._loader
 
     def has_imported(self, package: str) -> bool:
-        """Whether this program imported a package that all programs share. Another program's import does not count."""
+        """Return whether this program imported a package that all programs share. Another program's import does not count."""
         return package in self.loader.shared
 
     @property
@@ -105,7 +105,7 @@ class Process:
         return self.host.overlay(self.index)
 
     def path(self, path: str) -> str:
-        """A path as the program means it: a relative one begins in the folder where the program runs."""
+        """Return a path as the program means it: a relative one begins in the folder where the program runs."""
         return path if self.cwd is None else os.path.join(self.cwd, path) if path else self.cwd
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:

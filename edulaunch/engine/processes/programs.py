@@ -35,7 +35,7 @@ def run_program(process: Process, program: Program) -> object:
 
 
 def _cannot_run(program: Program) -> OSError:
-    """What the system says of a file that is not there or is for another machine, and why."""
+    """Return what the system says of a file that is not there or is for another machine, and why."""
     absent = program.kind == 'absent'
     number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
     error = OSError(number, os.strerror(number), name)
@@ -45,7 +45,7 @@ def _cannot_run(program: Program) -> OSError:
 
 
 def entry_function(process: Process, program: Program) -> Callable[[], object]:
-    """The function of an entry point.
+    """Return the function of an entry point.
 
     :raises ModuleNotFoundError, AttributeError: with Python's message; if the entry point names something that does not exist,
         the facts have its place and the nearest name.
@@ -90,7 +90,7 @@ _FLAGS_WITH_VALUE = frozenset(('-W', '-X'))
 
 
 def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -> tuple[list[str], Program] | None:
-    """What the program sees of the words, and the program; None for any other command.
+    """Return what the program sees of the words, and the program; None for any other command.
 
     :param cwd: the folder in which the command is started.
     :param modules: top-level modules of the workspaces; with `-m` any other module is left to a real Python.
@@ -114,7 +114,7 @@ def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -
 
 
 def _script(words: list[str], folder: str, needs_mark: bool) -> tuple[list[str], Program] | None:
-    """A Python file; one that is started by itself must say so in its first line."""
+    """Return a Python file; one that is started by itself must say so in its first line."""
     path = os.path.normpath(os.path.join(folder, os.path.expanduser(words[0]))) if words else ''
     if not path.endswith('.py') or not os.path.isfile(path) or (needs_mark and not _is_marked(path)):
         return None

@@ -179,7 +179,7 @@ def _terminal() -> tuple[int, int]:
 
 
 def _chunk(reader: int) -> bytes:
-    """What comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
+    """Return what comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
     try:
         return os.read(reader, CHUNK)
     except OSError as error:
@@ -205,7 +205,7 @@ class RealInput(Input):
         self._decoder = getincrementaldecoder('utf-8')('replace')
 
     def isatty(self) -> bool:
-        """Whether it is a terminal."""
+        """Return whether it is a terminal."""
         return bool(self._file.isatty())
 
     def change_mode(self, process: Process, flags: int) -> None:

@@ -92,7 +92,7 @@ def note_use(process: Noting, what: str) -> None:
 
 
 def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """The function, whose use by the student's own code is noted."""
+    """Return the function, whose use by the student's own code is noted."""
 
     def call(*arguments: Any, **options: Any) -> Any:
         if _library_between(VIEWS) is not None:
@@ -119,7 +119,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
 
 
 def _library_between(views: str) -> str | None:
-    """The library through which the student's code came here ('' for none); None when it was not the student's code.
+    """Return the library through which the student's code came here ('' for none); None when it was not the student's code.
 
     :param views: a folder of modules that only hand on what is asked of them.
     """
@@ -160,7 +160,7 @@ def machine_roots() -> list[list[str]]:
 
 
 def with_real_paths(roots: Iterable[tuple[str, str]]) -> Iterator[list[str]]:
-    """The roots, each followed by what it is when links are followed; without the folders of the system."""
+    """Yield the roots, each followed by what it is when links are followed; without the folders of the system."""
     for path, name in roots:
         for place in dict.fromkeys((path, os.path.realpath(path))):
             if place not in SYSTEM:

@@ -54,7 +54,7 @@ class OutputStream:
         """Nothing is held back."""
 
     def isatty(self) -> bool:
-        """A launched program writes to a pipe; one that was started in a terminal, to that."""
+        """Return a launched program writes to a pipe; one that was started in a terminal, to that."""
         return self.is_terminal
 
     @property
@@ -74,7 +74,7 @@ class OutputStream:
         return False
 
     def fileno(self) -> int:
-        """The number that the stream has in every program."""
+        """Return the number that the stream has in every program."""
         return 1 if self._stream == 'stdout' else 2
 
 
@@ -144,7 +144,7 @@ class Addresses:
         self._count = 0
 
     def steady(self, text: str) -> str:
-        """The text with its addresses numbered; what has been numbered already stays as it is."""
+        """Return the text with its addresses numbered; what has been numbered already stays as it is."""
         return _ADDRESS.sub(lambda found: self._number(found[0]), text)
 
     def _number(self, address: str) -> str:

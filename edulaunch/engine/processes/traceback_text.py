@@ -55,7 +55,7 @@ def _names_of(error: Any) -> list[str]:
 
 
 def _name_in_reach(error: NameError) -> str | None:
-    """The nearest variable where the error arose, or the attribute of `self` that has the very name."""
+    """Return the nearest variable where the error arose, or the attribute of `self` that has the very name."""
     trace = error.__traceback__
     if trace is None or not error.name:
         return None
@@ -72,7 +72,7 @@ def _attributes(student: Any) -> set[str]:
 
 
 def _nearest(wrong: str, names: list[str]) -> str | None:
-    """The name with the least changes, if these are few: at most a third of the letters of both."""
+    """Return the name with the least changes, if these are few: at most a third of the letters of both."""
     if len(names) > MOST_NAMES or len(wrong) > LONGEST_NAME:
         return None
     best, least = None, len(wrong)
@@ -86,7 +86,7 @@ def _nearest(wrong: str, names: list[str]) -> str | None:
 
 
 def _changes(one: str, other: str) -> int:
-    """What it costs to make one word of the other."""
+    """Return what it costs to make one word of the other."""
     row = list(range(0, STEP * len(other) + 1, STEP))
     for letter in one:
         diagonal, row[0] = row[0], row[0] + STEP
@@ -102,14 +102,14 @@ MOST = 15
 
 
 def members_of(error: BaseException) -> tuple[BaseException, ...]:
-    """The members of an exception group, which Python has from 3.11 on; none of any other error."""
+    """Return the members of an exception group, which Python has from 3.11 on; none of any other error."""
     members = getattr(error, 'exceptions', ())
     is_group = isinstance(members, tuple) and hasattr(error, 'derive') and hasattr(error, 'split')
     return members if is_group else ()
 
 
 def within(text: str, depth: int, corner: str = '|') -> str:
-    """The text inside `depth` frames; its first line begins with the `corner` of a new one."""
+    """Return the text inside `depth` frames; its first line begins with the `corner` of a new one."""
     if not depth:
         return text
     indent = '  ' * depth
@@ -118,7 +118,7 @@ def within(text: str, depth: int, corner: str = '|') -> str:
 
 
 def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseException, int], Iterator[str]]) -> Iterator[str]:
-    """The members one below the other in a frame of their own.
+    """Yield the members one below the other in a frame of their own.
 
     :param depth: how many frames are around the group, its own among them.
     :param tell: returns the message of one member, inside this many frames.
@@ -144,7 +144,7 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 
 
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
-    """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
+    """Return the text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     If no other frame is left, all frames stay: then the mistake is in edulaunch, and hiding it would not help. There are three
     exceptions: the error carries facts, it is one of rclpy's own, or a built-in program ended by Ctrl-C. Then edulaunch has
@@ -163,7 +163,7 @@ def _place(error: BaseException) -> Origin | None:
 
 
 def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> Iterator[str]:
-    """The error after the one that it was raised from or that was being handled, if that came about in the student's code.
+    """Yield the error after the one that it was raised from or that was being handled, if that came about in the student's code.
 
     :param depth: how many frames of exception groups are around it.
     """
@@ -187,7 +187,7 @@ def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> I
 
 
 def _one(error: BaseException) -> Iterator[str]:
-    """One error without those before it."""
+    """Yield the lines of one error, without the errors that caused it."""
     own = _own(error)
     knowingly = bool(facts_of(error)) or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
     explained = knowingly or _unread_file(error) is not None
@@ -219,7 +219,7 @@ def _unread_file(error: BaseException) -> str | None:
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """The text about a program that was stopped because it kept its turn, and where it was.
+    """Return the text about a program that was stopped because it kept its turn, and where it was.
 
     :param program: its launch name.
     """

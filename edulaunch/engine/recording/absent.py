@@ -18,7 +18,7 @@ class NothingToDraw(EdulaunchError, ValueError):
 
 
 def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
-    """The error for a name that is not there: what there is, and which one was probably meant.
+    """Return the error for a name that is not there: what there is, and which one was probably meant.
 
     :param text: what is not there, in words that end with the name.
     """

@@ -30,12 +30,12 @@ minutes of ten turtles are 4 million values.
 
 
 def encode(content: dict[str, Any]) -> bytes:
-    """The bytes of a recording's content."""
+    """Return the bytes of a recording's content."""
     return b''.join(lines_of(content))
 
 
 def lines_of(content: dict[str, Any]) -> Iterator[bytes]:
-    """The same, line by line: a long run need not be in memory twice to be written."""
+    """Yield the same, line by line: a long run need not be in memory twice to be written."""
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
     yield from (_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part))
@@ -78,7 +78,7 @@ def refuse_huge(data: bytes, name: str) -> None:
 
 
 def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
-    """The content of a recording file.
+    """Return the content of a recording file.
 
     :raises RecordingError: when it is not a recording, has another version, or is damaged.
     """

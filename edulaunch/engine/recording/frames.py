@@ -15,7 +15,7 @@ TOPICS = (('/tf_static', True), ('/tf', False))
 
 
 def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
-    """All transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
+    """Yield all transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
 
     Messages are not built: a run has thousands.
     """
@@ -58,7 +58,7 @@ class FrameLink(NamedTuple):
 
 
 def frame_links(recording: Messages) -> dict[str, FrameLink]:
-    """The links of the tf tree over the whole run, by child frame in order of first appearance."""
+    """Return the links of the tf tree over the whole run, by child frame in order of first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

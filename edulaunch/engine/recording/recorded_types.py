@@ -52,7 +52,7 @@ class RecordedTypes(TextRegistry):
         return made  # type: ignore[no-any-return]
 
     def _reader(self, field: Field) -> Read:
-        """What takes the field's values off the wire and gives the field as its reader sees it."""
+        """Return what takes the field's values off the wire and gives the field as its reader sees it."""
         kind = field.type.kind
         if kind is None:
             one = self.get(field.type.base).from_wire
@@ -79,7 +79,7 @@ class RecordedMessage(Message):
     """A message as it was recorded."""
 
     def to_wire(self) -> Any:
-        """The wire that it was read from."""
+        """Return the wire that it was read from."""
         return self.__dict__['_wire']
 
     def __eq__(self, other: object) -> bool:

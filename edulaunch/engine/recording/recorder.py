@@ -78,14 +78,14 @@ class Recorder(Tracer):
             self._duration_ns = self._now()
 
     def recording(self) -> Recording:
-        """What has been collected, as a Recording. Stops first."""
+        """Return what has been collected, as a Recording. Stops first."""
         from edulaunch.engine.recording.recording import Recording
 
         self.stop()
         return Recording(self.content(), self.lines)
 
     def content(self) -> dict[str, Any]:
-        """The recording as plain data, in a fixed order."""
+        """Return the recording as plain data, in a fixed order."""
         start = self.sim.start_ns
         end = start + self._duration_ns
         topics = [_column(topic, kind, flat, start, end) for (topic, kind), flat in sorted(self.columns.items())]
@@ -111,11 +111,11 @@ class Recorder(Tracer):
         }
 
     def facts_now(self) -> list[list[Any]]:
-        """The facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
+        """Return the facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
         return sorted((row for _, row in self.facts_of()), key=lambda row: row[0])
 
     def facts_of(self) -> Iterator[tuple[int, list[Any]]]:
-        """The same, each with the process id of its program."""
+        """Yield the same, each with the process id of its program."""
         yield from ((key[0].pid, row) for key, row in self.facts.items())
         now = self._now()
         for node, look in self.looks.items():
@@ -123,7 +123,7 @@ class Recorder(Tracer):
                 yield node.process.pid, [now, node.process.name, kind, data, 1, now]
 
     def leads(self, pid: int) -> bool:
-        """Whether a terminal or a session started a program, and no other program did."""
+        """Return whether a terminal or a session started a program, and no other program did."""
         return self.groups.get(pid) == pid
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
@@ -135,7 +135,7 @@ class Recorder(Tracer):
         return texts_of(self.overlay.registry, used)
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """One list per topic and type; publishing extends it by the three entries of a record.
+        """Return one list per topic and type; publishing extends it by the three entries of a record.
 
         Flat, because a list of a million records would keep the garbage collector busy, and take three times the memory.
         """
@@ -183,13 +183,13 @@ class Recorder(Tracer):
         self._numbers[name] = kept
 
     def numbers(self, name: str) -> Sequence[int]:
-        """The place of each row of a part among all that there ever were."""
+        """Return the place of each row of a part among all that there ever were."""
         kept, gone = self._numbers.get(name, ()), self.forgotten.get(name, 0)
         later = range(gone + len(kept), gone + len(getattr(self, name)))
         return [*kept, *later] if kept else later
 
     def publication_count(self) -> int:
-        """How many messages have been published so far."""
+        """Return how many messages have been published so far."""
         return sum(map(len, self.columns.values())) // 3
 
     def node_added(self, node: NodeEntry) -> None:
@@ -320,7 +320,7 @@ class Recorder(Tracer):
 
 
 def _column(topic: str, kind: str, flat: list[Any], start_ns: int, end_ns: int) -> dict[str, Any]:
-    """The record of one topic up to `end_ns`, from (time, publisher, message, time, publisher, message ...)."""
+    """Return the record of one topic up to `end_ns`, from (time, publisher, message, time, publisher, message ...)."""
     times = flat[::3]
     count = bisect_right(times, end_ns)
     return {

@@ -90,7 +90,7 @@ class Recording(Messages, Views):
 
     @classmethod
     def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
-        """A recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
+        """Return a recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
         recording = cls(file_format.decode(data, name))
         recording._unread = name
         return recording

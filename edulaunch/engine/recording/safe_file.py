@@ -52,7 +52,7 @@ def remove_drafts(path: str | os.PathLike[str]) -> None:
 
 
 def _stem(target: str) -> str:
-    """How the names of all drafts of a file begin. File systems take names of 255 bytes."""
+    """Return how the names of all drafts of a file begin. File systems take names of 255 bytes."""
     folder, name = os.path.split(target)
     return os.path.join(folder, f'.{os.fsdecode(os.fsencode(name)[:200])}.')
 

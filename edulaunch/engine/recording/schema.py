@@ -10,7 +10,7 @@ FAR = 1 << 63
 
 
 def text(value: Any) -> bool:
-    """A string."""
+    """Return a string."""
     return type(value) is str
 
 
@@ -20,34 +20,34 @@ def number(value: Any) -> bool:
 
 
 def quantity(value: Any) -> bool:
-    """A number, whole or not."""
+    """Return a number, whole or not."""
     return type(value) in (int, float)
 
 
 def maybe(check: Check) -> Check:
-    """What passes the check, or None."""
+    """Return what passes the check, or None."""
     return lambda value: value is None or check(value)
 
 
 def each(check: Check) -> Check:
-    """A list of what passes the check."""
+    """Return a list of what passes the check."""
     return lambda value: type(value) is list and all(map(check, value))
 
 
 def row(*checks: Check) -> Check:
-    """A list of as many entries as there are checks."""
+    """Return a list of as many entries as there are checks."""
     return lambda value: (
         type(value) is list and len(value) == len(checks) and all(check(item) for check, item in zip(checks, value, strict=True))
     )
 
 
 def table(check: Check) -> Check:
-    """A mapping of names to what passes the check."""
+    """Return a mapping of names to what passes the check."""
     return lambda value: type(value) is dict and all(map(check, value.values()))
 
 
 def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -> Check:
-    """A mapping with these keys and no others."""
+    """Return a mapping with these keys and no others."""
     known = {**needed, **(optional or {})}
     return lambda value: (
         type(value) is dict and needed.keys() <= value.keys() <= known.keys() and all(known[key](value[key]) for key in value)
@@ -55,7 +55,7 @@ def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -
 
 
 def wire(value: Any) -> bool:
-    """The values of a message; whether they fit its type is looked at when they are read (`wire_check`)."""
+    """Return the values of a message; whether they fit its type is looked at when they are read (`wire_check`)."""
     return type(value) is list
 
 
@@ -75,7 +75,7 @@ def fact(value: Any) -> bool:
 
 
 def root(value: Any) -> bool:
-    """A folder and the short name that stands for it in a digest."""
+    """Return a folder and the short name that stands for it in a digest."""
     return row(text, text)(value) and value[1].startswith('@') and len(value[1]) <= 40
 
 

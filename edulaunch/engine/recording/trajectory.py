@@ -21,7 +21,7 @@ class Trajectory(NamedTuple):
 
 
 def moving_things(recording: Messages) -> dict[str, str]:
-    """The turtles and robots of a recording: name to topic, turtles first ('turtle1', '/turtlesim2/turtle1', '/odom')."""
+    """Return the turtles and robots of a recording: name to topic, turtles first ('turtle1', '/turtlesim2/turtle1', '/odom')."""
     found = {}
     for topic in recording.topics.values():
         if topic.type == POSE and topic.publishers and topic.name.endswith('/pose'):

@@ -27,7 +27,7 @@ class WireChecks:
         self._open: list[str] = []
 
     def entries(self, type_name: str) -> list[Check]:
-        """What looks at each value of a message, nested messages laid flat.
+        """Return what looks at each value of a message, nested messages laid flat.
 
         :raises InterfaceError: when there is no such message type, it contains itself, or has more than MOST_VALUES values.
         """
@@ -61,7 +61,7 @@ class WireChecks:
         return found
 
     def check(self, type_name: str) -> Check:
-        """Whether a value is the wire of a message of that type. Raises as :meth:`entries`."""
+        """Return whether a value is the wire of a message of that type. Raises as :meth:`entries`."""
         checks = self.entries(type_name)
 
         def fits(value: Any) -> bool:

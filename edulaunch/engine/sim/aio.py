@@ -83,5 +83,5 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
 
 
 def new_event_loop() -> asyncio.AbstractEventLoop:
-    """A loop for the running task's simulation."""
+    """Return a loop for the running task's simulation."""
     return SimulatedEventLoop(current_task())

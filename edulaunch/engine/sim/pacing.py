@@ -150,6 +150,6 @@ class RealTime:
         return 1.0 if self._is_wall else self._speed
 
     def _due_ns(self) -> int:
-        """The simulated time that belongs to the present real time."""
+        """Return the simulated time that belongs to the present real time."""
         began_ns, began_s = self._began
         return began_ns + round((self._clock() - began_s) * 1e9 * self._pace)

@@ -87,7 +87,7 @@ class Parking:
             raise TaskKilled
 
     def waits_for_ever(self) -> bool:
-        """Whether it is parked, and only a :meth:`wake` can end that."""
+        """Return whether it is parked, and only a :meth:`wake` can end that."""
         return self._parked and self._timer is None and not self._woken
 
     def _set_timer(self, deadline_ns: int | None) -> None:

@@ -40,7 +40,7 @@ class RealThreads:
         sim.keep_up = self.now_ns
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        """Return whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
         return self.are_here() or (self._keeps_time and due_ns is not None)
 
     def let_begin(self) -> None:
@@ -58,7 +58,7 @@ class RealThreads:
         self._threads.append(thread)
 
     def are_here(self) -> bool:
-        """Whether any of them still runs."""
+        """Return whether any of them still runs."""
         self._threads = [thread for thread in self._threads if thread.is_alive()]
         return bool(self._threads)
 

@@ -148,7 +148,7 @@ class Simulation:
         self.now_ns += by_ns
 
     def random(self, name: str) -> random.Random:
-        """A random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
+        """Return a random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
         import random
 
         return random.Random(f'{self.seed}/{name}')

@@ -179,7 +179,7 @@ class Event:
         self._waiters: deque[Task] = deque()
 
     def is_set(self) -> bool:
-        """Whether the event has happened."""
+        """Return whether the event has happened."""
         return self._flag
 
     def set(self) -> None:

@@ -113,10 +113,10 @@ class ThreadsBeside(Protocol):
         """Make simulated time real time from now on."""
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        """Return whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
 
     def await_turn(self, due_ns: int | None) -> bool:
-        """Whether it is time for what is due at `due_ns`; if not, wait a moment."""
+        """Return whether it is time for what is due at `due_ns`; if not, wait a moment."""
 
     def let_begin(self) -> None:
         """Let threads that were started just now come in."""
@@ -181,12 +181,12 @@ class _TaskGreenlet(greenlet):  # type: ignore[misc]
 
 
 def running_task() -> Task | None:
-    """The task whose code runs now, or None on the hub and outside any simulation."""
+    """Return the task whose code runs now, or None on the hub and outside any simulation."""
     return getattr(getcurrent(), 'task', None)
 
 
 def current_task() -> Task:
-    """The task whose code runs now; outside any task the ambient one of this thread, made at first use."""
+    """Return the task whose code runs now; outside any task the ambient one of this thread, made at first use."""
     current = getcurrent()
     try:
         task: Task = current.task
@@ -214,7 +214,7 @@ def task_around(frame: FrameType | None) -> Task | None:
 
 
 def _main_greenlet() -> Any:
-    """What runs the main thread outside any task; None when this module was not imported there."""
+    """Return what runs the main thread outside any task; None when this module was not imported there."""
     if threading.current_thread() is not threading.main_thread():
         return None
     found = getcurrent()

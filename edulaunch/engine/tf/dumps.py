@@ -26,7 +26,7 @@ def rate(history: History) -> float:
 
 
 def all_frames_as_string(frames: Mapping[str, History | None]) -> str:
-    """One line for each frame that has or had a parent."""
+    """Return one line for each frame that has or had a parent."""
     return ''.join(
         f'Frame {name} exists with parent {history.parents[-1] if history.stamps else "NO_PARENT"}.\n'
         for name, history in frames.items()
@@ -35,7 +35,7 @@ def all_frames_as_string(frames: Mapping[str, History | None]) -> str:
 
 
 def all_frames_as_yaml(frames: Mapping[str, History | None]) -> str:
-    """The text that `view_frames` reads: parent, broadcaster, rate and span of each child frame."""
+    """Return the text that `view_frames` reads: parent, broadcaster, rate and span of each child frame."""
     if not frames:
         return '[]'
     return ''.join(_yaml_block(name, history) for name, history in _with_data(frames))
@@ -60,7 +60,7 @@ def _yaml_block(name: str, history: History) -> str:
 
 
 def all_frames_as_dot(frames: Mapping[str, History | None], now_ns: int = 0) -> str:
-    """A graphviz graph; with `now_ns` also the age of each newest sample, and a legend at each root."""
+    """Return a graphviz graph; with `now_ns` also the age of each newest sample, and a legend at each root."""
     if not frames:
         return 'digraph G {\n"no tf data received"}'
     edges = [_dot_edge(name, history, now_ns) for name, history in _with_data(frames)]

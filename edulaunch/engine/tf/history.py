@@ -91,7 +91,7 @@ class History:
         self.parents.insert(place, parent)
 
     def pose_at(self, time_ns: int) -> Transform | None:
-        """The pose at a time, 0 being the newest; None when it would have to be extrapolated. See :func:`poses_at`."""
+        """Return the pose at a time, 0 being the newest; None when it would have to be extrapolated. See :func:`poses_at`."""
         found = poses_at((self,), time_ns) if self.stamps else None
         return found[0] if found else None
 
@@ -110,7 +110,7 @@ class History:
 
 
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
-    """The pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
+    """Return the pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
 
     Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at the
     oldest stamp, where the first one counts (as in tf2). The loop has no function call for each frame, because lookups in the

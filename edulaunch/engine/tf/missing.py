@@ -6,7 +6,7 @@ from edulaunch.engine.tf.buffer import TransformBuffer
 
 
 def explain_missing(buffer: TransformBuffer, name: str) -> str | None:
-    """One line of help about a frame that a lookup did not find; None when the buffer knows it.
+    """Return one line of help about a frame that a lookup did not find; None when the buffer knows it.
 
     Names the nearest frames, or says that nothing has been received at all.
     """

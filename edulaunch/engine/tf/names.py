@@ -30,7 +30,7 @@ def check_names(frames: Container[str], *names: str) -> None:
 
 
 def problem(frames: Container[str], *names: str) -> str:
-    """What canTransform says about its arguments; empty when all of them are known frames."""
+    """Return what canTransform says about its arguments; empty when all of them are known frames."""
     for name, argument in zip(names, ARGUMENTS, strict=False):
         if name not in frames:
             rule = _broken_rule(name) or 'frame does not exist'

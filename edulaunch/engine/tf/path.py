@@ -28,7 +28,7 @@ class Path:
         self._stamps = [history.stamps for history in self.dynamic]
 
     def latest_common_time(self) -> int:
-        """The oldest of the newest stamps; 0 when all is static."""
+        """Return the oldest of the newest stamps; 0 when all is static."""
         latest = 0
         for stamps in self._stamps:
             newest = stamps[-1]

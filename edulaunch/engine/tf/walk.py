@@ -42,7 +42,7 @@ def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int
 
 
 def latest_common_time(frames: Histories, target: str, source: str) -> int:
-    """The newest time at which every frame between the two has data; 0 when all of it is static.
+    """Return the newest time at which every frame between the two has data; 0 when all of it is static.
 
     :raises TransformFailure: the frames are not connected, or run in a loop.
     """
@@ -67,7 +67,7 @@ def latest_common_time(frames: Histories, target: str, source: str) -> int:
 
 
 def chain(frames: Histories, target: str, source: str, time_ns: int) -> list[str]:
-    """The frames from `source` over the first common ancestor to `target`, both included.
+    """Return the frames from `source` over the first common ancestor to `target`, both included.
 
     :raises TransformFailure: there is no such chain at `time_ns`.
     """

@@ -92,7 +92,7 @@ class DrawingLayer:
         self._newest = None
 
     def trace(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> Color:
-        """What a turtle does on its way: read the colour where it arrives (on the canvas), then draw the line to there.
+        """Return what a turtle does on its way: read the colour where it arrives (on the canvas), then draw the line to there.
 
         A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, nothing changes, and the
         colour there is the pen's. (This makes the large project 15 % faster.)
@@ -109,7 +109,7 @@ class DrawingLayer:
         return color
 
     def color_at(self, x: float, y: float) -> Color:
-        """The colour of the pixel nearest to (x, y) metres (y downward); white outside the canvas."""
+        """Return the colour of the pixel nearest to (x, y) metres (y downward); white outside the canvas."""
         pixels = self._pixels
         x = x * METRE_PX + 0.5
         y = y * METRE_PX + 0.5
@@ -186,7 +186,7 @@ def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
 
 
 def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:
-    """The part of a line (pixels) on the canvas or so near that a broad pen reaches over, or None.
+    """Return the part of a line (pixels) on the canvas or so near that a broad pen reaches over, or None.
 
     A line from or to nowhere (infinity, nan) has none.
     """

@@ -94,7 +94,7 @@ class Conversation:
     # -- what the client hears
 
     def turn(self) -> list[Message]:
-        """What has happened since the last turn."""
+        """Return what has happened since the last turn."""
         self._renew()
         told = self._feed.advance()
         data = self._data()  # before a topic goes
@@ -174,7 +174,7 @@ class Conversation:
         return {'id': self._number, 'name': service.name, 'type': service.type, **parts}
 
     def _data(self) -> list[bytes]:
-        """The messages of subscribed topics since the last turn. Of too many the oldest are left out."""
+        """Return the messages of subscribed topics since the last turn. Of too many the oldest are left out."""
         told: list[bytes] = []
         left = MOST_BYTES
         for number, (channel, key) in self._subscribed.items():
@@ -332,7 +332,7 @@ class Conversation:
 
 
 def _schema(registry: Any, type_name: str) -> str | None:
-    """The text of a type and of all types in it. None for an unknown type."""
+    """Return the text of a type and of all types in it. None for an unknown type."""
     try:
         return definition(registry, type_name)
     except (InterfaceError, AssertionError):

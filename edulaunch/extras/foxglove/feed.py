@@ -38,40 +38,40 @@ class Feed(Protocol):
     capabilities: tuple[str, ...]
 
     def session(self) -> str:
-        """A string that changes when a new session begins."""
+        """Return a string that changes when a new session begins."""
 
     def details(self) -> dict[str, Any]:
-        """What the server's first message says besides."""
+        """Return what the server's first message says besides."""
 
     def advance(self) -> list[bytes]:
         """Time passes; returns what a client has to know about how it passes."""
 
     def now_ns(self) -> int:
-        """The time of now, in ns since 1970."""
+        """Return the time of now, in ns since 1970."""
 
     def version(self) -> object:
         """Another value whenever topics, services or the graph may have changed."""
 
     def topics(self) -> Sequence[Topic]:
-        """What is published now."""
+        """Return what is published now."""
 
     def services(self) -> Sequence[Topic]:
-        """What is served now."""
+        """Return what is served now."""
 
     def graph(self) -> Graph:
-        """Who publishes, subscribes and serves: nodes by name under 'published', 'subscribed' and 'served'."""
+        """Return who publishes, subscribes and serves: nodes by name under 'published', 'subscribed' and 'served'."""
 
     def end(self, key: Key) -> int:
-        """The place of the next message of a topic."""
+        """Return the place of the next message of a topic."""
 
     def kept(self, key: Key) -> list[Row]:
-        """The messages for a late subscriber: the last ones of a latched topic."""
+        """Return the messages for a late subscriber: the last ones of a latched topic."""
 
     def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:
         """At most the last `most` messages since a place, the place of the next one, and how many are missing."""
 
     def parameters(self) -> dict[str, Any]:
-        """The values of now, by '/node.parameter'."""
+        """Return the values of now, by '/node.parameter'."""
 
     def parameter_version(self) -> object:
         """Another value whenever a parameter may have changed."""
@@ -83,7 +83,7 @@ class Feed(Protocol):
         """
 
     def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
-        """A new publisher. Returns what publishes CDR bytes, which raises Refused for bytes of another type.
+        """Return a new publisher. Returns what publishes CDR bytes, which raises Refused for bytes of another type.
 
         :raises Refused: when that is not possible.
         """

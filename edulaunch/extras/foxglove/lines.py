@@ -21,7 +21,7 @@ END = _HEADER.pack(_LAST, 0)
 
 
 def packed(message: Message) -> bytes:
-    """A message as it goes from the machine's process to the server's."""
+    """Return a message as it goes from the machine's process to the server's."""
     data = message.encode() if isinstance(message, str) else message
     return _HEADER.pack(TEXT if isinstance(message, str) else BYTES, len(data)) + data
 

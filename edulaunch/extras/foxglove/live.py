@@ -64,7 +64,7 @@ class LiveFeed:
         return self._session.sim.now_ns
 
     def advance(self) -> list[bytes]:
-        """The machine has its own clock. This gives up requests that got no answer."""
+        """Return the machine has its own clock. This gives up requests that got no answer."""
         late = [call for call, (until_ns, _) in self._calls.items() if until_ns < self.now_ns()]
         for call in late:
             _, answer = self._calls.pop(call)
@@ -141,7 +141,7 @@ class LiveFeed:
             publisher.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """The class of a message type: of an endpoint that uses it, or of the machine."""
+        """Return the class of a message type: of an endpoint that uses it, or of the machine."""
         for node in self._graph.nodes:
             for end in node.endpoints:
                 if end.type_name == type_name and hasattr(end.cls, 'from_wire'):
@@ -241,7 +241,7 @@ class LiveFeed:
 
 
 def _known(table: dict[str, list[Any]]) -> list[Topic]:
-    """The names of a table of the graph with each of their known types."""
+    """Return the names of a table of the graph with each of their known types."""
     found: dict[Key, Topic] = {}
     for name, ends in table.items():
         for end in ends:
@@ -260,7 +260,7 @@ def _decoded(cls: Any, data: bytes, what: str) -> Any:
 
 
 def _typed(name: str, value: Value, kind: str | None, current: Any) -> dict[str, Any]:
-    """The fields of a ParameterValue. In JSON, 2 can also mean 2.0. So the present type counts."""
+    """Return the fields of a ParameterValue. In JSON, 2 can also mean 2.0. So the present type counts."""
     if kind == 'byte_array':
         raise Refused(f'{name}: byte arrays cannot be set')
     was = type_of_value(current)

@@ -29,7 +29,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
-    """What to run in place of the page; None without the option.
+    """Return what to run in place of the page; None without the option.
 
     :raises UnusableInput: for a recording without the option.
     :raises RecordingError: when the recording cannot be read.

@@ -137,7 +137,7 @@ Request = (
 
 
 def parse(message: str | bytes) -> Request:
-    """What a client says.
+    """Return what a client says.
 
     :raises ProtocolError: when it may not say that.
     """
@@ -204,7 +204,7 @@ def _checked_text(op: str, name: str, value: Any) -> str:
 
 
 def _unicode(op: str, value: str) -> str:
-    """A string that can be UTF-8: JSON can also have halves of a letter."""
+    """Return a string that can be UTF-8: JSON can also have halves of a letter."""
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -238,7 +238,7 @@ def _set_parameters(said: dict[str, Any]) -> SetParameters:
 
 
 def _value(value: Any) -> Value:
-    """A value that a parameter can have."""
+    """Return a value that a parameter can have."""
     if isinstance(value, list):
         if any(isinstance(one, list) for one in value):
             raise ProtocolError('setParameters: a parameter of ROS 2 has no lists inside lists')

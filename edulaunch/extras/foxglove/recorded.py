@@ -118,7 +118,7 @@ class RecordingFeed:
     # -- messages
 
     def _wires_of(self, key: Key) -> Sequence[Any]:
-        """The messages of a topic. The first call checks them."""
+        """Return the messages of a topic. The first call checks them."""
         if key not in self._wires:
             try:
                 self._wires[key] = [wire for _, wire in self._recording.wires(*key)]
@@ -179,6 +179,6 @@ class RecordingFeed:
 
 
 def _depth(policies: Sequence[Any]) -> int:
-    """How many messages a publisher keeps for late subscribers, at least one."""
+    """Return how many messages a publisher keeps for late subscribers, at least one."""
     qos = QoS(*policies)
     return 1 if qos.durability != TRANSIENT_LOCAL else (qos.queue_length or 1000)

@@ -18,12 +18,12 @@ PLAYING, PAUSED, ENDED = 0, 1, 3
 
 
 def op(operation: str, /, **fields: Any) -> str:
-    """A message in JSON."""
+    """Return a message in JSON."""
     return json.dumps({'op': operation, **fields}, separators=(',', ':'))
 
 
 def status(level: int, text: str, number: str | None = None) -> str:
-    """A sentence for the user.
+    """Return a sentence for the user.
 
     :param number: replaces the sentence that had the same one.
     """
@@ -31,28 +31,28 @@ def status(level: int, text: str, number: str | None = None) -> str:
 
 
 def data(subscription: int, time_ns: int, cdr: bytes) -> bytes:
-    """A message of a topic."""
+    """Return a message of a topic."""
     return struct.pack('<BIQ', 1, subscription, time_ns) + cdr
 
 
 def time(now_ns: int) -> bytes:
-    """What the clock of the machine shows."""
+    """Return what the clock of the machine shows."""
     return struct.pack('<BQ', 2, now_ns)
 
 
 def response(service: int, number: int, cdr: bytes) -> bytes:
-    """The reply of a service."""
+    """Return the reply of a service."""
     return struct.pack('<BIII', 3, service, number, 3) + b'cdr' + cdr
 
 
 def no_asset(request: int, why: str) -> bytes:
-    """A file that a client asked for cannot be had."""
+    """Return a file that a client asked for cannot be had."""
     text = why.encode()
     return struct.pack('<BIBI', 4, request, 1, len(text)) + text
 
 
 def playback(state: int, now_ns: int, speed: float, did_seek: bool = False, request: str = '') -> bytes:
-    """How a recording plays.
+    """Return how a recording plays.
 
     :param request: of the client that asked for it.
     """
@@ -81,7 +81,7 @@ def _parameter(name: str, value: Any) -> dict[str, Any]:
 
 
 def graph_update(now: Graph, before: Graph | None) -> str | None:
-    """What differs between two connection graphs: 'published', 'subscribed' and 'served', each with nodes by name.
+    """Return what differs between two connection graphs: 'published', 'subscribed' and 'served', each with nodes by name.
 
     :param before: None: the client knows nothing yet.
     :returns: None when nothing differs.

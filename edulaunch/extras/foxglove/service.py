@@ -48,7 +48,7 @@ class Client:
 
 
 def peer(machine: LiveMachine, connection: Connection) -> Client:
-    """A client has come."""
+    """Return a client has come."""
     if len(_clients) >= MOST_CLIENTS:
         connection.send(wire.ERRORS, f'{MOST_CLIENTS} clients are connected already'.encode())
         connection.end()

@@ -60,7 +60,7 @@ class BagTopics:
             return None
 
     def create_subscription(self, entry: Any, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> Any:
-        """A subscription whose `queue` has the bytes of each message after `on_ready` is called."""
+        """Return a subscription whose `queue` has the bytes of each message after `on_ready` is called."""
         queue: deque[tuple[bytes]] = deque()
         kind = self._class(topic, cls.TYPE)
 

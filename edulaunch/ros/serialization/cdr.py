@@ -50,7 +50,7 @@ class Codec:
             step.write(out, wire[part])
 
     def read(self, data: bytes, position: int) -> tuple[tuple[Any, ...], int]:
-        """The wire tuple that starts at a position, and the position after it."""
+        """Return the wire tuple that starts at a position, and the position after it."""
         values: list[Any] = []
         for step, _ in self._steps:
             position = step.read(data, position, values)
@@ -188,7 +188,7 @@ class Several:
 
 
 def make_codec(cls: type[Message]) -> Codec:
-    """The codec of a message class."""
+    """Return the codec of a message class."""
     steps: list[Step] = []
     run: list[Primitive | None] = []
     for part in _parts(cls):
@@ -231,7 +231,7 @@ def _write_count(out: bytearray, count: int) -> None:
 
 
 def _read_count(data: bytes, position: int, width: int) -> tuple[int, int]:
-    """A count, checked against the bytes that are left for that many elements of `width` bytes."""
+    """Return a count, checked against the bytes that are left for that many elements of `width` bytes."""
     position += -position % 4
     (count,) = _COUNT.unpack_from(data, position)
     if count * width > len(data) - position - 4:
@@ -244,7 +244,7 @@ AnyMessage = TypeVar('AnyMessage', bound=Message)
 
 
 def serialize(message: Message) -> bytes:
-    """The CDR bytes of a message, with the 4-byte header.
+    """Return the CDR bytes of a message, with the 4-byte header.
 
     :raises AssertionError: when the message holds a value that its type does not allow.
     """
@@ -252,7 +252,7 @@ def serialize(message: Message) -> bytes:
 
 
 def deserialize(data: bytes, cls: type[AnyMessage]) -> AnyMessage:
-    """A new message of class `cls` from CDR bytes.
+    """Return a new message of class `cls` from CDR bytes.
 
     :raises InterfaceError: when the bytes are not CDR of that type.
     """
@@ -261,14 +261,14 @@ def deserialize(data: bytes, cls: type[AnyMessage]) -> AnyMessage:
 
 
 def encode(cls: type[Message], wire: tuple[Any, ...]) -> bytes:
-    """The CDR bytes of a wire tuple of class `cls`."""
+    """Return the CDR bytes of a wire tuple of class `cls`."""
     body = bytearray()
     _codec(cls).write(body, wire)
     return HEADER + body
 
 
 def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
-    """The wire tuple that CDR bytes of class `cls` hold.
+    """Return the wire tuple that CDR bytes of class `cls` hold.
 
     :raises InterfaceError: when the bytes are not CDR of that type.
     """

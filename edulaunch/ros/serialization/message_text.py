@@ -24,7 +24,7 @@ WIDEST = 2**31 - 1
 
 
 def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
-    """The message as YAML text, fields in their order, ending with a line end."""
+    """Return the message as YAML text, fields in their order, ending with a line end."""
     import yaml
 
     content = message_dict(message, short)
@@ -39,12 +39,12 @@ def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style
 
 
 def message_csv(message: Message, short: Shortening = EVERYTHING) -> str:
-    """All single values of the message, separated by commas."""
+    """Return all single values of the message, separated by commas."""
     return ','.join(_flat(message_dict(message, short)))
 
 
 def message_dict(message: Message, short: Shortening = EVERYTHING) -> dict[str, Any]:
-    """The message as plain dicts, lists, numbers and strings."""
+    """Return the message as plain dicts, lists, numbers and strings."""
     found: dict[str, Any] = {}
     for field in spec_of(message).fields:
         value = getattr(message, field.name)
@@ -65,7 +65,7 @@ def _list(values: Any, short: Shortening) -> list[Any]:
 
 
 def plain_value(value: Any, short: Shortening) -> Any:
-    """One value of a field as plain data."""
+    """Return one value of a field as plain data."""
     if isinstance(value, Message):
         return message_dict(value, short)
     if isinstance(value, bytes):

@@ -18,7 +18,7 @@ SpecOf = Callable[[str], InterfaceSpec]
 
 
 def type_description(type_name: str, spec_of: SpecOf) -> dict[str, Any]:
-    """The description of a type and all types it refers to, as
+    """Return the description of a type and all types it refers to, as
     type_description_interfaces/msg/TypeDescription lays it out.
 
     :param spec_of: gives the spec of a full type name (`Registry.spec`).
@@ -36,7 +36,7 @@ def type_description(type_name: str, spec_of: SpecOf) -> dict[str, Any]:
 
 
 def type_hash(type_name: str, spec_of: SpecOf) -> str:
-    """The hash of a type, such as 'RIHS01_df668c74...' for std_msgs/msg/String."""
+    """Return the hash of a type, such as 'RIHS01_df668c74...' for std_msgs/msg/String."""
     import json
     from hashlib import sha256
 
@@ -44,7 +44,7 @@ def type_hash(type_name: str, spec_of: SpecOf) -> str:
 
 
 def _fields(spec: InterfaceSpec) -> tuple[Field, ...]:
-    """A service is described as a struct of its messages, an action as one of its messages and services."""
+    """Return a service is described as a struct of its messages, an action as one of its messages and services."""
     if isinstance(spec, MessageSpec):
         return spec.fields or (EMPTY_FIELD,)
     if isinstance(spec, ServiceSpec):

@@ -48,7 +48,7 @@ _WORDS = frozenset(
 
 
 def read_cmake_lists(manifest: Manifest) -> Contents:
-    """The contents of an ament_cmake package; what cannot be followed becomes a warning."""
+    """Return the contents of an ament_cmake package; what cannot be followed becomes a warning."""
     return _CMakeLists(manifest).read()
 
 
@@ -335,7 +335,7 @@ _TEST_PROGRAMS = frozenset(
 
 
 def _end(todo: list[Command], start: int, word: str) -> int:
-    """The position after the `end<word>` that closes a block whose body begins at `start`."""
+    """Return the position after the `end<word>` that closes a block whose body begins at `start`."""
     depth = 1
     for position in range(start, len(todo)):
         depth += {word: 1, f'end{word}': -1}.get(todo[position].name, 0)
@@ -361,7 +361,7 @@ def _files_below(top: str) -> Iterator[str]:
 
 
 def _matches(name: str, rest: list[str]) -> bool:
-    """Whether install(DIRECTORY) takes the file, after its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
+    """Return whether install(DIRECTORY) takes the file, after its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
     from fnmatch import fnmatchcase
 
     taken = 'FILES_MATCHING' not in rest

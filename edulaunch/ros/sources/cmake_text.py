@@ -49,7 +49,7 @@ def commands(text: str) -> Iterator[Command]:
 
 
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
-    """The words with ${variables} filled in; a bare word becomes as many words as its lists have items.
+    """Return the words with ${variables} filled in; a bare word becomes as many words as its lists have items.
 
     A word with a variable that is not known is left out, after `unknown(name)`.
     """
@@ -66,7 +66,7 @@ def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[
 
 
 def _filled(word: str, variables: dict[str, list[str]]) -> tuple[str, str | None]:
-    """The word with its variables, from the inside out; and the first one that is not known."""
+    """Return the word with its variables, from the inside out; and the first one that is not known."""
     match = _VARIABLE.search(word)
     while match is not None:
         if match[1] not in variables:

@@ -51,7 +51,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
 
 
 def _is_another(name: str, package: str) -> bool:
-    """Whether two names differ in their numbers only: turtlebot3_gazebo is not meant by turtlebot4_gazebo."""
+    """Return whether two names differ in their numbers only: turtlebot3_gazebo is not meant by turtlebot4_gazebo."""
     return name != package and re.sub(r'\d', '0', name) == re.sub(r'\d', '0', package)
 
 
@@ -65,7 +65,7 @@ def _without_manifest(package: str, here: str) -> str | None:
 
 
 def _elsewhere_below(package: str, workspaces: list[str], here: str) -> str | None:
-    """The folder of a package of that name below `here`, as a path from there; None when a workspace has it."""
+    """Return the folder of a package of that name below `here`, as a path from there; None when a workspace has it."""
     for folder in find_packages(here, [], LOOKED_AT) if os.path.dirname(here) != here else ():
         manifest = read_manifest(folder, [])
         if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):
@@ -74,7 +74,7 @@ def _elsewhere_below(package: str, workspaces: list[str], here: str) -> str | No
 
 
 def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]]:
-    """Each folder of that name, with its files."""
+    """Yield each folder of that name, with its files."""
     for folder, folders, files in os.walk(workspace):
         folders[:] = sorted(inner for inner in folders if not inner.startswith('.') and inner.lower() not in _WRITTEN)
         if os.path.basename(folder) == name:
@@ -138,7 +138,7 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
 
 
 def _unread(index: Index, package: str, executable: str) -> Facts:
-    """The command of CMakeLists.txt that may make an executable, where edulaunch does not know what it does."""
+    """Return the command of CMakeLists.txt that may make an executable, where edulaunch does not know what it does."""
     found = source_package(index, package)
     if found is None or found.is_python:
         return {}

@@ -35,7 +35,7 @@ def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
 
 
 def _bound(tree: ast.Module) -> Iterator[str]:
-    """Every name that is bound anywhere in the file, at whatever depth."""
+    """Yield every name that is bound anywhere in the file, at whatever depth."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             yield node.id
@@ -52,7 +52,7 @@ def _bound(tree: ast.Module) -> Iterator[str]:
 
 
 def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
-    """The names that are read whenever a statement or an expression is reached, in order of evaluation."""
+    """Yield the names that are read whenever a statement or an expression is reached, in order of evaluation."""
     if isinstance(node, ast.Name):
         yield from [node] if isinstance(node.ctx, ast.Load) else ()
     for child in _surely(node):
@@ -120,7 +120,7 @@ class _SetupScript:
         self.contents.broken = self.contents.warnings[-1]
 
     def _options(self) -> dict[str, Any] | None:
-        """The keywords of the setup() call."""
+        """Return the keywords of the setup() call."""
         from edulaunch.ros.sources.static_python import StaticPython
 
         try:
@@ -255,12 +255,12 @@ class _SetupScript:
                 yield match[1], match[2], match[3]
 
     def _have_nodes(self, modules: Iterable[str]) -> bool:
-        """Whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""
+        """Return whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""
         files = [os.path.join(self.folder, *module.split('.')) + '.py' for module in modules]
         return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
 
     def _script_folder(self, modules: Iterable[str]) -> str:
-        """Where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
+        """Return where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
         section = self.configuration['install'] if self.configuration.has_section('install') else {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:
@@ -278,7 +278,7 @@ class _SetupScript:
 
 
 def _unknowns(value: Any) -> Iterator[Unknown]:
-    """Every Unknown inside a value, at most one for each list item."""
+    """Yield every Unknown inside a value, at most one for each list item."""
     if isinstance(value, Unknown):
         yield value
     elif isinstance(value, dict):

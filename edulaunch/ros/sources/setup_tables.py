@@ -34,7 +34,7 @@ def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
 
 
 def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
-    """The sections [options ...] of setup.cfg, under the names that setup() gives them."""
+    """Return the sections [options ...] of setup.cfg, under the names that setup() gives them."""
 
     def section(name: str) -> dict[str, str]:
         return dict(parser[name]) if parser.has_section(name) else {}
@@ -52,7 +52,7 @@ def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
 
 
 def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
-    """The tables [project] and [tool.setuptools] of pyproject.toml, under the names that setup() gives them."""
+    """Return the tables [project] and [tool.setuptools] of pyproject.toml, under the names that setup() gives them."""
     file = os.path.join(folder, 'pyproject.toml')
     if not os.path.isfile(file):
         return {}
@@ -89,7 +89,7 @@ def _toml_packages(folder: str, given: Any) -> Any:
 
 
 def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
-    """What setuptools' `find` finds; `where` is a list of folders."""
+    """Return what setuptools' `find` finds; `where` is a list of folders."""
     where = wanted.get('where') or ['.']
     exclude, include = wanted.get('exclude') or (), wanted.get('include') or ('*',)
     marker = '' if namespaces else '__init__.py'

@@ -82,7 +82,7 @@ class SourcePackage:
         )
 
     def files(self) -> Iterator[str]:
-        """All files, without hidden folders and what Python and colcon generate."""
+        """Yield all files, without hidden folders and what Python and colcon generate."""
         for folder, folders, names in os.walk(self.folder):
             folders[:] = sorted(
                 name
@@ -94,7 +94,7 @@ class SourcePackage:
             yield from (os.path.join(folder, name) for name in sorted(names))
 
     def relative(self, path: str) -> str:
-        """A path below the package's folder."""
+        """Return a path below the package's folder."""
         return os.path.relpath(path, self.folder)
 
     def is_test(self, path: str) -> bool:
@@ -129,7 +129,7 @@ _OF_ROS_1 = re.compile(r'\$\(find |<node[^>]*\btype\s*=')
 
 
 def source_packages(index: Index) -> list[SourcePackage]:
-    """The packages of an index's source workspaces, by name."""
+    """Return the packages of an index's source workspaces, by name."""
     return [
         SourcePackage(name, place.package_folder(name), place.contents(name))
         for place in index.workspaces
@@ -138,7 +138,7 @@ def source_packages(index: Index) -> list[SourcePackage]:
 
 
 def read_text(path: str) -> str:
-    """The text of a file; empty when it cannot be read."""
+    """Return the text of a file; empty when it cannot be read."""
     try:
         with open(path, encoding='utf-8', errors='replace') as file:
             return file.read()
@@ -156,7 +156,7 @@ def parsed(path: str) -> ast.Module | None:
 
 
 def _line_of(lines: list[str], tag: str, name: str) -> int:
-    """The line of a dependency; 0 when it is written in some other way than on one line."""
+    """Return the line of a dependency; 0 when it is written in some other way than on one line."""
     for number, line in enumerate(lines, 1):
         if f'<{tag}' in line and name in line.replace('<', ' ').replace('>', ' ').split():
             return number
@@ -164,7 +164,7 @@ def _line_of(lines: list[str], tag: str, name: str) -> int:
 
 
 def module_file(package: SourcePackage, module: str) -> str | None:
-    """The file of a module that the package installs."""
+    """Return the file of a module that the package installs."""
     top, _, rest = module.partition('.')
     place = package.contents.python_modules.get(top)
     if place is None:
@@ -200,7 +200,7 @@ def defined_names(tree: ast.Module) -> list[str]:
 
 
 def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
-    """The function of that name at the top level."""
+    """Return the function of that name at the top level."""
     return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
 
 
@@ -214,7 +214,7 @@ DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', '
 
 
 def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
-    """How a data file comes to be installed; None for what does not apply.
+    """Return how a data file comes to be installed; None for what does not apply.
 
     :returns: Return `beside`, the folder whose files are already installed. For a file beside the build file, return `move`, the
         folder in which it belongs. `folder` and `pattern` are for setup.py, and `top` is for CMakeLists.txt.
@@ -233,7 +233,7 @@ def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
 
 
 def _pattern(package: SourcePackage, path: str, name: str) -> str:
-    """What glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
+    """Return what glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
     if not package.is_launch_file(path):
         return '*'
     return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]

@@ -60,7 +60,7 @@ class StaticPython:
                 getattr(self, f'_do_{type(statement).__name__}', self._skip)(statement)
 
     def value(self, node: ast.expr | None) -> Any:
-        """What an expression is worth, or an Unknown."""
+        """Return what an expression is worth, or an Unknown."""
         if node is None:
             return None
         self._steps += 1
@@ -293,7 +293,7 @@ class StaticPython:
         return keywords
 
     def _method(self, node: ast.expr) -> Callable[..., Any] | None:
-        """The bound method of a plain value that may be called while reading."""
+        """Return the bound method of a plain value that may be called while reading."""
         if not isinstance(node, ast.Attribute):
             return None
         holder = self.value(node.value)
@@ -302,13 +302,13 @@ class StaticPython:
         return method
 
     def _callable(self, value: Any) -> Any:
-        """A function that is handed to another one (`map`, `filter`, `sorted(key=)`) as something that can be called."""
+        """Return a function that is handed to another one (`map`, `filter`, `sorted(key=)`) as something that can be called."""
         if isinstance(value, ast.FunctionDef | ast.Lambda):
             return lambda *arguments: self._call_own(value, list(arguments), {})
         return self._functions.get(value.name, value) if isinstance(value, Module) else value
 
     def _call_own(self, function: ast.FunctionDef | ast.Lambda, arguments: list[Any], keywords: dict[str, Any]) -> Any:
-        """A function that the file itself defines: its body is followed with the arguments bound."""
+        """Return a function that the file itself defines: its body is followed with the arguments bound."""
         outer = self.names
         self.names = {**outer, **self._bound(function.args, arguments, keywords)}
         try:
@@ -322,7 +322,7 @@ class StaticPython:
         return None
 
     def _bound(self, parameters: ast.arguments, arguments: list[Any], keywords: dict[str, Any]) -> dict[str, Any]:
-        """What each parameter of a function is worth in a call."""
+        """Return what each parameter of a function is worth in a call."""
         names = [parameter.arg for parameter in parameters.posonlyargs + parameters.args]
         defaults = zip(reversed(names), map(self.value, reversed(parameters.defaults)), strict=False)
         only = zip((parameter.arg for parameter in parameters.kwonlyargs), map(self.value, parameters.kw_defaults), strict=True)

@@ -27,7 +27,7 @@ class Module:
 
 
 def first_unknown(value: Any) -> Unknown | None:
-    """The first Unknown anywhere inside `value`."""
+    """Return the first Unknown anywhere inside `value`."""
     if isinstance(value, Unknown):
         return value
     if isinstance(value, dict):
@@ -44,7 +44,7 @@ class PathText(str):
 
     @classmethod
     def below(cls, folder: str, *parts: str) -> PathText:
-        """The path of these parts."""
+        """Return the path of these parts."""
         made = cls(os.path.join(*parts) if parts else '.')
         made.folder = folder
         return made
@@ -158,7 +158,7 @@ PURE: dict[str, Callable[..., Any]] = {
 
 
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
-    """The functions with which setup.py files list their files; relative paths mean `folder`."""
+    """Return the functions with which setup.py files list their files; relative paths mean `folder`."""
     listing = _Listing(folder)
     local = listing.local
     table: dict[str, Callable[..., Any]] = {
@@ -191,7 +191,7 @@ class _Listing:
         self._folder = folder
 
     def local(self, path: Any) -> str:
-        """A path that may be relative to the folder."""
+        """Return a path that may be relative to the folder."""
         return os.path.join(self._folder, os.fspath(path))
 
     def glob(self, pattern: str, recursive: bool = False) -> list[str]:

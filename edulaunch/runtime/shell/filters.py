@@ -152,7 +152,7 @@ def _head(filter: Filter, words: Sequence[str]) -> Lines:
 
 
 def _collected(change: Callable[[list[str], dict[str, str]], list[str]], name: str) -> Callable[[Filter, Sequence[str]], Lines]:
-    """A filter without output before the end of the input."""
+    """Return a filter without output before the end of the input."""
 
     def make(filter: Filter, words: Sequence[str]) -> Lines:
         lines: list[str] = []

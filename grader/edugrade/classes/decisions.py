@@ -43,7 +43,7 @@ class Late(NamedTuple):
     submitted: Mapping[str, datetime]
 
     def days(self, result: Result) -> int:
-        """How many days a submission is late, or 0 when the time of submission is unknown."""
+        """Return how many days a submission is late, or 0 when the time of submission is unknown."""
         when = self.submitted.get(str(result.get('student_id') or '')) or self.submitted.get(str(result['student']))
         if when is None:
             return 0
@@ -91,7 +91,7 @@ def _decided(result: Result, decisions: Mapping[tuple[str, str], Decision], late
 
 
 def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
-    """The rows of the teacher's file, by student (name or number) and exercise; none when there is no such file.
+    """Return the rows of the teacher's file, by student (name or number) and exercise; none when there is no such file.
 
     :raises UnusableInput: with the line that is wrong.
     """

@@ -131,7 +131,7 @@ def _settings(folder: str, port: int) -> dict[str, Any]:
 
 
 def _a_rubric() -> str:
-    """A rubric that is there: an attempt to read what is not there would prove nothing."""
+    """Return a rubric that is there: an attempt to read what is not there would prove nothing."""
     from ..rubrics.catalogue import rubrics_folder
 
     folder = rubrics_folder()
@@ -170,7 +170,7 @@ def _is_alive(pid: int) -> bool:
 
 
 def report(findings: list[Finding]) -> str:
-    """A line for each attempt, and what it comes to."""
+    """Return a line for each attempt, and what it comes to."""
     lines = [f'{"held" if item.held else "NOT HELD":<9}{item.layer:<12}{item.attempt} ({item.detail})' for item in findings]
     bad = sorted({item.layer for item in findings if not item.held})
     last = 'Every attempt was refused.' if not bad else f'A submission on this machine is NOT confined: {", ".join(bad)}.'
@@ -178,7 +178,7 @@ def report(findings: list[Finding]) -> str:
 
 
 def main(words: Sequence[str] = ()) -> int:
-    """The command. Returns 0 when everything held, else 1."""
+    """Run the command. Return 0 if every check passed, else 1."""
     findings = list(examine())
     print(report(findings), end='')
     return 0 if all(item.held for item in findings) else 1

@@ -109,7 +109,7 @@ class Pair(NamedTuple):
 
 
 def alike(works: Sequence[Work], given: Iterable[int] = (), least: float = 0.5) -> list[Pair]:
-    """The pairs of different students with at least that much code in common, the most alike first.
+    """Return the pairs of different students with at least that much code in common, the most alike first.
 
     What was handed out counts nothing, and what many have counts little: there are not many ways to write a launch file.
 
@@ -163,7 +163,7 @@ MOST_LINES = 2000
 
 
 def similar_page(exercise: str, pairs: Sequence[Pair]) -> str:
-    """The whole page. Nothing that a student wrote is markup in it."""
+    """Return the whole page. Nothing that a student wrote is markup in it."""
     rows = [table_row('pair', 'code', 'launch graph', kind='th')]
     for number, pair in enumerate(pairs[:MOST_PAIRS]):
         link = element('a', f'{pair.one.student} and {pair.two.student}', href=f'#p{number}')
@@ -183,7 +183,7 @@ def _section(pair: Pair, number: int) -> Markup:
 
 
 def _texts(work: Work, shared: frozenset[int]) -> list[Markup]:
-    """The files that have something shared in them, with those lines marked."""
+    """Return the files that have something shared in them, with those lines marked."""
     found = []
     for name, code in work.texts.items():
         marked = {line for number, (first, last) in code.prints.items() if number in shared for line in range(first, last + 1)}

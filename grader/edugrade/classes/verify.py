@@ -29,7 +29,7 @@ MAKE = 'openssl genpkey -algorithm ed25519 -out key.pem; openssl pkey -in key.pe
 
 
 def sign_command(words: Sequence[str]) -> int:
-    """The command ``edugrade sign``."""
+    """Run the command ``edugrade sign``, and return its exit code."""
     parser = argparse.ArgumentParser(
         prog='edugrade sign', description='Sign reports in place, with an ed25519 key.', epilog=f'keys: {MAKE}'
     )
@@ -42,7 +42,7 @@ def sign_command(words: Sequence[str]) -> int:
 
 
 def read_report(path: str) -> dict[str, Any]:
-    """A JSON report.
+    """Return a JSON report.
 
     :raises UnusableInput: when it cannot be read, or is not a valid key.
     """
@@ -57,7 +57,7 @@ def read_report(path: str) -> dict[str, Any]:
 
 
 def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
-    """The report with its signature; an earlier one is replaced."""
+    """Return the report with its signature; an earlier one is replaced."""
     serialization, ed25519 = _library()
     private = _loaded(lambda data: serialization.load_pem_private_key(data, password=None), key)
     if not isinstance(private, ed25519.Ed25519PrivateKey):
@@ -68,7 +68,7 @@ def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 def is_signed_by(report: dict[str, Any], key: str) -> bool:
-    """Whether the report is as the owner of this key (the public half) signed it."""
+    """Return whether the report is as the owner of this key (the public half) signed it."""
     serialization, ed25519 = _library()
     public = _loaded(serialization.load_pem_public_key, key)
     if not isinstance(public, ed25519.Ed25519PublicKey):
@@ -82,7 +82,7 @@ def is_signed_by(report: dict[str, Any], key: str) -> bool:
 
 
 def _signed_bytes(report: dict[str, Any]) -> bytes:
-    """The bytes that are signed: another order of keys or other spaces make no difference."""
+    """Return the bytes that are signed: another order of keys or other spaces make no difference."""
     return json.dumps(report, sort_keys=True, separators=(',', ':')).encode()
 
 
@@ -114,7 +114,7 @@ NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the 
 
 
 def main(words: Sequence[str]) -> int:
-    """The command: 0 when the report holds, 1 when it does not, 2 when that cannot be found out."""
+    """Run the command, and return 0 when the report holds, 1 when it does not, 2 when that cannot be found out."""
     parser = argparse.ArgumentParser(
         prog='edugrade verify',
         description='Grade the same submission again with the same rubric and seed, and report whether the mark is the same.',
@@ -142,7 +142,7 @@ def _of_the_signature(report: dict[str, Any], key: str | None) -> Iterator[str]:
 
 
 def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator[str]:
-    """What is different when it is graded again: the mark, its reasons, and what it was made from."""
+    """Yield what is different when it is graded again: the mark, its reasons, and what it was made from."""
     before, seed = report['receipt'], report['receipt'].get('seed')
     if type(seed) is not int:
         raise UnusableInput(f'the receipt of {options.report} has no seed')
@@ -177,7 +177,7 @@ def _variant(report: dict[str, Any]) -> Variant | None:
 
 
 def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.Namespace) -> Variant | None:
-    """The variant that the course's secret, or the student's copy of the course, gives; a report may name any.
+    """Return the variant that the course's secret, or the student's copy of the course, gives; a report may name any.
 
     :raises UnusableInput: when neither is there.
     """
@@ -227,7 +227,7 @@ def _words(value: Any) -> str:
 
 
 def find_submission(report: dict[str, Any], path: str) -> str:
-    """The submission with the report's hash: beside the report, here, or where a batch has it.
+    """Return the submission with the report's hash: beside the report, here, or where a batch has it.
 
     :raises UnusableInput: when there is no result.
     """

@@ -51,7 +51,7 @@ def decoys(submission: Submission, recording: Recording, folder: str) -> Iterato
 
 
 def _fitting(recording: Recording, plays: bool, processes: frozenset[str] | None = None) -> str:
-    """A plan as JSON that is short enough."""
+    """Return a plan as JSON that is short enough."""
     step = 1
     while len(text := json.dumps(plan(recording, plays, processes, step))) > MOST_BYTES and step < 1 << 20:
         step *= 2
@@ -99,7 +99,7 @@ def _messages(recording: Recording, node: str, publishers: list[tuple[str, str]]
 
 
 def _plain(value: Any) -> Any:
-    """A message as plain data."""
+    """Return a message as plain data."""
     if hasattr(value, 'get_fields_and_field_types'):
         return {name: _plain(getattr(value, name)) for name in value.get_fields_and_field_types()}
     if isinstance(value, (str, bool, int, float)):

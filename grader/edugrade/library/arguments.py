@@ -96,12 +96,12 @@ def require_default(
 
 
 def is_literal(described: str) -> bool:
-    """Whether a description is that of a string. The value of any other substitution is known only in a run."""
+    """Return whether a description is that of a string. The value of any other substitution is known only in a run."""
     return len(described) >= 2 and described[0] == described[-1] == "'"
 
 
 def is_same_value(seen: str, wanted: str) -> bool:
-    """Whether two values of an argument are the same string or the same number."""
+    """Return whether two values of an argument are the same string or the same number."""
     try:
         return seen == wanted or float(seen) == float(wanted)
     except ValueError:

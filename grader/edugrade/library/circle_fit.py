@@ -39,7 +39,7 @@ def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
 
 
 def _centre(centred: Sequence[tuple[float, float]]) -> tuple[float, float] | None:
-    """The centre for points whose mean is the origin: the 2 x 2 normal equations, by Cramer's rule."""
+    """Return the centre for points whose mean is the origin: the 2 x 2 normal equations, by Cramer's rule."""
     sxx = sxy = syy = sxz = syz = 0.0
     for x, y in centred:
         z = x * x + y * y

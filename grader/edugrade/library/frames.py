@@ -28,13 +28,13 @@ class Sent(NamedTuple):
 
 
 def frames_at_end(run: Evidence, scenario: str) -> Frames:
-    """All frames, by name, at the end of a run."""
+    """Return all frames, by name, at the end of a run."""
     recording = run[scenario]
     return run.once(('frames', scenario), lambda: recording.frames_at(recording.duration_s))
 
 
 def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
-    """All that was ever sent about each frame, in order, by the frame's name; the static ones first."""
+    """Return all that was ever sent about each frame, in order, by the frame's name; the static ones first."""
     return run.once(('transforms', scenario), lambda: _transforms(run[scenario]))
 
 
@@ -128,19 +128,19 @@ def _misspelt(child: str, frames: Frames) -> list[str]:
 
 
 def yaw(frame: Frame) -> float:
-    """How far a frame is turned about the z axis of its parent, in radians."""
+    """Return how far a frame is turned about the z axis of its parent, in radians."""
     x, y, z, w = frame.rotation
     return atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
 def tilt(frame: Frame) -> float:
-    """How far, in radians, a frame's z axis leans away from that of its parent."""
+    """Return how far, in radians, a frame's z axis leans away from that of its parent."""
     x, y, _, _ = frame.rotation
     return 2 * asin(min(1.0, hypot(x, y)))
 
 
 def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | None:
-    """Where a frame's origin is on the ground plane of `root`, in metres; None when nothing leads there."""
+    """Return where a frame's origin is on the ground plane of `root`, in metres; None when nothing leads there."""
     x = y = 0.0
     for _ in range(len(frames) + 1):
         if frame == root:

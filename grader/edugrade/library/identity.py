@@ -33,7 +33,7 @@ def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
 
 
 def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
-    """Whether a process of the confined peer may be a stock program, which the trusted peer never hosts."""
+    """Return whether a process of the confined peer may be a stock program, which the trusted peer never hosts."""
     package, executable, word = process.package or '', process.executable or '', process.argv[0] if process.argv else ''
     if not is_confined:
         return word == shipped_program(package, executable)
@@ -82,7 +82,7 @@ def process_of(recording: Recording, node: NodeRecord, position: int) -> Process
 
 
 def _is_of_by_name(recording: Recording, name: str, package: str, executable: str | None) -> bool:
-    """Whether the process of that name, or what it started under its name, is a program of a package and nothing else."""
+    """Return whether the process of that name, or what it started under its name, is a program of a package and nothing else."""
     ran = [position for position, process in enumerate(recording.processes) if process.name == name]
     programs = [position for position in ran if not _is_starter(recording.processes[position])]
     found = [program_of(recording, position) for position in programs]

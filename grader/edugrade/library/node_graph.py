@@ -79,7 +79,7 @@ def require_nodes(
 
 
 def _is_of_a_tool(recording: Recording, position: int) -> bool:
-    """Whether a hidden node belongs to a `ros2` command. A node that only has such a name is a node like any other."""
+    """Return whether a hidden node belongs to a `ros2` command. A node that only has such a name is a node like any other."""
     node = recording.nodes[position]
     process = process_of(recording, node, position)
     if process is None or not node.name.rpartition('/')[2].startswith(OF_A_TOOL):

@@ -129,7 +129,7 @@ def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
 
 
 def _failed(alike: Sequence[CheckResult], paths: ShortPaths, reader: Reader, level: int) -> Markup:
-    """The checks that fail for one reason, with one explanation."""
+    """Return the checks that fail for one reason, with one explanation."""
     result = best_explained(alike)
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))

@@ -128,7 +128,7 @@ def why_line(report: Report) -> str:
 
 
 def says_less(report: Report) -> bool:
-    """Whether the report does not yet show all of its advice."""
+    """Return whether the report does not yet show all of its advice."""
     return report.level < ALL and report.exit_code == SOME_FAILED
 
 

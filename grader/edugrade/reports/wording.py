@@ -70,7 +70,7 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
 
 
 def _has_ended(result: CheckResult) -> bool:
-    """Whether an error ended a program. Its cause does not reveal the answer, and a student needs it to continue."""
+    """Return whether an error ended a program. Its cause does not reveal the answer, and a student needs it to continue."""
     from edulaunch.advice.rule import rule_named
 
     cause = result.cause

@@ -21,7 +21,7 @@ LARGEST_BYTES = 1_000_000
 
 
 def rubrics_folder() -> str:
-    """Where the rubrics are that come with edugrade: inside the installed package, or beside it in the source tree."""
+    """Return where the rubrics are that come with edugrade: inside the installed package, or beside it in the source tree."""
     inside = os.path.join(_PACKAGE, 'checks')
     return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_PACKAGE), 'checks')
 
@@ -40,7 +40,7 @@ def course_rubrics(inside: str = '') -> str | None:
 
 
 def exercises() -> list[str]:
-    """The names of the exercises that have a rubric, in alphabetical order."""
+    """Return the names of the exercises that have a rubric, in alphabetical order."""
     return sorted(_rubrics())
 
 
@@ -51,7 +51,7 @@ def _rubrics() -> dict[str, str]:
 
 
 def rubrics_in(folder: str) -> dict[str, str]:
-    """The file of each rubric in a folder, by the exercise's name."""
+    """Return the file of each rubric in a folder, by the exercise's name."""
     names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
     parts = [(*os.path.splitext(name), name) for name in names if not name.startswith('_')]
     return {stem: os.path.join(folder, name) for stem, ending, name in parts if ending in ENDINGS}
@@ -60,7 +60,7 @@ def rubrics_in(folder: str) -> dict[str, str]:
 def find_rubric(
     exercise: str, given: str | None = None, submission: str = '', personal: Callable[[str], str] | None = None
 ) -> tuple[str, Rubric]:
-    """The rubric of an exercise and its name.
+    """Return the rubric of an exercise and its name.
 
     :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
     :param submission: the folder that was handed in: a rubric in it would be the student's own.
@@ -89,7 +89,7 @@ def find_rubric(
 
 
 def _by_the_course(name: str, rubric: Rubric) -> Rubric:
-    """A rubric that comes with edugrade, with the points that the course around the current folder gives for its checks.
+    """Return a rubric that comes with edugrade, with the points that the course around the current folder gives for its checks.
 
     :raises UnusableInput: when the manifest gives points for a check that there is not.
     """
@@ -114,7 +114,7 @@ def _is_file(given: str) -> bool:
 
 
 def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubric:
-    """The rubric in a file.
+    """Return the rubric in a file.
 
     :raises UnusableInput: when it cannot be read, or is not a rubric.
     :raises RubricMistake: when there is a mistake in it.

@@ -23,7 +23,7 @@ COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
-    """The rubric that a YAML file describes; docs/rubric_checks.md says how.
+    """Return the rubric that a YAML file describes; docs/rubric_checks.md says how.
 
     :raises RubricMistake: naming file and line of what is wrong.
     """
@@ -99,7 +99,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
-    """A launch argument: as it is written, or chosen for each submission."""
+    """Return a launch argument: as it is written, or chosen for each submission."""
     if isinstance(node, yaml.MappingNode) and any(pair[0].value == 'word' for pair in node.value):
         syllables = _value(_mapping(node, problem, 'a choice', ('word',))['word'], problem)
         if not isinstance(syllables, int) or not 2 <= syllables <= 6:

@@ -94,6 +94,6 @@ def looked_at(column: int) -> dict[str, int]:
 
 
 def name_of(number: int, column: int) -> str:
-    """The name of a call that was refused."""
+    """Return the name of a call that was refused."""
     known = {**_numbers(_REFUSED + _OF_OWN_FILES, column), **looked_at(column)}
     return next((name for name, each in known.items() if each == number), f'system call {number}')

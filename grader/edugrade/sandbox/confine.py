@@ -108,7 +108,7 @@ class Confinement:
 
 
 def _tried(act: Callable[[], int | None]) -> int | str:
-    """What an act gives, or in words why it failed."""
+    """Return what an act gives, or in words why it failed."""
     try:
         return act() or 0
     except OSError as error:

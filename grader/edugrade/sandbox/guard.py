@@ -125,7 +125,7 @@ class _Watch:
                 self._ends.unregister(end)
 
     def _too_much(self) -> str:
-        """What the run used too much of; '' while it does not."""
+        """Return what the run used too much of; '' while it does not."""
         self._started = started = descendants(os.getpid())
         if len(started) > MOST_PROCESSES:
             return 'processes'
@@ -137,7 +137,7 @@ class _Watch:
 
 
 def _fits(folder: str) -> bool:
-    """Whether a directory has at most what a run may write. (The system limits a run that has its own view.)"""
+    """Return whether a directory has at most what a run may write. (The system limits a run that has its own view.)"""
     count, size = 0, 0
     pending = [folder]
     while pending:
@@ -185,7 +185,7 @@ def descendants(pid: int) -> list[int]:
 
 
 def _threads(pids: list[int]) -> int:
-    """The threads of processes."""
+    """Return the threads of processes."""
     count = 0
     for pid in pids:
         with suppress(OSError):

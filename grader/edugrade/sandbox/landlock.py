@@ -34,7 +34,7 @@ class _PathBeneath(ctypes.Structure):
 
 
 def version() -> int:
-    """The kernel's version of Landlock, NEWEST at most; 0 without one."""
+    """Return the kernel's version of Landlock, NEWEST at most; 0 without one."""
     try:
         return min(syscall(CREATE_RULESET, None, 0, VERSION), NEWEST) if IS_LINUX else 0
     except OSError:

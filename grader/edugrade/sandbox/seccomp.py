@@ -51,13 +51,13 @@ def _argument(index: int, is_upper_half: bool = False) -> bytes:
 
 
 def _one_of(values: Sequence[int], refuse: bytes) -> list[bytes]:
-    """What is loaded must be one of these."""
+    """Return what is loaded must be one of these."""
     tests = [_instruction(EQUAL, value, len(values) - place) for place, value in enumerate(values)]
     return [*tests, refuse, _instruction(RETURN, ALLOW)]
 
 
 def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
-    """How the arguments of a call are looked at."""
+    """Return how the arguments of a call are looked at."""
     allow = _instruction(RETURN, ALLOW)
     return {
         'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
@@ -85,7 +85,7 @@ def column_here() -> int | None:
 
 
 def filter_program(has_listener: bool = False, has_view: bool = False) -> bytes | None:
-    """The filter for this machine; None for an architecture whose numbers are not known here.
+    """Return the filter for this machine; None for an architecture whose numbers are not known here.
 
     :param has_listener: whether a listener answers refused calls.
     :param has_view: whether the run has a view of its own: see `calls.allowed`.

@@ -114,7 +114,7 @@ def _be_a_run(
 def _peer(
     job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_peer: Any, notes: socket.socket
 ) -> Any:
-    """The trusted peer, confined, after the other one was forked."""
+    """Return the trusted peer, confined, after the other one was forked."""
     channel, output = ends
     os.setsid()
     for target in (1, 2):
@@ -160,7 +160,7 @@ def _load_sandbox() -> tuple[Any, Any, Any]:
 
 
 def _load_child() -> Any:
-    """The module child.py: not among the loaded ones either, and no frame of it is the student's."""
+    """Return the module child.py: not among the loaded ones either, and no frame of it is the student's."""
     child = ModuleType('edugrade_child')
     with open(os.path.join(HERE, 'child.py'), encoding='utf-8') as file:
         exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)

@@ -33,7 +33,7 @@ def prctl(option: int, value: int = 0, more: Any = 0) -> int:
 
 
 def effective_capabilities() -> int:
-    """The first 32 rights of root that this process has now, a bit each."""
+    """Return the first 32 rights of root that this process has now, a bit each."""
     header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
     _checked(int(libc.capget(header, sets)))
     return int(sets[0])

@@ -178,7 +178,7 @@ def _is_whole(data: bytes) -> bool:
 
 
 def broke(error: BaseException) -> tuple[bytes, bytes]:
-    """The answer when edulaunch itself broke."""
+    """Return the answer when edulaunch itself broke."""
     import traceback
 
     text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))

@@ -83,7 +83,7 @@ what gives the file of each, and whether it is a package."""
 
 
 def make_view(name: str, process: object) -> ModuleType | None:
-    """The view of a standard module for one process, or None when that module needs none."""
+    """Return the view of a standard module for one process, or None when that module needs none."""
     place = VIEWS.get(name)
     if place is None:
         return None

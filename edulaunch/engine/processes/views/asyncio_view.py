@@ -75,12 +75,12 @@ class ProcessEventLoop(SimulatedEventLoop):
         self._process.signals.handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
 
     def remove_signal_handler(self, sig: int) -> bool:
-        """Whether there was one."""
+        """Return whether there was one."""
         return self._process.signals.handlers.pop(sig, None) is not None
 
 
 def _refusal(name: str, need: str) -> Callable[..., Any]:
-    """A method that only says that it cannot be used."""
+    """Return a method that only says that it cannot be used."""
 
     def refuse(self: ProcessEventLoop, *_: Any, **__: Any) -> Any:
         raise with_facts(

@@ -85,8 +85,8 @@ def make_numpy(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
-    """The module's functions draw from one generator, seeded by (simulation seed, process name), as do generators that are made
-    without a seed.
+    """Return the module's functions draw from one generator, seeded by (simulation seed, process name), as do generators that are
+    made without a seed.
     """
     import numpy
 

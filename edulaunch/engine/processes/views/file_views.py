@@ -100,7 +100,7 @@ QUESTIONS = (
 
 
 def inside(path: Any) -> Any:
-    """A path as the running program means it: below its own folder, when it has changed there."""
+    """Return a path as the running program means it: below its own folder, when it has changed there."""
     folder = current_task().owner.cwd
     if folder is None or isinstance(path, int):
         return path

@@ -162,8 +162,8 @@ NAMES = ('dump', 'dumps', 'load', 'loads', 'Pickler', 'Unpickler')
 
 
 def make_pickle(view: ModuleType, process: Process) -> ModuleType:
-    """The standard module, executed privately, with its functions in Python: those in C look for classes in modules that all
-    programs share.
+    """Return the standard module, executed privately, with its functions in Python: those in C look for classes in modules that
+    all programs share.
     """
     spec = PathFinder.find_spec('pickle')
     assert spec is not None and spec.origin is not None

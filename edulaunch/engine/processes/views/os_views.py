@@ -93,7 +93,7 @@ def _recorded_reads(process: Process) -> dict[str, Any]:
 
 
 def _files(process: Process) -> dict[str, Any]:
-    """The numbers 0, 1 and 2 are the process's own streams."""
+    """Return the numbers 0, 1 and 2 are the process's own streams."""
 
     def read(fd: int, length: int, /) -> bytes:
         return process.streams.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
@@ -146,7 +146,7 @@ class SysView(ModuleType):
     """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
 
     def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
-        """A program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
+        """Return a program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
         return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
 
     def __init__(self, process: Process) -> None:
@@ -164,7 +164,7 @@ class SysView(ModuleType):
         return getattr(sys, name)
 
     def private_path(self) -> tuple[list[str], list[str]]:
-        """The folders that this program put on its path: before the shared ones, and after the first of them."""
+        """Return the folders that this program put on its path: before the shared ones, and after the first of them."""
         first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
         return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
 

@@ -23,7 +23,7 @@ PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Ar
 
 
 def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
-    """A class, since programs derive from some of them, that raises when it is called."""
+    """Return a class, since programs derive from some of them, that raises when it is called."""
 
     class Refused:
         """Only its name is there."""

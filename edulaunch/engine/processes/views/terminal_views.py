@@ -46,7 +46,7 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_termios(view: ModuleType, process: Process) -> ModuleType:
-    """The attributes of the program's input; leaving canonical mode makes it a keyboard that is read key by key."""
+    """Return the attributes of the program's input; leaving canonical mode makes it a keyboard that is read key by key."""
     import termios as real
 
     cooked: list[Any] = [

@@ -33,7 +33,7 @@ class Threads:
         return self.count
 
     def current(self) -> Thread:
-        """The thread whose code runs."""
+        """Return the thread whose code runs."""
         return self.by_task.get(current_task(), self.main)
 
     def alive(self) -> list[Thread]:
@@ -157,7 +157,7 @@ class Thread:
             waiting.park(deadline)
 
     def is_alive(self) -> bool:
-        """Whether it has begun and not ended."""
+        """Return whether it has begun and not ended."""
         return self._started and self._task is not None and not self._task.finished
 
     def isDaemon(self) -> bool:
@@ -245,7 +245,7 @@ class local:
 
 
 def _values(data: local) -> dict[str, Any]:
-    """What the running thread keeps there."""
+    """Return what the running thread keeps there."""
     values: dict[Any, dict[str, Any]] = object.__getattribute__(data, '_edulaunch_values')
     thread = _threads_here().current()
     if thread not in values:
@@ -315,7 +315,7 @@ class PriorityQueue(_SimulatedWaiting, queue.PriorityQueue):  # type: ignore[typ
 
 
 def make_queue(view: ModuleType, process: Process) -> ModuleType:
-    """All queue classes wait in simulated time; `SimpleQueue` is a `Queue` without a limit."""
+    """Return all queue classes wait in simulated time; `SimpleQueue` is a `Queue` without a limit."""
     view.__dict__.update(Queue=Queue, LifoQueue=LifoQueue, PriorityQueue=PriorityQueue, SimpleQueue=Queue)
     copy_names(view, queue)
     return view

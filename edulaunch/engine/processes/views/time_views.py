@@ -30,7 +30,7 @@ def make_time(view: ModuleType, process: Process) -> ModuleType:
         return sim.now_ns - sim.start_ns
 
     def seconds(convert: Any) -> Any:
-        """The real function with the simulated time as its default argument."""
+        """Return the real function with the simulated time as its default argument."""
 
         def converted(when: float | None = None) -> Any:
             return convert(sim.now_ns / 1e9 if when is None else when)
@@ -109,7 +109,7 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def now(cls, tz: real_datetime.tzinfo | None = None) -> Any:
-            """The simulated time."""
+            """Return the simulated time."""
             return now() if tz is None else now().replace(tzinfo=real_datetime.timezone.utc).astimezone(tz)
 
         @classmethod
@@ -120,12 +120,12 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def utcnow(cls) -> Any:
-            """The simulated time."""
+            """Return the simulated time."""
             return now()
 
         @classmethod
         def today(cls) -> Any:
-            """The simulated time."""
+            """Return the simulated time."""
             return now()
 
     return datetime
@@ -143,12 +143,12 @@ def _date(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def today(cls) -> Any:
-            """The simulated day."""
+            """Return the simulated day."""
             return now().date()
 
         @classmethod
         def fromtimestamp(cls, timestamp: float, /) -> Any:
-            """The day in UTC."""
+            """Return the day in UTC."""
             return (real_datetime.datetime(1970, 1, 1) + real_datetime.timedelta(seconds=timestamp)).date()
 
     return date

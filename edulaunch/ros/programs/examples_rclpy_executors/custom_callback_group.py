@@ -21,7 +21,7 @@ class ThrottledCallbackGroup(CallbackGroup):
         self.bucket_max = 10
 
     def can_execute(self, entity: Any) -> bool:
-        """Whether there is a turn left."""
+        """Return whether there is a turn left."""
         return self.bucket > 0
 
     def beginning_execution(self, entity: Any) -> bool:

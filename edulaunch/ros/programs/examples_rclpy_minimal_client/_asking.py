@@ -10,7 +10,7 @@ REQUEST = AddTwoInts.Request(a=41, b=1)
 
 
 def client_of(node: Node) -> Client:
-    """A client of `add_two_ints`, once there is a server."""
+    """Return a client of `add_two_ints`, once there is a server."""
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
         node.get_logger().info('service not available, waiting again...')

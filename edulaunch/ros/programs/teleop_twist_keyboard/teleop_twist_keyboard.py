@@ -134,7 +134,7 @@ class Teleop:
 
 
 def _key(before: Any) -> str:
-    """One key, as soon as it is pressed."""
+    """Return one key, as soon as it is pressed."""
     tty.setraw(sys.stdin.fileno())
     key = sys.stdin.read(1)
     termios.tcsetattr(sys.stdin, termios.TCSADRAIN, before)

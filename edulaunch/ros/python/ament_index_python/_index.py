@@ -12,20 +12,20 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
 def own_path() -> str | None:
-    """What the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it."""
+    """Return what the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it."""
     process = current_process()
     path = process.env.get(AMENT_PREFIX_PATH_ENV_VAR, '')
     return None if path == process.sourced_path else path
 
 
 def index_in_force() -> Index:
-    """The simulation's index; or that of just the prefixes which the program has put into the variable."""
+    """Return the simulation's index; or that of just the prefixes which the program has put into the variable."""
     path, sourced = own_path(), current_process().index
     return sourced if path is None else _index_of(path, sourced)
 
 
 def existing(path: str) -> list[str]:
-    """The folders of such a variable that there are."""
+    """Return the folders of such a variable that there are."""
     return [folder for folder in path.split(os.pathsep) if folder and os.path.exists(folder)]
 
 

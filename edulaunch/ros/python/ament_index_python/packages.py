@@ -23,7 +23,7 @@ class PackageNotFoundError(KeyError):
 
 
 def get_package_prefix(package_name: str) -> str:
-    """The install prefix of a package.
+    """Return the install prefix of a package.
 
     :raises ValueError: when this cannot be a package name.
     :raises PackageNotFoundError: when there is no such package.
@@ -55,13 +55,13 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
-    """All packages: name -> prefix."""
+    """Return all packages: name -> prefix."""
     get_search_paths()
     return index_in_force().packages()
 
 
 def _share(package_name: str, called: str | None) -> str:
-    """The share folder; unless it is `called` nothing, a warning says that it is missing."""
+    """Return the share folder; unless it is `called` nothing, a warning says that it is missing."""
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
         import warnings

@@ -20,12 +20,12 @@ class InvalidResourceNameError(ValueError):
 
 
 def name_is_invalid(resource_name: str) -> bool:
-    """Whether a name could leave its folder."""
+    """Return whether a name could leave its folder."""
     return '/' in resource_name or '\\' in resource_name
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
-    """The content of a resource file, and the prefix it was found in.
+    """Return the content of a resource file, and the prefix it was found in.
 
     :raises LookupError: when the resource does not exist.
     :raises InvalidResourceTypeNameError, InvalidResourceNameError: for names with / or a backslash.
@@ -40,7 +40,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
 
 
 def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
-    """The prefix that has the resource, or False."""
+    """Return the prefix that has the resource, or False."""
     _check(resource_type, resource_name)
     relative = os.path.join(RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
     return next((prefix for prefix in _prefixes() if os.path.isfile(os.path.join(prefix, relative))), False)
@@ -75,7 +75,7 @@ def _check(resource_type: str, resource_name: str | None) -> None:
 
 
 def _prefixes() -> list[str]:
-    """The search path, with the marker files of all source packages in place."""
+    """Return the search path, with the marker files of all source packages in place."""
     index = index_in_force()
     for package in index.packages():
         index.prefix(package)

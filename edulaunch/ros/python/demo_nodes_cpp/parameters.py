@@ -13,7 +13,7 @@ TYPE_NAMES = {int: 'integer', str: 'string', float: 'double', bool: 'bool'}
 
 
 def make_node(node_name: str) -> CppNode:
-    """The node, with its parameters set. What is refused is logged as an error."""
+    """Return the node, with its parameters set. What is refused is logged as an error."""
     node = CppNode(node_name)
     for name, value in DEFAULTS.items():
         node.declare_parameter(name, value)

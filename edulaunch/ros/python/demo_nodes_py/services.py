@@ -26,7 +26,7 @@ class AddTwoIntsServer(Node):
 
 
 def _client() -> tuple[Node, Client]:
-    """A node with a client that has found its server."""
+    """Return a node with a client that has found its server."""
     node = rclpy.create_node('add_two_ints_client')
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):

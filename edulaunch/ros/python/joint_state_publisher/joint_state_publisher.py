@@ -70,7 +70,7 @@ class JointStatePublisher(Node):
         self._positions = {joint.name: self._given(f'zeros.{joint.name}', _middle(*self._limits[joint.name])) for joint in joints}
 
     def _mimic(self, joint: Joint) -> Mimic | None:
-        """What a joint follows, by the parameters or by its tag."""
+        """Return what a joint follows, by the parameters or by its tag."""
         name = f'dependent_joints.{joint.name}'
         parent = self._given(f'{name}.parent', None)
         if parent is not None:

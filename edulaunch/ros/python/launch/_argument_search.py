@@ -51,7 +51,7 @@ def looking() -> Iterator[Look]:
 
 
 def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
-    """What `load()` returns, None when it raises an exception; remembered in a look by the kind of source and location."""
+    """Return what `load()` returns, None when it raises an exception; remembered in a look by the kind of source and location."""
     with looking() as look:
         key = type(source), location
         if key not in look.descriptions:
@@ -65,7 +65,7 @@ def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
 
 
 def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:
-    """The first declaration of each name in the entities and below them.
+    """Return the first declaration of each name in the entities and below them.
 
     :param conditional: whether the entities themselves are only there under a condition.
     """
@@ -85,7 +85,7 @@ def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, look: Look) -> list[Finding]:
-    """All below the entities; nothing is seen after a `ResetLaunchConfigurations`.
+    """Return all below the entities; nothing is seen after a `ResetLaunchConfigurations`.
 
     As upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
     under a condition do not, and are checked even when the condition is false.

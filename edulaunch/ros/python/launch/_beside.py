@@ -29,7 +29,7 @@ class StartedThreads:
         self._before = {thread.ident for thread in threading.enumerate()} if is_plain_script() else None
 
     def has_come(self) -> bool:
-        """Whether there is such a thread."""
+        """Return whether there is such a thread."""
         before = self._before
         if before is None:
             return False

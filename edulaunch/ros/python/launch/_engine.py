@@ -27,7 +27,7 @@ class OfProcess(Protocol):
 
 
 def running_process() -> Process:
-    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
+    """Return the process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
     return _current_process()()
 
 
@@ -40,24 +40,24 @@ def _current_process() -> Callable[[], Process]:
 
 
 def is_plain_script() -> bool:
-    """Whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
+    """Return whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
     from edulaunch.engine.sim.task import AmbientTask, current_task
 
     return isinstance(current_task(), AmbientTask)
 
 
 def environment() -> MutableMapping[str, str]:
-    """The environment variables of the running process, live; what upstream means by `os.environ`."""
+    """Return the environment variables of the running process, live; what upstream means by `os.environ`."""
     return running_process().env
 
 
 def inside(path: str | os.PathLike[str]) -> str:
-    """A path as the running process means it: each terminal of a machine has a folder of its own."""
+    """Return a path as the running process means it: each terminal of a machine has a folder of its own."""
     return running_process().path(os.fspath(path))
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
-    """What would be a global of launch's process: made at first use, one for each process."""
+    """Return what would be a global of launch's process: made at first use, one for each process."""
     state = running_process().state
     if key not in state:
         state[key] = make()
@@ -66,7 +66,7 @@ def process_state(key: str, make: Callable[[], T]) -> T:
 
 
 def state_of(context: OfProcess) -> dict[str, Any]:
-    """The state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
+    """Return the state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
     try:
         return context.process_state
     except AttributeError:
@@ -74,7 +74,7 @@ def state_of(context: OfProcess) -> dict[str, Any]:
 
 
 def process_counter(context: OfProcess) -> list[int]:
-    """The number of the process that was numbered last, as the only item of a list; for any context, as above."""
+    """Return the number of the process that was numbered last, as the only item of a list; for any context, as above."""
     try:
         return context.process_counter
     except AttributeError:
@@ -87,7 +87,7 @@ def generated_files() -> dict[str, Any]:
 
 
 def new_event_loop() -> AbstractEventLoop:
-    """An asyncio loop on simulated time for the running task."""
+    """Return an asyncio loop on simulated time for the running task."""
     from edulaunch.engine.sim.aio import new_event_loop
 
     return new_event_loop()
@@ -99,14 +99,14 @@ def load_module(path: str, module_name: str) -> ModuleType:
 
 
 def import_for_expression(name: str) -> ModuleType:
-    """A module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it
+    """Return a module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it
     has one.
     """
     return running_process().loader.import_(name, fromlist=('*',))
 
 
 def assumptions() -> Any:
-    """What a dry run with missing packages pretends (`edulaunch.advice.plan.assumptions.Assumptions`), else None."""
+    """Return what a dry run with missing packages pretends (`edulaunch.advice.plan.assumptions.Assumptions`), else None."""
     return running_process().state.get('launch.assumptions')
 
 

@@ -53,7 +53,7 @@ def failure_data(error: BaseException, index: Index | None = None) -> dict[str, 
 
 
 def launch_facts(error: BaseException) -> dict[str, Any]:
-    """What the error carries, or what the frames in which it arose still know; and the action that raised it."""
+    """Return what the error carries, or what the frames in which it arose still know; and the action that raised it."""
     cause = root_cause(error)
     action = getattr(error, 'edulaunch_entity', None)
     known = facts_of(cause)
@@ -63,7 +63,7 @@ def launch_facts(error: BaseException) -> dict[str, Any]:
 
 
 def launch_origin(error: BaseException) -> Origin | None:
-    """Where in a student's file it happened: the innermost line that was running there, else the line of the action."""
+    """Return where in a student's file it happened: the innermost line that was running there, else the line of the action."""
     from edulaunch.engine.processes import Origin
 
     cause = root_cause(error)
@@ -80,14 +80,14 @@ def launch_origin(error: BaseException) -> Origin | None:
 
 
 def root_cause(error: BaseException) -> BaseException:
-    """What the loader that was tried first said, when none could load the file; else the error itself."""
+    """Return what the loader that was tried first said, when none could load the file; else the error itself."""
     while isinstance(error, InvalidLaunchFileError) and error.likely_errors:
         error = error.likely_errors[0]
     return error
 
 
 def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
-    """The frames of the traceback, outermost first, with the line that ran in each."""
+    """Yield the frames of the traceback, outermost first, with the line that ran in each."""
     trace = error.__traceback__
     while trace is not None:
         yield trace.tb_frame, trace.tb_lineno
@@ -148,7 +148,7 @@ def _class_that_was_made(error: BaseException) -> dict[str, Any]:
 
 
 def _names_in_call(error: BaseException, text: str) -> list[str]:
-    """The names of the arguments in the call of a class that lacks one."""
+    """Return the names of the arguments in the call of a class that lacks one."""
     match, place = re.match(r'(\w+)\.', text), launch_origin(error)
     if match is None or place is None:
         return []
@@ -180,7 +180,7 @@ def _not_a_text(error: BaseException, text: str) -> dict[str, Any]:
 
 
 def _local_of(error: BaseException, name: str) -> Any:
-    """The value that the variable of this name had in the innermost frame that has one."""
+    """Return the value that the variable of this name had in the innermost frame that has one."""
     values = [frame.f_locals.get(name) for frame, _ in frames_of(error) if name in frame.f_code.co_varnames]
     return values[-1] if values else None
 

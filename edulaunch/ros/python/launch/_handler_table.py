@@ -13,13 +13,13 @@ class Handler(Protocol):
     """What a table needs to know of an event handler."""
 
     def matches(self, event: Event) -> bool:
-        """Whether it handles the event."""
+        """Return whether it handles the event."""
 
     def handle(self, event: Event, context: Any) -> Any:
         """React; returns entities to visit, or None."""
 
     def describe(self) -> Any:
-        """The handler in words, and its entities."""
+        """Return the handler in words, and its entities."""
 
 
 Ranked = dict[int, Handler]
@@ -35,7 +35,7 @@ class HandlerTable:
         self._last = 0
 
     def as_deque(self) -> deque[Handler]:
-        """All handlers, first asked first; what upstream keeps."""
+        """Return all handlers, first asked first; what upstream keeps."""
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
@@ -61,11 +61,11 @@ class HandlerTable:
             del self._groups[key]
 
     def candidates(self, event: Event) -> list[Handler]:
-        """The handlers that could accept the event, first asked first."""
+        """Return the handlers that could accept the event, first asked first."""
         return _in_order(*self._groups_for(event))
 
     def matches(self, event: Event) -> bool:
-        """Whether any handler matches the event; every action that was executed asks."""
+        """Return whether any handler matches the event; every action that was executed asks."""
         for group in self._groups_for(event):
             for handler in list(group.values()):
                 if handler.matches(event):

@@ -35,7 +35,7 @@ _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 
 
 def caller_outside_launch(made: object) -> Place | None:
-    """The place in the innermost running code that is neither ours nor the constructor of `made` itself.
+    """Return the place in the innermost running code that is neither ours nor the constructor of `made` itself.
 
     An action that one of our actions creates during its visit has the origin of that action.
     """
@@ -53,12 +53,12 @@ def caller_outside_launch(made: object) -> Place | None:
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
-    """Whether the frame is the constructor, in a student's subclass, of the very object."""
+    """Return whether the frame is the constructor, in a student's subclass, of the very object."""
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 
 def origin_of(place: Place | None) -> Origin | None:
-    """The engine's `Origin` for a place."""
+    """Return the engine's `Origin` for a place."""
     if place is None:
         return None
     from edulaunch.engine.processes import Origin

@@ -44,7 +44,7 @@ def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, or
 
 
 def names_read() -> dict[str, bool]:
-    """The names of launch configurations that substitutions asked for (`launch.read`), in order."""
+    """Return the names of launch configurations that substitutions asked for (`launch.read`), in order."""
     return process_state('launch.read', dict)
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def _only_a_condition(entity: Entity, parser: ParserProtocol) -> tuple[type, dict[str, Any]]:
-    """What every action element may have: `if` and `unless`."""
+    """Return what every action element may have: `if` and `unless`."""
     from .frontend.condition_of import condition_of
 
     return Action, condition_of(entity, parser)
@@ -65,7 +65,7 @@ class Action(LaunchDescriptionEntity):
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The entities this action leads to, known without executing it. For subclasses to override."""
+        """Return the entities this action leads to, known without executing it. For subclasses to override."""
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -114,5 +114,5 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """What the action does; here nothing. For subclasses to override; called by :meth:`visit`."""
+        """Return what the action does; here nothing. For subclasses to override; called by :meth:`visit`."""
         return None

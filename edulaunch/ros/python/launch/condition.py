@@ -26,7 +26,7 @@ class Condition(StableRepr):
         return f'if {type(self).__name__} says so'
 
     def describe(self) -> str:
-        """What people read; here as `repr` writes it."""
+        """Return what people read; here as `repr` writes it."""
         return repr(self)
 
     def evaluate(self, context: LaunchContext) -> bool:

@@ -45,11 +45,11 @@ class BaseEventHandler(StableRepr):
         return f'{self.__matcher}'
 
     def matches(self, event: Event) -> bool:
-        """Whether this handles the event."""
+        """Return whether this handles the event."""
         return self.__matcher(event)
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """The handler in words, and the entities it is known to lead to."""
+        """Return the handler in words, and the entities it is known to lead to."""
         text = (
             f"{type(self).__name__}(matcher='{self.matcher_description}', "
             f"handler='{self.handler_description}', handle_once={self.__handle_once})"
@@ -82,7 +82,7 @@ class EventHandler(BaseEventHandler):
         return '<entities>'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """The handler in words, and its entities."""
+        """Return the handler in words, and its entities."""
         text = super().describe()[0]
         if self.__entities is None:
             return text, []
@@ -90,6 +90,6 @@ class EventHandler(BaseEventHandler):
         return text, list(entities) if hasattr(entities, '__iter__') else [entities]
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """The entities."""
+        """Return the entities."""
         super().handle(event, context)
         return self.__entities

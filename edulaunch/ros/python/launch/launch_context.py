@@ -26,7 +26,7 @@ class Performed(Protocol):
     """What a context needs to know of a substitution."""
 
     def perform(self, context: LaunchContext) -> str:
-        """The text."""
+        """Return the text."""
 
 
 class LocalsView:
@@ -134,7 +134,7 @@ class LaunchContext:
         return LocalsView(self.get_locals_as_dict())
 
     def get_locals_as_dict(self) -> dict[str, Any]:
-        """The globals, overridden by the locals."""
+        """Return the globals, overridden by the locals."""
         return {**self.__globals, **self.__locals}
 
     def local(self, name: str) -> Any:
@@ -199,11 +199,11 @@ class LaunchContext:
             self.observer.unregistered(event_handler)
 
     def handlers_that_match(self, event: Event) -> list[Handler]:
-        """The handlers to ask about the event, as registered now, first asked first."""
+        """Return the handlers to ask about the event, as registered now, first asked first."""
         return self.__handlers.candidates(event)
 
     def would_handle_event(self, event: Event) -> bool:
-        """Whether any registered handler matches the event."""
+        """Return whether any registered handler matches the event."""
         return self.__handlers.matches(event)
 
     def emit_event_sync(self, event: Event) -> None:

@@ -61,11 +61,11 @@ class LaunchDescription(LaunchDescriptionEntity):
         return repr(self)
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The entities."""
+        """Return the entities."""
         return self.__entities
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """The entities; a deprecated description first logs a warning."""
+        """Return the entities; a deprecated description first logs a warning."""
         if self.__deprecated_reason is not None:
             from .logging import get_logger
 
@@ -75,7 +75,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
-        """The launch arguments declared here and in included files, as far as they can be found without
+        """Return the launch arguments declared here and in included files, as far as they can be found without
         launching.
 
         :param conditional_inclusion: whether this description itself is included only under a condition.

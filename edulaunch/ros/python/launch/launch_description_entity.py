@@ -25,15 +25,15 @@ class LaunchDescriptionEntity(StableRepr):
     """
 
     def describe(self) -> str:
-        """What people read. To be given by subclasses."""
+        """Return what people read. To be given by subclasses."""
         raise NotImplementedError('LaunchDescriptionEntity.describe must be overridden')
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The entities that a visit certainly leads to, as far as they are known without visiting."""
+        """Return the entities that a visit certainly leads to, as far as they are known without visiting."""
         return []
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """The entities that a visit may lead to, each group with the condition in words."""
+        """Return the entities that a visit may lead to, each group with the condition in words."""
         return []
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
@@ -41,7 +41,7 @@ class LaunchDescriptionEntity(StableRepr):
         return None
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """What launch waits for before it is idle, or None."""
+        """Return what launch waits for before it is idle, or None."""
         return None
 
 

@@ -51,7 +51,7 @@ class LaunchDescriptionSource:
     method: ReadOnly[str] = ReadOnly('How it is loaded, in words.')
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
-        """The description, loaded at the first call.
+        """Return the description, loaded at the first call.
 
         :raises RuntimeError: without a description, and without a way to load it.
         :raises Exception: whatever loading it raises.
@@ -63,7 +63,7 @@ class LaunchDescriptionSource:
         return self.__launch_description
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """The description if its path is known without a running launch and it can be loaded; else None.
+        """Return the description if its path is known without a running launch and it can be loaded; else None.
 
         As upstream the file is executed for this, but within one visit only once.
         """
@@ -73,7 +73,7 @@ class LaunchDescriptionSource:
         return None if location is None else load_once(self, location, lambda: self._get_launch_description(location))
 
     def __static_location(self) -> str | None:
-        """The path as far as it is known without a running launch."""
+        """Return the path as far as it is known without a running launch."""
         parts = self.__location
         if len(parts) == 1 and type(parts[0]) is TextSubstitution:
             return parts[0].text

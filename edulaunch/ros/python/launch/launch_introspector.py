@@ -18,7 +18,7 @@ class LaunchIntrospector:
     """Shows what a launch description holds, without executing it."""
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
-        """The description and its entities as a tree; what `ros2 launch -p` prints."""
+        """Return the description and its entities as a tree; what `ros2 launch -p` prints."""
         return '\n'.join([f'{launch_description}', *_tree(format_entities(launch_description.entities))])
 
 

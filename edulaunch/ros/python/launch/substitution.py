@@ -22,11 +22,11 @@ class Substitution(StableRepr):
     """Class method of those that are written `$(name ...)`: the class, and its keyword arguments for a list of arguments."""
 
     def describe(self) -> str:
-        """What people read, without evaluating anything."""
+        """Return what people read, without evaluating anything."""
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:
-        """The text, evaluated in `context`.
+        """Return the text, evaluated in `context`.
 
         :raises NotImplementedError: in this base class, as upstream.
         """

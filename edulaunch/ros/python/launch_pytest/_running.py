@@ -110,7 +110,7 @@ def finish(loop: asyncio.AbstractEventLoop, test: Any) -> None:
 
 
 def launch_description_of(result: object, prefix: str) -> LaunchDescription:
-    """What a launch fixture has returned.
+    """Return what a launch fixture has returned.
 
     :raises: pytest's failure for anything but a description, or a sequence that begins with one.
     """

@@ -40,7 +40,7 @@ def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', au
 
 
 def companions(scope: Any) -> dict[str, Any]:
-    """The fixtures `event_loop`, `launch_service` and `launch_context`, of one scope."""
+    """Return the fixtures `event_loop`, `launch_service` and `launch_context`, of one scope."""
 
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:

@@ -56,7 +56,7 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generat
 
 
 def _options(item: pytest.Item) -> dict[str, Any]:
-    """What `launch_pytest.fixture` noted of the fixture that an item's mark names: name, scope, auto_shutdown,
+    """Return what `launch_pytest.fixture` noted of the fixture that an item's mark names: name, scope, auto_shutdown,
     shutdown_when_idle. Empty for an item without.
     """
     mark = item.get_closest_marker('launch')
@@ -65,13 +65,13 @@ def _options(item: pytest.Item) -> dict[str, Any]:
 
 
 def _is_for_shutdown(item: pytest.Item) -> bool:
-    """Whether a test is to run after the launch has ended."""
+    """Return whether a test is to run after the launch has ended."""
     mark = item.get_closest_marker('launch')
     return mark is not None and bool(mark.kwargs.get('shutdown', False))
 
 
 def _has_two_parts(function: object) -> bool:
-    """Whether a test function yields: what comes behind that runs after the shutdown."""
+    """Return whether a test function yields: what comes behind that runs after the shutdown."""
     return inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function)
 
 
@@ -89,7 +89,7 @@ def _complaint_about(mark: pytest.Mark, function: object) -> str | None:
 
 
 def _make_items(collector: Any, name: str, function: Any, options: dict[str, Any]) -> list[pytest.Function]:
-    """The items of a launch test: one for each set of parameters.
+    """Return the items of a launch test: one for each set of parameters.
 
     A generator test that shares its launch with other tests has a second item, which runs when all of them are over.
     """
@@ -101,7 +101,7 @@ def _make_items(collector: Any, name: str, function: Any, options: dict[str, Any
 
 
 def _second_part(first: pytest.Function) -> pytest.Function:
-    """The item that runs what comes behind the `yield` of a test."""
+    """Return the item that runs what comes behind the `yield` of a test."""
     options: dict[str, Any] = {'callspec': first.callspec} if hasattr(first, 'callspec') else {}
     name = f'{first.originalname}[shutdown_test]'
     second: pytest.Function = pytest.Function.from_parent(
@@ -132,7 +132,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def _shared_launch(item: pytest.Item, options: dict[str, Any]) -> tuple[Any, ...]:
-    """What is equal for items that share a launch: the fixture, its parameters, and the node that is its scope."""
+    """Return what is equal for items that share a launch: the fixture, its parameters, and the node that is its scope."""
     node = item.getparent(NODES.get(options['scope'], pytest.Session)) or item.getparent(pytest.Module)
     parameter = getattr(item, 'callspec', None)
     value = parameter.indices.get(options['name']) if parameter is not None else None

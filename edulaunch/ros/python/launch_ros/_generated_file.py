@@ -45,7 +45,7 @@ class GeneratedFile:
         return yaml.safe_load(self.text)
 
     def entries(self) -> list[Entry]:
-        """The parameters in it, as rcl reads them.
+        """Return the parameters in it, as rcl reads them.
 
         :raises ParameterFileError: for what rcl refuses.
         """
@@ -113,7 +113,7 @@ class GeneratedParameters(GeneratedFile):
 
 
 def _is_kept(value: Any) -> bool:
-    """Whether rcl reads this very value in what YAML writes."""
+    """Return whether rcl reads this very value in what YAML writes."""
     kind = type(value)
     if kind is str:
         return _is_word(value)
@@ -125,7 +125,7 @@ def _is_word(text: str) -> bool:
 
 
 def temporary_path(key: str, state: dict[str, Any]) -> str:
-    """The path `launch_params_XXXXXXXX` in the temporary folder.
+    """Return the path `launch_params_XXXXXXXX` in the temporary folder.
 
     The name is made from `key`, so that command lines (which are recorded) repeat from run to run. Two keys of
     one launch never get the same path.

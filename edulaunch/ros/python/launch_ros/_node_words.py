@@ -18,7 +18,7 @@ _GOOD_NAMESPACE = re.compile(r'/|(?:/[A-Za-z_][A-Za-z0-9_]{0,39}){1,5}')
 
 
 def validated_name(name: str) -> str:
-    """The name.
+    """Return the name.
 
     :raises InvalidNodeNameException: when no node can be called so.
     """
@@ -30,7 +30,7 @@ def validated_name(name: str) -> str:
 
 
 def validated_namespace(namespace: str) -> str:
-    """The namespace.
+    """Return the namespace.
 
     :raises InvalidNamespaceException: when it cannot be one.
     """

@@ -44,7 +44,7 @@ def key_lines(file: str, line: int) -> dict[str, int]:
 
 
 def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
-    """The keys, and whether the call ends in the text, which begins on `line`."""
+    """Return the keys, and whether the call ends in the text, which begins on `line`."""
     found: dict[str, int] = {}
     depth = 0
     counted, number = 0, line
@@ -82,7 +82,7 @@ class Given(NamedTuple):
 
 
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
-    """What means the node of that name, in rcl's order: of two for one parameter the later one counts.
+    """Return what means the node of that name, in rcl's order: of two for one parameter the later one counts.
 
     Everything below one pattern moves to the first place of that pattern; there, a type counts before the order.
     """

@@ -39,7 +39,7 @@ _INSIDE = frozenset(('param',))
 
 
 def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]:
-    """The argument `parameters` of a node: one source for each element, in the order of the file, so that later ones win.
+    """Return the argument `parameters` of a node: one source for each element, in the order of the file, so that later ones win.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
     """

@@ -52,7 +52,7 @@ class ParameterValue:
     value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.')
 
     def evaluate(self, context: LaunchContext) -> Any:
-        """The value.
+        """Return the value.
 
         :raises ValueError: when the text of a substitution cannot be converted.
         """
@@ -159,7 +159,7 @@ class ParameterFile:
 
 
 def _substituted(context: LaunchContext, path: Path) -> str:
-    """The file's text with its substitutions performed."""
+    """Return the file's text with its substitutions performed."""
     import yaml
     from launch.frontend.parse_substitution import parse_substitution
     from launch.substitutions.substitution_failure import SubstitutionFailure

@@ -86,7 +86,7 @@ class ROSAdapter:
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
-    """The adapter of a launch, made at first use and shut down with launch."""
+    """Return the adapter of a launch, made at first use and shut down with launch."""
     if _KEY not in context.get_locals_as_dict():
         from launch.event_handlers.on_shutdown import OnShutdown
 
@@ -98,7 +98,7 @@ def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
 
 
 def get_ros_node(context: LaunchContext) -> Node:
-    """The node of :func:`get_ros_adapter`."""
+    """Return the node of :func:`get_ros_adapter`."""
     return get_ros_adapter(context).ros_node
 
 

@@ -29,11 +29,11 @@ class _ByProcess(Generic[Recorded]):
         return self._recorded[key]
 
     def processes(self) -> list[Any]:
-        """The actions."""
+        """Return the actions."""
         return list(self._recorded)
 
     def process_names(self) -> list[str]:
-        """The launch names, such as 'talker-1'."""
+        """Return the launch names, such as 'talker-1'."""
         return [process_name(action) for action in self._recorded]
 
     def _wait(self, has_come: Callable[[], bool], timeout: float) -> bool:

@@ -11,7 +11,7 @@ from .test_result import TestResult
 
 
 def unittestResultsToXml(*, name: str = 'launch_test', test_results: Mapping[TestRun, TestResult]) -> Any:
-    """One `testsuite` for each launch, one `testcase` for each test; times are simulated seconds.
+    """Return one `testsuite` for each launch, one `testcase` for each test; times are simulated seconds.
 
     :returns: an `xml.etree.ElementTree.ElementTree`; write it with its `write(path)`.
     """

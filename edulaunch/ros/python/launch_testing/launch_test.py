@@ -51,7 +51,7 @@ class LaunchTest:
         return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
 
     def error_text(self) -> str:
-        """What `error` says, with the student's lines of the traceback if there are any."""
+        """Return what `error` says, with the student's lines of the traceback if there are any."""
         assert self.error is not None
         text, place = student_traceback(self.error)
         return text if place is not None else f'{type(self.error).__name__}: {self.error}\n'

@@ -62,7 +62,7 @@ class TestRun:
 
 
 def runs_of(module: ModuleType, name: str) -> list[TestRun]:
-    """The launches that a test file describes: one, or one for each parameter.
+    """Return the launches that a test file describes: one, or one for each parameter.
 
     :raises AttributeError: when there is no `generate_test_description`.
     """
@@ -88,12 +88,12 @@ def _with_context(result: Any) -> tuple[LaunchDescription, dict[str, Any]]:
 
 
 def ready_actions(description: LaunchDescription) -> list[ReadyToTest]:
-    """The `ReadyToTest` actions of a description, each once."""
+    """Return the `ReadyToTest` actions of a description, each once."""
     return [*{id(action): action for action in _ready_actions(description.entities)}.values()]
 
 
 def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
-    """All of them, also in groups, timers and the lists of event handlers."""
+    """Yield all of them, also in groups, timers and the lists of event handlers."""
     for entity in entities:
         if isinstance(entity, ReadyToTest):
             yield entity

@@ -35,7 +35,7 @@ class TestResult(unittest.TestResult):
         self.notes.append(message)
 
     def wasSuccessful(self) -> bool:
-        """Whether nothing went wrong."""
+        """Return whether nothing went wrong."""
         return super().wasSuccessful() and not self.notes
 
     def append(self, other: TestResult) -> None:

@@ -62,7 +62,7 @@ class WaitForTopics:
         return self._all_here.wait(self.timeout)
 
     def received_messages(self, topic_name: str) -> list[Any]:
-        """The messages of a topic, oldest first.
+        """Return the messages of a topic, oldest first.
 
         :raises KeyError: for a topic that is not waited for.
         """

@@ -18,7 +18,7 @@ _WORDS_WITH_A_MEANING = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'n
 
 
 def typed(value: str | list[str], data_type: Any, can_be_str: bool) -> Any:
-    """The value of the data type (None: by YAML's rules) that the text stands for.
+    """Return the value of the data type (None: by YAML's rules) that the text stands for.
 
     :param can_be_str: give the text itself when it cannot be converted; it may hold a substitution.
     :raises ValueError: when it cannot be converted.
@@ -74,7 +74,7 @@ class Entity(BaseEntity):
         return [Entity(child, parent=self) for child in self._element]
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
+        """Return an attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
         if data_type is not Entities and (data_type is str or data_type is None or not check_is_list_entity(data_type)):
             self.asked.add(name)
             text = self._attributes.get(name)

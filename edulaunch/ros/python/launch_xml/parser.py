@@ -17,7 +17,7 @@ class Parser(BaseParser):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[BaseEntity, BaseParser]:
-        """The root element of a file (its path, or an open text stream) and a parser for it.
+        """Return the root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises xml.etree.ElementTree.ParseError: when the text is not well-formed XML.
         :raises ValueError: when it declares entities or is nested too deep.

@@ -33,7 +33,7 @@ MAX_DEPTH = 100
 
 
 def read(text: str) -> Element:
-    """The root element.
+    """Return the root element.
 
     :raises xml.etree.ElementTree.ParseError: with the text and position of the standard library's parser.
     :raises ValueError: when the text declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.
@@ -90,7 +90,7 @@ class _Reading:
         raise self.broken(f'undefined entity &{name};: line {line}, column {column}', line, column)
 
     def broken(self, message: str, line: int, column: int) -> ParseError:
-        """The standard library's error, with what was still open as a hint."""
+        """Return the standard library's error, with what was still open as a hint."""
         from xml.etree.ElementTree import ParseError
 
         error: Any = ParseError(message)

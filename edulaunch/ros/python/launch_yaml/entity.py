@@ -86,7 +86,7 @@ class Entity(BaseEntity):
         return error
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """The value under the key `name`, which must have the type; or children for `List[Entity]`."""
+        """Return the value under the key `name`, which must have the type; or children for `List[Entity]`."""
         self.asked.add(name)
         element = self._element
         if not isinstance(element, dict) or name not in element:
@@ -111,7 +111,7 @@ class Entity(BaseEntity):
         return value
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """The values of two keys of each child, and its line, when no child has anything else and they have the types."""
+        """Return the values of two keys of each child, and its line, when no child has anything else and they have the types."""
         element = self._element
         children = element.get(tag) if isinstance(element, dict) else None
         if not isinstance(children, list) or not children:
@@ -172,5 +172,5 @@ def _as_wanted(value: Any, data_type: Any) -> str | None:
 
 
 def _type_of(value: Any) -> type:
-    """The type as people know it: a mapping that remembers its line is a dict to them."""
+    """Return the type as people know it: a mapping that remembers its line is a dict to them."""
     return dict if isinstance(value, dict) else type(value)

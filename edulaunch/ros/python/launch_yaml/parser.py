@@ -20,7 +20,7 @@ class Parser(BaseParser):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[BaseEntity, BaseParser]:
-        """The root element of a file (its path, or an open text stream) and a parser for it.
+        """Return the root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises yaml.YAMLError: when the text is not YAML.
         :raises RuntimeError: when there is more than one root.

@@ -41,7 +41,7 @@ class NotPlain(Exception):
 
 
 def read_plain(text: str) -> Any:
-    """The data of the text, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+    """Return the data of the text, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
 
     :raises NotPlain: when the text is of no plain kind. It may still be YAML.
     """
@@ -76,7 +76,7 @@ def _rows(text: str) -> list[_Row]:
 
 
 def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
-    """The value that begins with a row, and the row after it."""
+    """Return the value that begins with a row, and the row after it."""
     if depth > MAX_DEPTH:
         raise NotPlain
     column, key, text, _ = rows[start]

@@ -110,36 +110,36 @@ class Cache(SimpleFilter):
         self.signalMessage(msg)
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
-        """The messages from one time to another, both included."""
+        """Return the messages from one time to another, both included."""
         assert from_stamp <= to_stamp
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if from_stamp <= time <= to_stamp]
 
     def getElemAfterTime(self, stamp: Time) -> Any:
-        """The first message not older than `stamp`, or None."""
+        """Return the first message not older than `stamp`, or None."""
         for msg, time in zip(self.cache_msgs, self.cache_times, strict=True):
             if time >= stamp:
                 return msg
         return None
 
     def getElemBeforeTime(self, stamp: Time) -> Any:
-        """The last message not newer than `stamp`, or None."""
+        """Return the last message not newer than `stamp`, or None."""
         older = [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if time <= stamp]
         return older[-1] if older else None
 
     def getLastestTime(self) -> Time | None:
-        """The stamp of the message that came last (spelled as ROS 2 spells it), or None."""
+        """Return the stamp of the message that came last (spelled as ROS 2 spells it), or None."""
         return self.cache_times[-1] if self.cache_times else None
 
     def getLatestTime(self) -> Time | None:
-        """The same, under the name that later releases have."""
+        """Return the same, under the name that later releases have."""
         return self.getLastestTime()
 
     def getOldestTime(self) -> Time | None:
-        """The stamp of the message that came first, or None."""
+        """Return the stamp of the message that came first, or None."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
-        """The first message that is not older than the one that came last, or None."""
+        """Return the first message that is not older than the one that came last, or None."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
 
@@ -217,7 +217,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
                     break
 
     def _near(self, queue: Queue, stamp_ns: int, is_own: bool) -> list[int]:
-        """The stamps of a queue that are near enough, nearest first; of the message's own queue only its own stamp."""
+        """Return the stamps of a queue that are near enough, nearest first; of the message's own queue only its own stamp."""
         if is_own:
             return [stamp_ns]
         return sorted(

@@ -101,7 +101,7 @@ class MessageFilter(SimpleFilter):
             self._waiting.append(msg)
 
     def _problem(self, msg: Any) -> str | None:
-        """Why the message cannot be transformed, in tf2's words, or None."""
+        """Return why the message cannot be transformed, in tf2's words, or None."""
         stamp = Time.from_msg(msg.header.stamp)
         times = [stamp, stamp + Duration(nanoseconds=self._tolerance_ns)] if self._tolerance_ns else [stamp]
         for frame in self.target_frames:

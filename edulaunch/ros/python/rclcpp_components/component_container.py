@@ -36,7 +36,7 @@ def packages_with_components(index: Index) -> list[str]:
 
 
 def factory_of(target: str) -> Callable[..., Any]:
-    """What makes a node, called with the options of a Node."""
+    """Return what makes a node, called with the options of a Node."""
     module, _, name = target.partition(':')
     found: Callable[..., Any] = getattr(import_module(module), name)
     return found

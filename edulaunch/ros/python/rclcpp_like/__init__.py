@@ -59,7 +59,7 @@ class InvalidParameterValue(CppError):
 
 
 def cpp_name_of(error: Exception) -> str | None:
-    """The C++ class that stands for `error`; None when the error has no counterpart there."""
+    """Return the C++ class that stands for `error`; None when the error has no counterpart there."""
     if isinstance(error, CppError):
         return error.cpp_name
     for kind, name in _NAMES:
@@ -73,7 +73,7 @@ def _type_name(kind: Parameter.Type) -> str:
 
 
 def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
-    """The reason for refusing a value of another type."""
+    """Return the reason for refusing a value of another type."""
     return (
         f'Wrong parameter type, parameter {{{name}}} is of type {{{_type_name(declared)}}}, '
         f'setting it to {{{_type_name(given)}}} is not allowed.'
@@ -81,7 +81,7 @@ def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> 
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
-    """The reason for refusing a number outside the descriptor's range or off its steps, or None."""
+    """Return the reason for refusing a number outside the descriptor's range or off its steps, or None."""
     for limits in descriptor.integer_range:
         if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
             return f"Parameter {{{name}}} doesn't comply with integer range."
@@ -132,7 +132,7 @@ class CppNode(Node):
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
     def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
-        """A timer on the machine's steady clock, so that it also fires while no node publishes /clock."""
+        """Return a timer on the machine's steady clock, so that it also fires while no node publishes /clock."""
         return self.create_timer(period_s, callback, clock=self._steady_clock)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
@@ -219,10 +219,10 @@ def _run(main: Callable[[], int | None]) -> int:
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
-    """The entry point of a C++ program: runs `main` as :func:`run_program` does, and exits with its code."""
+    """Return the entry point of a C++ program: runs `main` as :func:`run_program` does, and exits with its code."""
     return lambda: sys.exit(run_program(main))
 
 
 def spinning(make_node: Callable[..., Node], *args: Any, **options: Any) -> Callable[[], None]:
-    """The entry point of a C++ program that makes a node, called with these arguments, and spins it."""
+    """Return the entry point of a C++ program that makes a node, called with these arguments, and spins it."""
     return program(lambda: rclpy.spin(make_node(*args, **options)))

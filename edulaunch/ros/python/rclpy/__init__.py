@@ -65,7 +65,7 @@ def init(
 
 
 def get_global_executor() -> Executor:
-    """The single-threaded executor of the program, used when none is named; made at first use."""
+    """Return the single-threaded executor of the program, used when none is named; made at first use."""
     state = process_state()
     executor: Executor | None = state.global_executor
     if executor is None:
@@ -178,7 +178,7 @@ def spin_until_future_complete(
 
 
 def _spinning_executor(executor: Executor | None, node: Node, function: str, future: Future | None = None) -> Executor:
-    """The executor to spin; says so (once) when that happens inside a callback of it, or of another one that has the node.
+    """Return the executor to spin; says so (once) when that happens inside a callback of it, or of another one that has the node.
 
     :param future: what is waited for without a timeout.
     """

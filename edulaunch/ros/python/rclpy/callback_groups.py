@@ -20,11 +20,11 @@ class CallbackGroup:
         self.entities.append(entity)
 
     def has_entity(self, entity: Any) -> bool:
-        """Whether an entity is a member."""
+        """Return whether an entity is a member."""
         return entity in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Whether the entity's callback could begin now."""
+        """Return whether the entity's callback could begin now."""
         raise TypeError('CallbackGroup is abstract; use MutuallyExclusiveCallbackGroup or ReentrantCallbackGroup')
 
     def beginning_execution(self, entity: Any) -> bool:

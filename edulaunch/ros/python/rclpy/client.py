@@ -31,11 +31,11 @@ class Asker(Entity):
     _waited_ns = 0
 
     def asked(self) -> tuple[ServiceClient, str, str]:
-        """The endpoint whose server is awaited, its name, and whether that is a 'service' or an 'action'."""
+        """Return the endpoint whose server is awaited, its name, and whether that is a 'service' or an 'action'."""
         raise NotImplementedError
 
     def awaited(self) -> dict[str, str]:
-        """What it waits for, for a fact."""
+        """Return what it waits for, for a fact."""
         _, name, kind = self.asked()
         return {'name': name, 'kind': kind}
 
@@ -192,7 +192,7 @@ class Client(ServiceEnd, Asker):
                 break
 
     def service_is_ready(self) -> bool:
-        """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
         check_endpoint(self.endpoint, self.context, 'failed to check service availability: rcl node')
         current_task().poll()
         return self.endpoint.server_is_ready()

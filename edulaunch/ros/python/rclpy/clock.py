@@ -53,7 +53,7 @@ class JumpThreshold:
             raise ValueError('min_backward must be a negative non-zero duration')
 
     def reached(self, change: ClockChange, delta_ns: int) -> bool:
-        """Whether a jump of `delta_ns` is one of those."""
+        """Return whether a jump of `delta_ns` is one of those."""
         if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
             return self.on_clock_change
         forward, backward = self.min_forward, self.min_backward
@@ -147,13 +147,13 @@ class Clock:
         return f'Clock(clock_type={self._clock_type.name})'
 
     def now(self) -> Time:
-        """The present time."""
+        """Return the present time."""
         current_task().poll()
         override = self.override_ns
         return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
     def now_ns(self) -> int:
-        """The present time in nanoseconds, without counting as a look at the clock."""
+        """Return the present time in nanoseconds, without counting as a look at the clock."""
         override: int | None = self.override_ns
         if override is not None:
             return override

@@ -60,7 +60,7 @@ class Context:
             logging_state().configure(self.arguments)
 
     def ok(self) -> bool:
-        """Whether the context is between init and shutdown."""
+        """Return whether the context is between init and shutdown."""
         current_task().poll()
         return self.alive
 
@@ -118,7 +118,7 @@ class Context:
             self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
-        """The domain. Raises RuntimeError before init."""
+        """Return the domain. Raises RuntimeError before init."""
         if not self.used:
             raise RuntimeError('Context must be initialized before it can have a domain id')
         return self._domain_id
@@ -154,7 +154,7 @@ class Context:
 
 
 def _global_arguments(arguments: list[str]) -> RosArguments:
-    """The arguments of a whole program. Raises RCLError, after a line of the log, for what cannot be understood."""
+    """Return the arguments of a whole program. Raises RCLError, after a line of the log, for what cannot be understood."""
     if not isinstance(arguments, list):
         raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
     try:

@@ -73,7 +73,7 @@ class Duration:
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
 
     def get_c_duration(self) -> int:
-        """The nanoseconds, as the C layer wants them."""
+        """Return the nanoseconds, as the C layer wants them."""
         return self._nanoseconds
 
 

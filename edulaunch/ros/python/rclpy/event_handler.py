@@ -172,7 +172,7 @@ class _EventCallbacks:
             self._watch_liveliness(node, entity, impl, group, self.liveliness)
 
     def _warn_of(self, node: Any, entity: Any) -> EventCallback:
-        """The default callback for incompatible quality of service: a warning in the node's log."""
+        """Return the default callback for incompatible quality of service: a warning in the node's log."""
 
         def warn_of(info: Any) -> None:
             from rclpy.qos_compatibility import qos_policy_name_from_kind
@@ -209,7 +209,7 @@ def _never_called(info: Any) -> None:
 
 
 def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
-    """A count whose changes are passed to the callback, on the executor's turn."""
+    """Return a count whose changes are passed to the callback, on the executor's turn."""
     count = Count(make_info, lambda: handler.ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
@@ -228,7 +228,7 @@ def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
 
 
 def _incompatible_partners(impl: Any) -> list[str]:
-    """The clashing policies of the partners that were there before this endpoint."""
+    """Return the clashing policies of the partners that were there before this endpoint."""
     if impl.kind == 'publisher':
         pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
     else:

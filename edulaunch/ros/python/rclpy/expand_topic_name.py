@@ -6,7 +6,7 @@ from edulaunch.engine.graph.names import expand_name, namespace_problem, node_na
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """The absolute form of a topic or service name in a node; remap rules are not applied.
+    """Return the absolute form of a topic or service name in a node; remap rules are not applied.
 
     :raises ValueError: when one of the three breaks its rules.
     """

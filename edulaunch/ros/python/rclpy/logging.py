@@ -17,7 +17,7 @@ _root_logger = RcutilsLogger()  # what programs use as the root logger, for want
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """The logger of that name. Raises ValueError for an empty name."""
+    """Return the logger of that name. Raises ValueError for an empty name."""
     if not name:
         raise ValueError('Logger name must not be empty.')
     return RcutilsLogger(name)
@@ -46,18 +46,18 @@ def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bo
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """The level that counts for a logger."""
+    """Return the level that counts for a logger."""
     return LoggingSeverity(logging_state().effective_level(name))
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
-    """The level that was set for a logger itself, UNSET when none was."""
+    """Return the level that was set for a logger itself, UNSET when none was."""
     state = logging_state()
     return LoggingSeverity(state.default_level if name == '' else state.levels.get(name, 0))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """The severity of a name such as 'WARN', in any case. Raises RuntimeError for an unknown one."""
+    """Return the severity of a name such as 'WARN', in any case. Raises RuntimeError for an unknown one."""
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:
@@ -65,7 +65,7 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Where log files would be written."""
+    """Return where log files would be written."""
     env: dict[str, str] = logging_state().process.env
     from pathlib import Path
 

@@ -156,12 +156,12 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         return Handle(self._rclpy.entry, lambda: self._rclpy.destroyed)
 
     def get_clock(self) -> ROSClock:
-        """The node's clock."""
+        """Return the node's clock."""
         clock: ROSClock = self._rclpy.clock
         return clock
 
     def get_logger(self) -> RcutilsLogger:
-        """The node's logger."""
+        """Return the node's logger."""
         logger: RcutilsLogger = self._rclpy.logger
         return logger
 

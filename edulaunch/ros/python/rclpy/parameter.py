@@ -52,7 +52,7 @@ class ParameterType(Enum):
         return cls(rules.type_of_value(parameter_value))
 
     def check(self, parameter_value: Any) -> bool:
-        """Whether a value is of this type."""
+        """Return whether a value is of this type."""
         return rules.value_fits(parameter_value, self.value)
 
 

@@ -56,7 +56,7 @@ class AsyncParameterClient:
         return self._list, self._set, self._get, self._get_types, self._describe, self._set_atomically
 
     def services_are_ready(self) -> bool:
-        """Whether all six services are there."""
+        """Return whether all six services are there."""
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:

@@ -78,7 +78,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
-        """The rcl_interfaces/Parameter of that name among the new and changed ones of an event, or None."""
+        """Return the rcl_interfaces/Parameter of that name among the new and changed ones of an event, or None."""
         if event.node != node_name:
             return None
         return next(
@@ -88,7 +88,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameters_from_event(event: Any) -> Iterator[Any]:
-        """All new and changed parameters of an event."""
+        """Yield all new and changed parameters of an event."""
         yield from event.new_parameters
         yield from event.changed_parameters
 

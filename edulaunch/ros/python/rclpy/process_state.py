@@ -31,7 +31,7 @@ class ProcessState:
 
 
 def process_state() -> ProcessState:
-    """The state of the program that runs now; made at first use."""
+    """Return the state of the program that runs now; made at first use."""
     process = current_process()
     state: ProcessState | None = process.state.get('rclpy')
     if state is None:

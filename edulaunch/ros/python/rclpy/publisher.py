@@ -71,7 +71,7 @@ class Publisher(TopicEnd):
             self.send_wire(self._to_wire(msg))
 
     def get_subscription_count(self) -> int:
-        """How many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return how many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
         check_endpoint(self.endpoint, self.context, 'failed to get subscription count: publisher')
         current_task().poll()
         return self.endpoint.subscription_count
@@ -87,7 +87,7 @@ class Publisher(TopicEnd):
             show_life()
 
     def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
-        """Whether all messages were received: delivery takes no time, so always True.
+        """Return whether all messages were received: delivery takes no time, so always True.
 
         :param timeout: how long to wait; a negative value means forever.
         :raises AttributeError: when it is not a Duration.

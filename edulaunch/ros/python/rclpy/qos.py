@@ -33,12 +33,12 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def short_keys(cls) -> list[str]:
-        """All short keys."""
+        """Return all short keys."""
         return [name.lower() for name in cls.__members__]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """The number of a short key's value. Raises KeyError for an unknown one."""
+        """Return the number of a short key's value. Raises KeyError for an unknown one."""
         return cls[name.upper()].value
 
     @property
@@ -156,7 +156,7 @@ class QoSProfile:
         return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
 
     def get_c_qos_profile(self) -> QoS:
-        """The profile as the graph wants it."""
+        """Return the profile as the graph wants it."""
         return engine_qos(self)
 
 
@@ -172,7 +172,7 @@ def _property(name: str) -> property:
     slot, is_depth = '_' + name, name == 'depth'
 
     def getter(self: QoSProfile) -> Any:
-        """The value of this policy."""
+        """Return the value of this policy."""
         return getattr(self, slot)
 
     def setter(self: QoSProfile, value: Any) -> None:
@@ -245,7 +245,7 @@ def profile_from_engine(qos: QoS) -> QoSProfile:
 
 
 def validate_qos(qos: QoSProfile | int) -> QoSProfile:
-    """The profile that a `qos_profile` argument means: an int is the depth.
+    """Return the profile that a `qos_profile` argument means: an int is the depth.
 
     :raises ValueError: for a negative depth.
     :raises TypeError: for anything that is neither int nor QoSProfile.
@@ -306,12 +306,12 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def short_keys(cls) -> list[str]:
-        """All short keys, such as 'sensor_data'."""
+        """Return all short keys, such as 'sensor_data'."""
         return [name.lower() for name in cls.__members__]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """The profile of a short key. Raises KeyError for an unknown one."""
+        """Return the profile of a short key. Raises KeyError for an unknown one."""
         profile: QoSProfile = cls[name.upper()].value
         return profile
 
@@ -321,7 +321,7 @@ __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *
 
 
 def __getattr__(name: str) -> Any:
-    """What few programs need is loaded when it is asked for."""
+    """Return what few programs need is loaded when it is asked for."""
     if name not in _LATE:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from rclpy import qos_compatibility

@@ -30,7 +30,7 @@ PolicyKindOfEvent = IntEnum(  # type: ignore[misc]  # named as C has it, for eve
 
 
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
-    """The name of a policy, such as 'RELIABILITY'."""
+    """Return the name of a policy, such as 'RELIABILITY'."""
     return QoSPolicyKind(policy_kind).name
 
 
@@ -77,7 +77,7 @@ _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 
 
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Whether a publisher and a subscription with these profiles can talk, and the reasons why not.
+    """Return whether a publisher and a subscription with these profiles can talk, and the reasons why not.
 
     A policy that one side leaves open (system default, unknown) makes a warning where the choice matters.
     """

@@ -14,14 +14,14 @@ from rclpy.type_support import check_is_valid_msg_type
 
 
 def serialize_message(message: Any) -> bytes:
-    """The CDR bytes of a message; those of a type of one size are filled up to a multiple of four, as Fast DDS does."""
+    """Return the CDR bytes of a message; those of a type of one size are filled up to a multiple of four, as Fast DDS does."""
     check_is_valid_msg_type(type(message))
     data = serialize(message)
     return data + bytes(-len(data) % 4) if _has_one_size(type(message)) else data
 
 
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
-    """The message of type `message_type` that CDR bytes hold.
+    """Return the message of type `message_type` that CDR bytes hold.
 
     :raises RMWError: when they hold none of that type.
     """

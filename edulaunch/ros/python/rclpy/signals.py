@@ -82,7 +82,7 @@ def uninstall_signal_handlers() -> None:
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Which signals are handled now."""
+    """Return which signals are handled now."""
     options = process_state().signal_options
     return SignalHandlerOptions.NO if options is None else SignalHandlerOptions(options)
 

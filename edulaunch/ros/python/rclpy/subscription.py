@@ -107,7 +107,7 @@ class Subscription(TopicEnd, Entity):
         return encode(self.msg_type, wire)
 
     def get_publisher_count(self) -> int:
-        """How many publishers are heard. Raises InvalidHandle when destroyed."""
+        """Return how many publishers are heard. Raises InvalidHandle when destroyed."""
         check_alive(self.endpoint)
         return self.endpoint.publisher_count
 
@@ -120,7 +120,7 @@ class Subscription(TopicEnd, Entity):
 
 
 def callback_type(callback: Any) -> Subscription.CallbackType:
-    """Whether a callback takes the message only, or the message and its info.
+    """Return whether a callback takes the message only, or the message and its info.
 
     :raises RuntimeError: when it takes neither.
     """
@@ -141,7 +141,7 @@ _VARIADIC = 0x04
 
 
 def _accepts(callback: Any, count: int) -> bool:
-    """Whether `callback` can be called with `count` positional arguments."""
+    """Return whether `callback` can be called with `count` positional arguments."""
     function = getattr(callback, '__func__', callback)
     code = getattr(function, '__code__', None)
     if code is not None and not hasattr(function, '__wrapped__') and not code.co_kwonlyargcount:

@@ -66,7 +66,7 @@ class Future:
     """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
 
     def get_loop(self) -> Any:
-        """The asyncio loop that runs, whose task awaits this."""
+        """Return the asyncio loop that runs, whose task awaits this."""
         from asyncio import get_running_loop
 
         return get_running_loop()
@@ -78,11 +78,11 @@ class Future:
             self._over()
 
     def cancelled(self) -> bool:
-        """Whether it was cancelled."""
+        """Return whether it was cancelled."""
         return self._cancelled
 
     def done(self) -> bool:
-        """Whether there is a result or an exception. Looking again and again lets simulated time pass."""
+        """Return whether there is a result or an exception. Looking again and again lets simulated time pass."""
         if not self._done:
             current_task().poll()
             if self._source is not None:
@@ -113,7 +113,7 @@ class Future:
         return self._result
 
     def exception(self) -> BaseException | None:
-        """The exception that it ended with, or None."""
+        """Return the exception that it ended with, or None."""
         return None if self._exception is None else self._fetched(self._exception)
 
     def _fetched(self, exception: BaseException) -> BaseException:
@@ -264,7 +264,7 @@ class Task(Future):
             self.result()
 
     def executing(self) -> bool:
-        """Whether it is being run just now."""
+        """Return whether it is being run just now."""
         return self._executing
 
     def cancel(self, msg: object = None) -> None:
@@ -275,7 +275,7 @@ class Task(Future):
 
 
 def future_answer(source: Any) -> Future:
-    """A future for what a client waits for.
+    """Return a future for what a client waits for.
 
     :param source: the client.
     """
@@ -285,7 +285,7 @@ def future_answer(source: Any) -> Future:
 
 
 def source_of(future: Any) -> Any:
-    """The client whose answer a future waits for, None when it waits for something else."""
+    """Return the client whose answer a future waits for, None when it waits for something else."""
     return getattr(future, '_source', None)
 
 
@@ -293,7 +293,7 @@ _COROUTINE_FLAG = 0x80
 
 
 def is_coroutine_function(function: Any) -> bool:
-    """Whether calling it makes a coroutine (`async def`), seen through methods and `functools.partial`."""
+    """Return whether calling it makes a coroutine (`async def`), seen through methods and `functools.partial`."""
     while isinstance(function, partial):
         function = function.func
     code = getattr(function, '__code__', None)

@@ -134,7 +134,7 @@ def _time_message_class() -> Any:
 
 
 def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
-    """A time without the checks of the constructor, for clocks: they are asked often."""
+    """Return a time without the checks of the constructor, for clocks: they are asked often."""
     time = Time.__new__(Time)
     time._nanoseconds = nanoseconds
     time._clock_type = clock_type

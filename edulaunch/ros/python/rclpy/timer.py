@@ -147,12 +147,12 @@ class Timer(TimedEntity):
         self._plan()
 
     def is_ready(self) -> bool:
-        """Whether the next call is due."""
+        """Return whether the next call is due."""
         self._check()
         return not self._canceled and self._next_ns <= self._clock.now_ns()
 
     def is_canceled(self) -> bool:
-        """Whether it was cancelled."""
+        """Return whether it was cancelled."""
         self._check()
         return self._canceled
 

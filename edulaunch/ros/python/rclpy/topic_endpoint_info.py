@@ -129,7 +129,7 @@ def _property(name: str, check: Callable[[Any], Any]) -> property:
     slot = '_' + name
 
     def getter(self: TopicEndpointInfo) -> Any:
-        """The value of this field."""
+        """Return the value of this field."""
         return getattr(self, slot)
 
     def setter(self: TopicEndpointInfo, value: Any) -> None:
@@ -143,7 +143,7 @@ for _name, (_, _check) in _FIELDS.items():
 
 
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
-    """The info of an endpoint of the graph."""
+    """Return the info of an endpoint of the graph."""
     return TopicEndpointInfo(
         node_name=endpoint.node.name,
         node_namespace=endpoint.node.namespace,
@@ -156,7 +156,7 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 
 def _hash_of(type_name: str) -> TypeHash:
-    """The hash of a type; none for a type that only another program's workspace has."""
+    """Return the hash of a type; none for a type that only another program's workspace has."""
     from edulaunch.ros.serialization.type_description import type_hash
 
     try:

@@ -6,5 +6,5 @@ from edulaunch.engine.graph.names import is_hidden
 
 
 def topic_or_service_is_hidden(name: str) -> bool:
-    """Whether a token of the name begins with an underscore."""
+    """Return whether a token of the name begins with an underscore."""
     return is_hidden(name)

@@ -19,7 +19,7 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
 
 
 def ok(*, context: Context | None = None) -> bool:
-    """Whether ROS 2 is between init and shutdown."""
+    """Return whether ROS 2 is between init and shutdown."""
     return (context or get_default_context()).ok()
 
 
@@ -34,17 +34,17 @@ def try_shutdown(*, context: Context | None = None) -> None:
 
 
 def get_rmw_implementation_identifier() -> str:
-    """The name of the middleware."""
+    """Return the name of the middleware."""
     return process_state().process.env.get('RMW_IMPLEMENTATION') or 'rmw_fastrtps_cpp'
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """The names of all middlewares that could be used."""
+    """Return the names of all middlewares that could be used."""
     return {get_rmw_implementation_identifier()}
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """A command line (None: the program's own) without its `--ros-args` sections and remap rules.
+    """Return a command line (None: the program's own) without its `--ros-args` sections and remap rules.
 
     :raises RCLInvalidROSArgsError, UnknownROSArgsError: for arguments after `--ros-args` that cannot be understood.
     """

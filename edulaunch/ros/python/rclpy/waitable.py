@@ -67,7 +67,7 @@ class Waitable(Entity):
         """Nothing was held."""
 
     def is_ready(self, wait_set: Any) -> bool:
-        """Whether there is something to do."""
+        """Return whether there is something to do."""
         return True
 
     def take_data(self) -> Any:
@@ -78,7 +78,7 @@ class Waitable(Entity):
         """Act on what was taken; for subclasses."""
 
     def get_num_entities(self) -> NumberOfEntities:
-        """How many entities of each kind belong to it."""
+        """Return how many entities of each kind belong to it."""
         return NumberOfEntities()
 
     def add_to_wait_set(self, wait_set: Any) -> None:

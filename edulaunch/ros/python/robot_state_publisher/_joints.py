@@ -63,7 +63,7 @@ class Joint(NamedTuple):
 
 
 def read_joints(description: str) -> list[Joint]:
-    """The joints of a URDF text, in its order.
+    """Return the joints of a URDF text, in its order.
 
     :raises ValueError: it is not a robot description; with the parser's message.
     :raises SystemExit: when the parser is not installed, which ends the program with a message.
@@ -134,7 +134,7 @@ def _joint(found: Any) -> Joint:
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """The rotation of a URDF's rpy: about the fixed axes x, y, z in this order."""
+    """Return the rotation of a URDF's rpy: about the fixed axes x, y, z in this order."""
     about_x = (sin(roll / 2), 0.0, 0.0, cos(roll / 2))
     about_y = (0.0, sin(pitch / 2), 0.0, cos(pitch / 2))
     about_z = (0.0, 0.0, sin(yaw / 2), cos(yaw / 2))
@@ -142,7 +142,7 @@ def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 
 def rotated(turn: Quaternion, vector: Any) -> tuple[float, float, float]:
-    """A vector after a rotation."""
+    """Return a vector after a rotation."""
     x, y, z, w = turn
     rx, ry, rz, _ = multiply(multiply(turn, (*vector, 0.0)), (-x, -y, -z, w))
     return rx, ry, rz

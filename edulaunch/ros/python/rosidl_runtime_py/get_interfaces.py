@@ -9,7 +9,7 @@ from edulaunch.errors import InterfaceError
 
 
 def get_interface_packages() -> list[str]:
-    """The names of all packages that have interfaces."""
+    """Return the names of all packages that have interfaces."""
     return current_registry().packages()
 
 
@@ -38,7 +38,7 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 
 
 def get_interface_path(interface_name: str) -> str:
-    """The file of 'pkg/msg/Name'.
+    """Return the file of 'pkg/msg/Name'.
 
     :raises ValueError: when the name has another form; LookupError for an unknown interface.
     """

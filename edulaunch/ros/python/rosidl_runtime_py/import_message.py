@@ -10,7 +10,7 @@ from rosidl_runtime_py.utilities import get_interface
 
 
 def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
-    """The class that an entry of `SLOT_TYPES` stands for.
+    """Return the class that an entry of `SLOT_TYPES` stands for.
 
     :raises ModuleNotFoundError, AttributeError: for an unknown message, as in `rosidl_runtime_py.utilities.get_interface`.
     """

@@ -48,7 +48,7 @@ def _setter(message: Any, name: str) -> Any:
 
 
 def _set_nested(msg: Any, name: str, field_type: Any, value: Any, expand: tuple[bool, bool]) -> list[Any]:
-    """A field that holds messages: given as such, or as dictionaries."""
+    """Return a field that holds messages: given as such, or as dictionaries."""
     cls = rules_of(msg)[name].message
     if not field_type.array:
         if isinstance(value, cls):

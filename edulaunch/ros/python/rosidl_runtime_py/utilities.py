@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def get_interface(identifier: str) -> Any:
-    """The class of 'pkg/msg/Name', 'pkg/srv/Name' or 'pkg/action/Name'.
+    """Return the class of 'pkg/msg/Name', 'pkg/srv/Name' or 'pkg/action/Name'.
 
     :raises ValueError: when the name has another form.
     :raises ModuleNotFoundError: when there is no such package or no such kind of interface in it.
@@ -56,22 +56,22 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def is_message(interface: Any) -> bool:
-    """Whether a class is that of a message (a request, a goal and the like are messages too)."""
+    """Return whether a class is that of a message (a request, a goal and the like are messages too)."""
     return hasattr(interface, 'get_fields_and_field_types')
 
 
 def is_service(interface: Any) -> bool:
-    """Whether a class is that of a service."""
+    """Return whether a class is that of a service."""
     return hasattr(interface, 'Request') and hasattr(interface, 'Response')
 
 
 def is_action(interface: Any) -> bool:
-    """Whether a class is that of an action."""
+    """Return whether a class is that of an action."""
     return hasattr(interface, 'Goal') and hasattr(interface, 'Result') and hasattr(interface, 'Feedback')
 
 
 def get_message(identifier: str) -> Any:
-    """The class of a message; 'pkg/Name' will do.
+    """Return the class of a message; 'pkg/Name' will do.
 
     :raises ValueError: when it is not a message; otherwise, as in :func:`get_interface`.
     """
@@ -79,7 +79,7 @@ def get_message(identifier: str) -> Any:
 
 
 def get_service(identifier: str) -> Any:
-    """The class of a service; 'pkg/Name' will do.
+    """Return the class of a service; 'pkg/Name' will do.
 
     :raises ValueError: when it is not a service; otherwise, as in :func:`get_interface`.
     """
@@ -87,7 +87,7 @@ def get_service(identifier: str) -> Any:
 
 
 def get_action(identifier: str) -> Any:
-    """The class of an action; 'pkg/Name' will do.
+    """Return the class of an action; 'pkg/Name' will do.
 
     :raises ValueError: when it is not an action; otherwise, as in :func:`get_interface`.
     """

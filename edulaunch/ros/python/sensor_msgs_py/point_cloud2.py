@@ -31,7 +31,7 @@ def read_points(
     uvs: Iterable[Any] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> Any:
-    """The points as a structured array, one entry for each field.
+    """Return the points as a structured array, one entry for each field.
 
     :param field_names: which fields; None for all of them, in the order of the message.
     :param skip_nans: leave out points with a NaN in one of these fields.
@@ -70,7 +70,7 @@ def read_points_numpy(
     uvs: Iterable[Any] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> Any:
-    """The points as a plain array with a column for each field, which must all have one type."""
+    """Return the points as a plain array with a column for each field, which must all have one type."""
     assert all(
         field.datatype == cloud.fields[0].datatype for field in cloud.fields if field_names is None or field.name in field_names
     ), 'All fields need to have the same datatype. Use `read_points()` otherwise.'
@@ -82,14 +82,14 @@ def read_points_numpy(
 def read_points_list(
     cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False, uvs: Iterable[Any] | None = None
 ) -> list[Any]:
-    """The points as named tuples."""
+    """Return the points as named tuples."""
     points = read_points(cloud, field_names, skip_nans, uvs)
     kind = namedtuple('Point', points.dtype.names)  # type: ignore[misc]
     return [kind._make(point) for point in points]
 
 
 def dtype_from_fields(fields: Iterable[Any], point_step: int | None = None) -> Any:
-    """The numpy type of one point. Fields without a name are called `unnamed_field_0` and so on."""
+    """Return the numpy type of one point. Fields without a name are called `unnamed_field_0` and so on."""
     names, formats, offsets = [], [], []
     for number, field in enumerate(fields):
         kind = _DATATYPES[field.datatype]
@@ -104,7 +104,7 @@ def dtype_from_fields(fields: Iterable[Any], point_step: int | None = None) -> A
 
 
 def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | None = None) -> Any:
-    """A cloud of points: a structured array, a plain array or a list with a row for each point.
+    """Return a cloud of points: a structured array, a plain array or a list with a row for each point.
 
     Arrays of two dimensions that are structured, or of three that are not, make an organized cloud.
 
@@ -137,6 +137,6 @@ def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | No
 
 
 def create_cloud_xyz32(header: Any, points: Any) -> Any:
-    """A cloud with the fields x, y and z as 32-bit floats."""
+    """Return a cloud with the fields x, y and z as 32-bit floats."""
     fields = [PointField(name=name, offset=4 * number, datatype=PointField.FLOAT32, count=1) for number, name in enumerate('xyz')]
     return create_cloud(header, fields, points)

@@ -34,7 +34,7 @@ def get_test_msg(message_name: str) -> list[Any]:
 
 
 def _filled(cls: Any, corner: int, count: int) -> Any:
-    """A message with a value in each field; unbounded lists get `count` entries.
+    """Return a message with a value in each field; unbounded lists get `count` entries.
 
     :param corner: 0 for nothing, 1 for small values, 2 for the largest, 3 for the smallest.
     """

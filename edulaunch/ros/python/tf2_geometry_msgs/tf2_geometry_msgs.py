@@ -23,7 +23,7 @@ from edulaunch.engine.tf.transforms import Transform
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """A message is its own message form."""
+    """Return a message is its own message form."""
     return msg
 
 
@@ -31,7 +31,7 @@ from_msg_msg = to_msg_msg
 
 
 def do_transform_point(point: PointStamped, transform: TransformStamped) -> PointStamped:
-    """The point in the transform's frame; the result has the transform's header."""
+    """Return the point in the transform's frame; the result has the transform's header."""
     result = PointStamped(header=transform.header)
     result.point.x, result.point.y, result.point.z = transforms.apply(
         _numbers(transform), (point.point.x, point.point.y, point.point.z)
@@ -40,7 +40,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 
 
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
-    """The vector turned into the transform's frame; a vector has no place, so nothing is added.
+    """Return the vector turned into the transform's frame; a vector has no place, so nothing is added.
 
     As upstream, it sets the translation of the transform that was passed in to zero.
     """
@@ -53,7 +53,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
 
 def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
-    """The pose in the transform's frame; its orientation has w >= 0."""
+    """Return the pose in the transform's frame; its orientation has w >= 0."""
     at = pose.position
     moved = transforms.compose(_numbers(transform), (at.x, at.y, at.z, *_rotation(pose.orientation)))
     x, y, z, w = quaternions.canonical(moved[3:])
@@ -81,7 +81,7 @@ def do_transform_pose_with_covariance_stamped(
 
 
 def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformStamped) -> PolygonStamped:
-    """All points of the polygon in the transform's frame."""
+    """Return all points of the polygon in the transform's frame."""
     numbers = _numbers(transform)
     result = PolygonStamped(header=transform.header)
     for point in polygon.polygon.points:
@@ -91,7 +91,7 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
 
 
 def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -> list[float]:
-    """A 6x6 covariance (row by row, 36 numbers) in the transform's frame: each 3x3 block B becomes R B
+    """Return a 6x6 covariance (row by row, 36 numbers) in the transform's frame: each 3x3 block B becomes R B
     R^T.
     """
     r = quaternions.to_matrix(_rotation(transform.transform.rotation))
@@ -110,7 +110,7 @@ def _turned(r: Matrix, block: list[list[float]], i: int, j: int) -> float:
 
 
 def _rotation(q: Any) -> Quaternion:
-    """The rotation of a message at unit length; all zeros stand for no rotation."""
+    """Return the rotation of a message at unit length; all zeros stand for no rotation."""
     if q.x == q.y == q.z == q.w == 0.0:
         return quaternions.IDENTITY
     return quaternions.canonical((q.x, q.y, q.z, q.w))

@@ -84,7 +84,7 @@ _BY_KIND: dict[str, type[TransformException]] = {
 
 
 def exception_of(failure: TransformFailure) -> TransformException:
-    """The tf2 exception that belongs to a failure of `edulaunch.engine.tf`."""
+    """Return the tf2 exception that belongs to a failure of `edulaunch.engine.tf`."""
     return _BY_KIND[failure.kind](str(failure))
 
 
@@ -156,7 +156,7 @@ class BufferCore:
             report(rejections)
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
-        """The transform that maps coordinates given in the source frame into the target frame.
+        """Return the transform that maps coordinates given in the source frame into the target frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
@@ -169,7 +169,7 @@ class BufferCore:
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """The transform from the source frame at one time to the target frame at another, over a fixed frame.
+        """Return the transform from the source frame at one time to the target frame at another, over a fixed frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
@@ -196,7 +196,7 @@ class BufferCore:
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """The newest time for which the transform is known, as rclpy Time (system clock); 0 when all is
+        """Return the newest time for which the transform is known, as rclpy Time (system clock); 0 when all is
         static.
 
         :raises TransformException: the frames are unknown or not connected.
@@ -232,7 +232,7 @@ class BufferCore:
         return self._tf.all_frames_as_yaml()
 
     def all_frames_as_string(self) -> str:
-        """One line for each frame that has a parent."""
+        """Return one line for each frame that has a parent."""
         return self._tf.all_frames_as_string()
 
     def clear(self) -> None:
@@ -240,11 +240,11 @@ class BufferCore:
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802
-        """A graphviz graph of all frames; with a time it shows ages."""
+        """Return a graphviz graph of all frames; with a time it shows ages."""
         return self._tf.all_frames_as_dot(0 if time is None else nanoseconds(time))
 
     def _chain(self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str) -> list[str]:
-        """The frames between source and target.
+        """Return the frames between source and target.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
@@ -261,6 +261,6 @@ class BufferCore:
 
 
 def message(target_frame: str, source_frame: str, stamp_ns: int, pose: Transform) -> TransformStamped:
-    """A transform as tf2 hands it out."""
+    """Return a transform as tf2 hands it out."""
     seconds = stamp_ns // NS_PER_S
     return from_wire((seconds, stamp_ns - seconds * NS_PER_S, target_frame, source_frame, *pose))

@@ -134,7 +134,7 @@ class Buffer(BufferCore, BufferInterface):
             callback()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> TransformStamped:
-        """The transform that maps coordinates given in the source frame into the target frame.
+        """Return the transform that maps coordinates given in the source frame into the target frame.
 
         :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames
             have data.
@@ -163,7 +163,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """The transform between frames at two different times, over a frame that does not move meanwhile."""
+        """Return the transform between frames at two different times, over a frame that does not move meanwhile."""
         if timeout is not NO_WAIT:
             self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
@@ -215,7 +215,7 @@ class Buffer(BufferCore, BufferInterface):
         return answer
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
-        """A future that is done, with the transform, as soon as the transform is there; it has no timeout."""
+        """Return a future that is done, with the transform, as soon as the transform is there; it has no timeout."""
         future = self._future(
             lambda: self.can_transform_core(target_frame, source_frame, time),
             lambda: self.lookup_transform_core(target_frame, source_frame, time),

@@ -91,7 +91,7 @@ class BufferClient(BufferInterface):
         return self._ask(goal)
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> bool:
-        """Whether :meth:`lookup_transform` succeeds."""
+        """Return whether :meth:`lookup_transform` succeeds."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
         except TransformException:
@@ -107,7 +107,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> bool:
-        """Whether :meth:`lookup_transform_full` succeeds."""
+        """Return whether :meth:`lookup_transform_full` succeeds."""
         try:
             self.lookup_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         except TransformException:

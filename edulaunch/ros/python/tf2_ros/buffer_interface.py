@@ -36,7 +36,7 @@ def _own(table: str) -> dict[Key, Callable[..., Any]]:
 
 
 def _is_imported(function: Callable[..., Any]) -> bool:
-    """Whether the running program has imported the package of a provided function."""
+    """Return whether the running program has imported the package of a provided function."""
     return bool(current_process().has_imported(function.__module__.partition('.')[0]))
 
 
@@ -62,7 +62,7 @@ class TransformRegistration:
         _own('transform')[key] = callback
 
     def get(self, key: Key) -> Callable[..., Any]:
-        """The function for a type.
+        """Return the function for a type.
 
         :raises TypeException: the object has no such conversion.
         """
@@ -118,7 +118,7 @@ class BufferInterface:
         self.registration = TransformRegistration()
 
     def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None) -> Any:
-        """The object in another frame, at the time of its own stamp (0: the latest).
+        """Return the object in another frame, at the time of its own stamp (0: the latest).
 
         :raises TypeException: the object's type is not registered.
         :raises tf2.TransformException: no such transform; one of its subclasses.
@@ -137,7 +137,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: Any = None,
     ) -> Any:
-        """The object in another frame at another time, over a frame that does not move meanwhile."""
+        """Return the object in another frame at another time, over a frame that does not move meanwhile."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         result = do_transform(

@@ -83,7 +83,7 @@ class BufferServer(CppNode):
         return result
 
     def look_up(self, goal: Any) -> Any:
-        """The lookup of a goal; errors are part of the result."""
+        """Return the lookup of a goal; errors are part of the result."""
         result = LookupTransform.Result()
         try:
             if goal.advanced:

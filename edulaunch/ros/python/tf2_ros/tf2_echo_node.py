@@ -59,7 +59,7 @@ class Echo(CppNode):
 
 
 def pose_text(found: TransformStamped) -> str:
-    """The ten lines about one transform; nanoseconds are not padded, as in ROS 2."""
+    """Return the ten lines about one transform; nanoseconds are not padded, as in ROS 2."""
     at, q = found.transform.translation, found.transform.rotation
     rotation = (q.x, q.y, q.z, q.w)
     angles = to_euler(rotation)

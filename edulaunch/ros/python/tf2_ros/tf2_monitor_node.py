@@ -63,7 +63,7 @@ class Monitor(CppNode):
         self.create_timer(CYCLE_S, self.on_cycle)
 
     def age_s(self, stamp: Any) -> float:
-        """How long ago a stamp was, in seconds."""
+        """Return how long ago a stamp was, in seconds."""
         now_ns: int = self.get_clock().now().nanoseconds
         return float(now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
 

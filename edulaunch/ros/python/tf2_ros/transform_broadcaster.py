@@ -40,7 +40,7 @@ class TransformBroadcaster:
 
 
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
-    """One transform or several, as a list."""
+    """Return one transform or several, as a list."""
     return list(transform) if hasattr(transform, '__iter__') else [transform]
 
 

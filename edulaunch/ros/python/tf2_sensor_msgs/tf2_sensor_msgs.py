@@ -11,7 +11,7 @@ from tf2_ros.buffer_interface import provide
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """The message itself: it needs no conversion."""
+    """Return the message itself: it needs no conversion."""
     return msg
 
 
@@ -30,7 +30,7 @@ def transform_points(point_cloud: Any, transform: Transform) -> Any:
 
 
 def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
-    """A new cloud whose fields x, y and z are transformed and all others kept.
+    """Return a new cloud whose fields x, y and z are transformed and all others kept.
 
     A stamped transform gives the new cloud its frame and stamp too.
 

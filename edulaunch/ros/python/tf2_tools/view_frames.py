@@ -89,7 +89,7 @@ def _places(data: dict[Any, dict[str, Any]]) -> tuple[dict[Any, tuple[float, flo
 
 
 def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
-    """The graphviz text of a tree of frames as `all_frames_as_yaml` describes it."""
+    """Return the graphviz text of a tree of frames as `all_frames_as_yaml` describes it."""
     if not data:
         return 'digraph G { "No tf data received" }'
     lines = ['digraph G {']
@@ -122,7 +122,7 @@ def listen(node: Node, seconds: float) -> None:
 
 
 def ask_for_frames(node: Node) -> Any:
-    """The answer of the node's own service tf2_frames."""
+    """Return the answer of the node's own service tf2_frames."""
     client = node.create_client(FrameGraph, 'tf2_frames')
     client.wait_for_service()
     future = client.call_async(FrameGraph.Request())

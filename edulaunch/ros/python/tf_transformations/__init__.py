@@ -92,7 +92,7 @@ SHEAR_IDENTITY = TRANSLATION_IDENTITY
 
 
 def _of_arrays(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The function with its sequences as arrays of floats: others it copies with numpy 1, and refuses with numpy 2."""
+    """Return the function with its sequences as arrays of floats: others it copies with numpy 1, and refuses with numpy 2."""
 
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
@@ -122,34 +122,34 @@ translation_from_matrix = _of_arrays(_matrices.translation_from_matrix)
 
 
 def euler_from_matrix(matrix: Any, axes: Axes = 'sxyz') -> tuple[float, float, float]:
-    """The three angles of the rotation in a 4x4 or 3x3 matrix: roll, pitch and yaw by default."""
+    """Return the three angles of the rotation in a 4x4 or 3x3 matrix: roll, pitch and yaw by default."""
     angles: tuple[float, float, float] = _matrices.euler_from_matrix(_as_array(matrix), axes)
     return angles
 
 
 def euler_from_quaternion(quaternion: Sequence[float], axes: Axes = 'sxyz') -> tuple[float, float, float]:
-    """The three angles of a rotation: roll, pitch and yaw by default."""
+    """Return the three angles of a rotation: roll, pitch and yaw by default."""
     angles: tuple[float, float, float] = _matrices.euler_from_quaternion(_w_first(quaternion), axes)
     return angles
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = 'sxyz') -> Quaternion:
-    """The rotation of three angles: roll, pitch and yaw by default."""
+    """Return the rotation of three angles: roll, pitch and yaw by default."""
     return _w_last(_matrices.quaternion_from_euler(ai, aj, ak, axes))
 
 
 def quaternion_about_axis(angle: float, axis: Sequence[float]) -> Quaternion:
-    """A turn by an angle about an axis of any length."""
+    """Return a turn by an angle about an axis of any length."""
     return _w_last(_matrices.quaternion_about_axis(angle, axis))
 
 
 def quaternion_matrix(quaternion: Sequence[float]) -> Any:
-    """The 4x4 homogeneous matrix of a rotation; a zero quaternion gives the identity."""
+    """Return the 4x4 homogeneous matrix of a rotation; a zero quaternion gives the identity."""
     return _matrices.quaternion_matrix(_w_first(quaternion))
 
 
 def quaternion_from_matrix(matrix: Any, isprecise: bool = False) -> Quaternion:
-    """The rotation of a 4x4 or 3x3 matrix, with w >= 0.
+    """Return the rotation of a 4x4 or 3x3 matrix, with w >= 0.
 
     :param isprecise: whether the matrix is a rotation without any error, which is quicker.
     """
@@ -162,19 +162,19 @@ def quaternion_multiply(quaternion1: Sequence[float], quaternion0: Sequence[floa
 
 
 def quaternion_conjugate(quaternion: Sequence[float]) -> Quaternion:
-    """The opposite rotation of a unit quaternion."""
+    """Return the opposite rotation of a unit quaternion."""
     return _w_last(_matrices.quaternion_conjugate(_w_first(quaternion)))
 
 
 def quaternion_inverse(quaternion: Sequence[float]) -> Quaternion:
-    """The quaternion that gives (0, 0, 0, 1) when multiplied with the given one, whatever its length."""
+    """Return the quaternion that gives (0, 0, 0, 1) when multiplied with the given one, whatever its length."""
     return _w_last(_matrices.quaternion_inverse(_w_first(quaternion)))
 
 
 def quaternion_slerp(
     quat0: Sequence[float], quat1: Sequence[float], fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Quaternion:
-    """The rotation a fraction (0 to 1) of the way from one to the other.
+    """Return the rotation a fraction (0 to 1) of the way from one to the other.
 
     :param spin: the number of additional half turns on the way.
     :param shortestpath: go the shorter way round.
@@ -183,7 +183,7 @@ def quaternion_slerp(
 
 
 def random_quaternion(rand: Sequence[float] | None = None) -> Quaternion:
-    """A rotation, all being equally likely.
+    """Return a rotation, all being equally likely.
 
     :param rand: three numbers from 0 to 1 that decide which (default: random numbers, equal in every run with the same seed).
     """
@@ -191,7 +191,7 @@ def random_quaternion(rand: Sequence[float] | None = None) -> Quaternion:
 
 
 def random_rotation_matrix(rand: Sequence[float] | None = None) -> Any:
-    """The 4x4 matrix of :func:`random_quaternion`."""
+    """Return the 4x4 matrix of :func:`random_quaternion`."""
     return _matrices.random_rotation_matrix(_by_chance(3) if rand is None else rand)
 
 
@@ -220,7 +220,7 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
         self.constrain = bool(constrain)
 
     def getconstrain(self) -> bool:
-        """Whether turns are about an axis only."""
+        """Return whether turns are about an axis only."""
         return bool(self.constrain)
 
 

@@ -185,7 +185,7 @@ class TurtlePorts:
 
 
 def _pose_of(turtle: Turtle) -> tuple[float, ...]:
-    """The wire of a Pose: five fields, rounded to 32 bits."""
+    """Return the wire of a Pose: five fields, rounded to 32 bits."""
     speed = turtle.linear_velocity if turtle.sideways else abs(turtle.speed)
     try:
         return _POSE.unpack(_POSE.pack(turtle.x, SIDE - turtle.down, turtle.theta, speed, turtle.turning))

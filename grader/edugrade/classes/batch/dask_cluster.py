@@ -100,7 +100,7 @@ def _workspaces(work: Work, options: Options) -> list[str]:
 
 
 def _files(folder: str) -> dict[str, bytes]:
-    """The regular files of a package, by their path; links are left out, as the grader's own reading does."""
+    """Return the regular files of a package, by their path; links are left out, as the grader's own reading does."""
     found = {}
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(

@@ -75,7 +75,7 @@ class Finder:
         self._given = given
 
     def entries(self) -> list[Entry]:
-        """All submissions in the order of their paths. A student without a submission has an entry with the reason.
+        """Return all submissions in the order of their paths. A student without a submission has an entry with the reason.
 
         :raises UnusableInput: when there is nothing to look into.
         """
@@ -92,7 +92,7 @@ class Finder:
         return [entry for item in _sorted(given) for entry in self._of_item(item, student_of)]
 
     def _of_row(self, student: Student, folder: str, origin: str, refused: str) -> list[Entry]:
-        """What one line of a table leads to."""
+        """Return what one line of a table leads to."""
         shown = os.path.basename(folder)
         if refused:
             return [Entry(shown, *student, refused=refused, origin=origin)]
@@ -114,7 +114,7 @@ class Finder:
         yield from (entry._replace(root=self._root_of(entry, item.path)) for entry in found)
 
     def _root_of(self, entry: Entry, folder: str) -> str:
-        """What the student handed in of which this is a part: a folder, or what an archive was unpacked to."""
+        """Return what the student handed in of which this is a part: a folder, or what an archive was unpacked to."""
         if entry.file.startswith(os.path.join(folder, '')):
             return folder
         if not entry.file.startswith(os.path.join(self._unpacked, '')):
@@ -122,7 +122,7 @@ class Finder:
         return os.path.join(self._unpacked, os.path.relpath(entry.file, self._unpacked).split(os.sep)[0])
 
     def _walk(self, folder: str, shown: str, student_of: Callable[[str], Student], nested: int) -> Iterator[Entry]:
-        """The submissions in a folder, whose path is `shown`."""
+        """Yield the submissions in a folder, whose path is `shown`."""
         if shown.count('/') > DEEPEST:
             return
         package = package_at(folder)
@@ -150,7 +150,7 @@ class Finder:
             yield self._launch_file(Entry(shown, *student_of(shown), file=path))
 
     def _launch_file(self, entry: Entry) -> Entry:
-        """The entry of a launch file; one that a learning platform has renamed gets its own name back, in a copy."""
+        """Return the entry of a launch file; one that a learning platform has renamed gets its own name back, in a copy."""
         name = os.path.basename(entry.file)
         if plain_name(name) == name:
             return entry
@@ -184,7 +184,7 @@ class Finder:
         yield from found or [Entry(shown, *student, refused=NOTHING)]
 
     def _new_folder(self) -> str:
-        """The path of a folder that is not there yet, for one archive or file."""
+        """Return the path of a folder that is not there yet, for one archive or file."""
         os.makedirs(self._unpacked, exist_ok=True)
         self._folders += 1
         return os.path.join(self._unpacked, str(self._folders))

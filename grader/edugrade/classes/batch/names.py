@@ -31,7 +31,7 @@ class Student(NamedTuple):
 
 
 def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
-    """What gives the student of a path relative to the folder of all submissions (written with ``/``).
+    """Return what gives the student of a path relative to the folder of all submissions (written with ``/``).
 
     A pattern comes first. Then come the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of Gradescope
     (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
@@ -57,7 +57,7 @@ def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
 
 
 def plain_name(name: str) -> str:
-    """The name that the student gave a launch file: without what Moodle and Canvas write around it."""
+    """Return the name that the student gave a launch file: without what Moodle and Canvas write around it."""
     for before in (_MOODLE, _CANVAS_BEFORE):
         match = before.match(name)
         if match and match.end() < len(name):
@@ -87,7 +87,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
 
 
 def _gradescope_people(folder: str) -> Mapping[str, Student]:
-    """The submitters by the folder of their submission, from the file that Gradescope's export has beside them."""
+    """Return the submitters by the folder of their submission, from the file that Gradescope's export has beside them."""
     for place in ('', *_folders(folder)):
         try:
             text = read_regular(os.path.join(folder, place, 'submission_metadata.yml'), LARGEST_METADATA)
@@ -111,7 +111,7 @@ def _folders(folder: str) -> list[str]:
 
 
 def _person(key: Any, value: Any) -> tuple[str, Student] | None:
-    """All who handed it in: Gradescope writes the keys as Ruby symbols."""
+    """Return all who handed it in: Gradescope writes the keys as Ruby symbols."""
     submitters = value.get(':submitters') if isinstance(value, dict) else None
     if not isinstance(submitters, list) or not all(isinstance(each, dict) for each in submitters):
         return None

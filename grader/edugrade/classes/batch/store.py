@@ -102,7 +102,7 @@ class Store:
         self._times[entry.path] = round(seconds, 2)
 
     def times(self) -> dict[str, float]:
-        """How long the runs of submissions took, by path: now, or in an earlier batch. Keeps it."""
+        """Return how long the runs of submissions took, by path: now, or in an earlier batch. Keeps it."""
         path = os.path.join(self.folder, TIMES)
         known: dict[str, float] = {}
         with suppress(OSError, ValueError, RecursionError):
@@ -113,7 +113,7 @@ class Store:
         return {**known, **self._times}
 
     def all(self) -> list[Result]:
-        """Every result that is there, in the order of their paths: of an ended batch, for its exports.
+        """Return every result that is there, in the order of their paths: of an ended batch, for its exports.
 
         :raises UnusableInput: when there is no result.
         """
@@ -135,7 +135,7 @@ def _read(path: str) -> Result | None:
 
 
 def merged(earlier: dict[str, Any], again: dict[str, Any], name: str) -> dict[str, Any]:
-    """The earlier result with one check, its points and what follows from them as they are now. The rest stays as it was.
+    """Return the earlier result with one check, its points and what follows from them as they are now. The rest stays as it was.
 
     :param again: the report of the check and of the checks that it needs.
     """

@@ -39,7 +39,7 @@ NUMBER = re.compile(r'^(\d+)\.(\d+)$')
 
 
 def rows(results: Results) -> list[dict[str, str]]:
-    """A row for each submission: no mark is an empty text, and never a zero."""
+    """Return a row for each submission: no mark is an empty text, and never a zero."""
     return [_row(entry, found or {'refused': 'not graded yet'}) for entry, found in results]
 
 
@@ -91,7 +91,7 @@ def first_problem(found: Result) -> str | None:
 
 
 def class_csv(results: Results) -> str:
-    """One line for each submission."""
+    """Return one line for each submission."""
     return csv_text(COLUMNS, rows(results))
 
 
@@ -141,13 +141,13 @@ def write_pages(folder: str, results: Results, store: Store) -> None:
 
 
 def student_file(name: str, number: str = '') -> str:
-    """The path of a student's page: readable, and another one for each student."""
+    """Return the path of a student's page: readable, and another one for each student."""
     readable = ''.join(sign if sign.isalnum() else '_' for sign in name)[:LONGEST_STEM]
     return f'students/{readable}-{sha256(f"{name}/{number}".encode("utf-8", "surrogateescape")).hexdigest()[:8]}.html'
 
 
 def class_page(results: Results, pages: dict[str, str]) -> str:
-    """All marks, what went wrong most often, and how often each check passed and failed."""
+    """Return all marks, what went wrong most often, and how often each check passed and failed."""
     table = [table_row('student', 'submission', *(column.replace('_', ' ') for column in SHOWN), kind='th')]
     for (entry, _), row in zip(results, rows(results), strict=True):
         name = element('a', entry.student, href=quote(student_file(entry.student, entry.id)))
@@ -166,7 +166,7 @@ def class_page(results: Results, pages: dict[str, str]) -> str:
 
 
 def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
-    """What one student handed in, check by check."""
+    """Return what one student handed in, check by check."""
     parts: list[Markup] = []
     for (entry, found), row in zip(results, rows(results), strict=True):
         mark = f': {row["earned"]} of {row["possible"]} points' if row['earned'] else ': no mark'
@@ -203,7 +203,7 @@ def _marks(results: Results) -> Iterator[str]:
 
 
 def _causes(results: Results) -> list[Markup]:
-    """The first thing that is wrong with a submission, most frequent first."""
+    """Return the first thing that is wrong with a submission, most frequent first."""
     counts: Counter[tuple[str, str, str]] = Counter()
     for (_, found), row in zip(results, rows(results), strict=True):
         if row['first_problem']:

@@ -65,7 +65,7 @@ def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
 
 
 def refused(reason: str) -> UnusableInput:
-    """The error for an archive that is not looked at."""
+    """Return the error for an archive that is not looked at."""
     return UnusableInput(
         f'the archive {reason}', help='pack the launch file or the package as a plain .zip or .tar.gz, without links'
     )

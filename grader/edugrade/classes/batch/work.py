@@ -42,7 +42,7 @@ class Options(NamedTuple):
 
     @classmethod
     def of(cls, words: argparse.Namespace) -> Options:
-        """The options of a command line."""
+        """Return the options of a command line."""
         secret = CourseSecret(words.course_secret_file) if words.course_secret_file else None
         limits = Limits(words.limit, sandbox=words.sandbox)
         common = (words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
@@ -50,7 +50,7 @@ class Options(NamedTuple):
 
 
 def plan(entry: Entry, options: Options) -> Work:
-    """What a submission is graded by.
+    """Return what a submission is graded by.
 
     :raises UnusableInput: when it cannot be graded, and why.
     """

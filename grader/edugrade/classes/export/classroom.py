@@ -35,7 +35,7 @@ class Test(NamedTuple):
 
 
 def main(words: Sequence[str]) -> int:
-    """The command."""
+    """Run the command, and return its exit code."""
     parser = argparse.ArgumentParser(
         prog='edugrade classroom', description='Write the autograding of a GitHub Classroom assignment.'
     )

@@ -48,7 +48,7 @@ PATH="/opt/edugrade/bin:$PATH" exec edugrade gradescope run "${AUTOGRADER:-/auto
 
 
 def main(words: Sequence[str]) -> int:
-    """The command."""
+    """Run the command, and return its exit code."""
     parser = argparse.ArgumentParser(prog='edugrade gradescope', description='Grade on Gradescope.')
     verbs = parser.add_subparsers(dest='verb', required=True)
     build_ = verbs.add_parser('build', help='pack an autograder for one exercise')
@@ -152,7 +152,7 @@ def results(found: dict[str, Any], note: str = '') -> dict[str, Any]:
 
 
 def refused(reason: str, possible: int) -> dict[str, Any]:
-    """The results of what cannot be graded because of what was handed in."""
+    """Return the results of what cannot be graded because of what was handed in."""
     test = {
         'name': 'It can be graded',
         'score': 0,
@@ -186,7 +186,7 @@ def _student(folder: str) -> tuple[str, str, int]:
 
 
 def _find(folder: str, unpacked: str, exercise: str) -> str:
-    """The launch file or package of the exercise, somewhere in the submission."""
+    """Return the launch file or package of the exercise, somewhere in the submission."""
     entries = Finder(folder, unpacked, lambda name: exercise_of(name) == exercise).entries()
     found = next((entry.file for entry in entries if entry.file), None)
     if found is None:

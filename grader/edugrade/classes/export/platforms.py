@@ -34,7 +34,7 @@ class Mark(NamedTuple):
 
 
 def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> tuple[str, list[Mark]]:
-    """The exercise and the marks in it; of several submissions of a student the best one counts.
+    """Return the exercise and the marks in it; of several submissions of a student the best one counts.
 
     :param exercise: its name; may be left out when the results know one exercise only.
     :raises UnusableInput: when the exercise is not clear, or no student submitted it.
@@ -75,7 +75,7 @@ def remarks(result: dict[str, Any]) -> list[str]:
 
 
 def is_unconfined(result: dict[str, Any]) -> bool:
-    """Whether a mark comes from runs that were not confined wholly."""
+    """Return whether a mark comes from runs that were not confined wholly."""
     layers = result.get('sandbox') or {}
     return 'checks' in result and (not layers or any(state != 'held' for layer, state in layers.items() if layer != 'view'))
 
@@ -98,7 +98,7 @@ def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
 
 
 def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
-    """The list as it was, but for what was filled in."""
+    """Return the list as it was, but for what was filled in."""
     file = io.StringIO()
     writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore')
     writer.writeheader()
@@ -107,7 +107,7 @@ def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
 
 
 def points(mark: Mark) -> str:
-    """The mark as a number, or nothing."""
+    """Return the mark as a number, or nothing."""
     return '' if mark.earned is None else f'{mark.earned:g}'
 
 
@@ -181,7 +181,7 @@ def moodle_csv(title: str, marks: Sequence[Mark]) -> str:
 
 
 def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
-    """The worksheet with grades and feedback filled in, and the students that it does not name.
+    """Return the worksheet with grades and feedback filled in, and the students that it does not name.
 
     Students are known by the number behind "Participant", which the names of downloads have too, else by their name.
 
@@ -209,7 +209,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
 
 def table_csv(results: Sequence[dict[str, Any]], separator: str = ',') -> str:
-    """One line for each student, with the points of every exercise; no mark is an empty cell."""
+    """Return one line for each student, with the points of every exercise; no mark is an empty cell."""
     exercises = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
     marks = {name: {(mark.student, mark.id): mark for mark in marks_of(results, name)[1]} for name in exercises}
     possible = sum(next(iter(found.values())).possible for found in marks.values())
@@ -237,7 +237,7 @@ def _is(text: str, number: int) -> bool:
 
 
 def main(words: Sequence[str]) -> int:
-    """The command. Says of whom the platform's list knows nothing."""
+    """Run the command. Name the students who are missing from the list of the platform."""
     parser = argparse.ArgumentParser(
         prog='edugrade export',
         description='Write the marks of a batch for a learning platform. A submission without a mark has an empty cell.',

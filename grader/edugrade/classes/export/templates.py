@@ -11,7 +11,7 @@ REQUIREMENTS = 'requirements.txt'
 
 
 def classroom(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[str, bytes]:
-    """A command for each check of each exercise.
+    """Return a command for each check of each exercise.
 
     :param requirements: the text of requirements.txt, for a course without one.
     :param exercises: name and path of each, from the current folder, which is the course.
@@ -28,7 +28,7 @@ def classroom(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[s
 
 
 def gradescope(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[str, bytes]:
-    """An autograder for each exercise; see :func:`classroom`."""
+    """Return an autograder for each exercise; see :func:`classroom`."""
     from .gradescope import build
 
     files = {}

@@ -23,7 +23,7 @@ Timeout = list[Substitution]
 
 
 def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
-    """Two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds."""
+    """Return two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds."""
     kill_after = PythonExpression(['float(', *action.sigterm_timeout, ') + float(', *action.sigkill_timeout, ')'])
     return [
         _timer(action, logger, action.sigterm_timeout, Signals.SIGINT, Signals.SIGTERM),
@@ -32,7 +32,7 @@ def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
 
 
 def request_signal(action: ExecuteLocal, signum: Signals) -> EmitEvent:
-    """The action that asks for a signal to the process of `action`."""
+    """Return the action that asks for a signal to the process of `action`."""
     return EmitEvent(event=SignalProcess(signal_number=signum, process_matcher=matches_action(action)))
 
 

@@ -115,7 +115,7 @@ class ProcessOptions(NamedTuple):
     respawn_max_retries: Any = -1
 
     def wants_respawn(self, retries: int) -> bool:
-        """Whether a process that has ended is to be started again.
+        """Return whether a process that has ended is to be started again.
 
         :param retries: how often it was already.
         :raises TypeError: when the number of retries is invalid.

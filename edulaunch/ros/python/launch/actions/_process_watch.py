@@ -76,7 +76,7 @@ class ProcessWatch(BaseEventHandler):
         return get_logger(self._details['name'])
 
     def text_of(self, stream: str) -> str:
-        """What was written to 'stdout' or 'stderr' so far."""
+        """Return what was written to 'stdout' or 'stderr' so far."""
         lines = self._lines.get(stream)
         return '' if lines is None else lines.text
 
@@ -280,7 +280,7 @@ class ProcessWatch(BaseEventHandler):
 
 
 def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
-    """What the action says, unless there is a launch configuration `emulate_tty`, which must be a condition."""
+    """Return what the action says, unless there is a launch configuration `emulate_tty`, which must be a condition."""
     wanted = context.launch_configurations.get('emulate_tty')
     if wanted is None:
         return bool(options.emulate_tty)

@@ -134,14 +134,14 @@ class ExecuteLocal(Action):
         return None if self.__watch is None else self.__watch.return_code
 
     def get_stdout(self) -> str:
-        """What was written to the standard output so far.
+        """Return what was written to the standard output so far.
 
         :raises RuntimeError: without `cached_output`.
         """
         return self.__cached_text('stdout')
 
     def get_stderr(self) -> str:
-        """What was written to the standard error so far.
+        """Return what was written to the standard error so far.
 
         :raises RuntimeError: without `cached_output`.
         """
@@ -155,7 +155,7 @@ class ExecuteLocal(Action):
         return '' if self.__watch is None else self.__watch.text_of(stream)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The entities of `on_exit`, when it is a list."""
+        """Return the entities of `on_exit`, when it is a list."""
         return self.__on_exit if isinstance(self.__on_exit, list) else []
 
     def prepare(self, context: LaunchContext) -> None:

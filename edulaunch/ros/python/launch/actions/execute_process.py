@@ -43,7 +43,7 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: ParserProtocol) -> list[Substitutions]:
-        """The words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
+        """Return the words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
         from ..frontend.elements import words_of
 
         return words_of(cmd, parser)

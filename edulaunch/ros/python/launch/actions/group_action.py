@@ -67,5 +67,5 @@ class GroupAction(Action):
         return [*begin, *actions, PopEnvironment(), PopLaunchConfigurations()]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """All of them."""
+        """Return all of them."""
         return self.get_sub_entities()

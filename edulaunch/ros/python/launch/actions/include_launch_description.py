@@ -68,12 +68,12 @@ class IncludeLaunchDescription(Action):
         return f'IncludeLaunchDescription({self.__source.described_location})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """The description, when its file can be found and loaded without a running launch."""
+        """Return the description, when its file can be found and loaded without a running launch."""
         description = self.__source.try_get_launch_description_without_context()
         return [description] if description is not None else []
 
     def _try_get_arguments_names_without_context(self) -> list[str]:
-        """The names of the launch arguments, as far as they are known without a running launch."""
+        """Return the names of the launch arguments, as far as they are known without a running launch."""
         try:
             return self.__argument_names(LaunchContext())
         except Exception:

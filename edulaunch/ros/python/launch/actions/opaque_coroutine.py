@@ -62,5 +62,5 @@ class OpaqueCoroutine(Action):
         context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """The task."""
+        """Return the task."""
         return self.__future

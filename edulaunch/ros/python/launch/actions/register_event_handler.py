@@ -27,6 +27,6 @@ class RegisterEventHandler(Action):
         context.register_event_handler(self.__event_handler)
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """The entities of the handler."""
+        """Return the entities of the handler."""
         description = self.__event_handler.describe()
         return [(description[0], description[1])] if description[1] else []  # type: ignore[list-item]

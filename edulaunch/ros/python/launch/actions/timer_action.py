@@ -67,7 +67,7 @@ class TimerAction(Action):
         return f'TimerAction(period={self.__period}, actions=<actions>)'
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """The actions."""
+        """Return the actions."""
         return [(f'{self.__period} seconds pass without being canceled', self.__actions)]
 
     def handle(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity]:

@@ -147,7 +147,7 @@ class Executable:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
     def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
-        """The prefix of this program; one that was given is not subject to the filter."""
+        """Return the prefix of this program; one that was given is not subject to the filter."""
         if self.__given_prefix is not None:
             return shlex.split(perform_substitutions(context, self.__given_prefix))
         if 'launch-prefix' not in context.launch_configurations:

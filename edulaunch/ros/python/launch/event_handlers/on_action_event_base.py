@@ -59,7 +59,7 @@ class OnActionEventBase(BaseEventHandler):
         return not isinstance(matcher, LaunchDescriptionEntity) and bool(matcher(action))
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """The entities, or what the callable returns."""
+        """Return the entities, or what the callable returns."""
         super().handle(event, context)
         if self.__on_event is not None:
             answer: SomeEntitiesType | None = self.__on_event(event, context)
@@ -80,7 +80,7 @@ class OnActionEventBase(BaseEventHandler):
         return f'event == {event} and {self.__target_action_cls.__name__}(event.action)'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """The handler in words, and its entities."""
+        """Return the handler in words, and its entities."""
         text = super().describe()[0]
         return text, list(self.__actions_on_event)
 

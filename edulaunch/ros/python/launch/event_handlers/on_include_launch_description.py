@@ -20,7 +20,7 @@ class OnIncludeLaunchDescription(BaseEventHandler):
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """The description."""
+        """Return the description."""
         super().handle(event, context)
         assert isinstance(event, IncludeLaunchDescription)
         return event.launch_description

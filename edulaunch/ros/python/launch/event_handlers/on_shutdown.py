@@ -27,7 +27,7 @@ class OnShutdown(BaseEventHandler):
         self.__on_shutdown: Any = on_shutdown
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """The entities, or what the callable returns."""
+        """Return the entities, or what the callable returns."""
         super().handle(event, context)
         answer: SomeEntitiesType | None = (
             self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown
@@ -45,7 +45,7 @@ class OnShutdown(BaseEventHandler):
         return 'event issubclass of launch.events.Shutdown'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """The handler in words, and its entities."""
+        """Return the handler in words, and its entities."""
         text = super().describe()[0]
         if callable(self.__on_shutdown):
             return text, []

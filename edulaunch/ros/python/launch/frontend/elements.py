@@ -19,7 +19,7 @@ Word = list[Substitution]
 
 
 def words_of(text: str, parser: ParserProtocol) -> list[Word]:
-    """The words of a command line; each is a list of substitutions.
+    """Return the words of a command line; each is a list of substitutions.
 
     Substitutions are found first, then the literal parts between them are split as in a shell. Text next to a substitution stays
     in one word with it, and the value of a substitution is never split. As upstream, an empty string, and blanks before the first
@@ -97,7 +97,7 @@ class Element:
         self._class: Any = None
 
     def __call__(self, entity: Entity, parser: ParserProtocol, ignore: Collection[str] = ()) -> Parsed:
-        """The class, and its keyword arguments.
+        """Return the class, and its keyword arguments.
 
         :param ignore: attributes and children that other code reads.
         """
@@ -157,12 +157,12 @@ def pairs(
 
 
 def mapping(entity: Entity, parser: ParserProtocol, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
-    """The same as :func:`pairs`, as a dictionary."""
+    """Return the same as :func:`pairs`, as a dictionary."""
     return {tuple(name): value for name, value in pairs(entity, parser, tag)}
 
 
 def words(entity: Entity, parser: ParserProtocol, name: str) -> list[Substitutions]:
-    """An attribute that is a command line."""
+    """Return an attribute that is a command line."""
     return words_of(entity.get_attr(name), parser)
 
 
@@ -192,7 +192,7 @@ def _on_exit(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
 
 
 def _seconds(entity: Entity, parser: ParserProtocol, name: str) -> float:
-    """A number of seconds: no text, so no substitution."""
+    """Return a number of seconds: no text, so no substitution."""
     value: Any = entity.get_attr(name, data_type=float)
     if isinstance(value, str):
         error = TypeError("'<' not supported between instances of 'str' and 'float'")

@@ -53,7 +53,7 @@ class Entity(ABC):
 
     @abstractmethod
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """The attribute `name`.
+        """Return the attribute `name`.
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
         :param optional: give None when it is missing.
@@ -100,7 +100,7 @@ class Entity(ABC):
         return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
-        """The error for a name that is needed, with what the element has instead."""
+        """Return the error for a name that is needed, with what the element has instead."""
         kind, _, wanted = name.rpartition(' ')
         given = [str(one) for one in self._names if one not in self.asked]
         return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=given)
@@ -121,7 +121,7 @@ Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error 
 
 
 def check_is_list_entity(data_type: Any) -> bool:
-    """Whether the data type is `List[Entity]` (or of a kind of entity)."""
+    """Return whether the data type is `List[Entity]` (or of a kind of entity)."""
     if data_type is Entities:
         return True
     if getattr(data_type, '__origin__', None) is not list:

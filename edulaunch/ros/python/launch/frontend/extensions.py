@@ -14,7 +14,7 @@ PARSER_GROUP = 'launch.frontend.parser'
 
 
 def entry_points_of(group: str) -> Iterator[Any]:
-    """The entry points of a group, of all installed packages."""
+    """Return the entry points of a group, of all installed packages."""
     import importlib.metadata
 
     found: Any = importlib.metadata.entry_points()

@@ -85,7 +85,7 @@ class _Reader:
         return tuple(pieces)
 
     def call(self) -> Call:
-        """One `$(...)`, starting at its dollar sign."""
+        """Return one `$(...)`, starting at its dollar sign."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
             raise SubstitutionSyntaxError(f'more than {MAX_DEPTH} substitutions stand inside each other')
@@ -105,7 +105,7 @@ class _Reader:
         return Call(name.group(), tuple(arguments))
 
     def argument(self) -> Template:
-        """One argument, bare or in quotes."""
+        """Return one argument, bare or in quotes."""
         quote = self.text[self.position : self.position + 1]
         if self.quote or quote not in ("'", '"'):
             pieces = self.pieces(_BARE[self.quote])
@@ -154,7 +154,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
         super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
 
     def first_line(self, text: str) -> str:
-        """What lark says before it lists what it expected."""
+        """Return what lark says before it lists what it expected."""
         return 'Unexpected input. '
 
 
@@ -253,7 +253,7 @@ _shared = lru_cache(maxsize=4096)(_built)
 
 @lru_cache(maxsize=4096)
 def _is_built_in(template: Template) -> bool:
-    """Whether all calls are of built-in substitutions, whose names nothing else can take."""
+    """Return whether all calls are of built-in substitutions, whose names nothing else can take."""
     return all(
         isinstance(substitution_parse_methods.get(piece.name), LateSubstitution) and all(map(_is_built_in, piece.arguments))
         for piece in template

@@ -51,7 +51,7 @@ class Parser:
     # The description
 
     def parse_description(self, entity: Entity) -> LaunchDescription:
-        """The launch description of a root element.
+        """Return the launch description of a root element.
 
         :raises RuntimeError: when the root is not `launch`, or an element is unknown.
         """
@@ -75,7 +75,7 @@ class Parser:
         return LaunchDescription(actions, deprecated_reason=deprecated)
 
     def parse_action(self, entity: Entity) -> Action:
-        """The action of an element; it remembers the file and line of the element.
+        """Return the action of an element; it remembers the file and line of the element.
 
         :raises RuntimeError: when no action has that name.
         :raises ValueError: when the element has attributes or children that its action does not know.
@@ -111,7 +111,7 @@ class Parser:
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
-        """The root element of a file (its path, or an open text stream) and the parser for it.
+        """Return the root element of a file (its path, or an open text stream) and the parser for it.
 
         Formats that claim the file's name are tried first, then all others.
 
@@ -174,12 +174,12 @@ class Parser:
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
-        """The file name extensions, without a leading dot, of this parser's format."""
+        """Return the file name extensions, without a leading dot, of this parser's format."""
         return set()
 
     @classmethod
     def may_parse(cls, filename: str) -> bool:
-        """Whether this parser claims files of such a name."""
+        """Return whether this parser claims files of such a name."""
         return any(filename.endswith(f'.{extension}') for extension in sorted(cls.get_file_extensions()))
 
     @classmethod
@@ -197,23 +197,23 @@ class Parser:
 
     @classmethod
     def get_available_extensions(cls) -> list[str]:
-        """The names of the formats."""
+        """Return the names of the formats."""
         return list(cls._all_parsers_by_name())
 
     @classmethod
     def get_parsers_from_filename(cls, filename: str) -> list[type[Parser]]:
-        """The parsers that claim such a name; of installed packages only when neither XML nor YAML does."""
+        """Return the parsers that claim such a name; of installed packages only when neither XML nor YAML does."""
         claiming = [parser for parser in cls._built_in_parsers().values() if parser.may_parse(filename)]
         return claiming or [parser for parser in cls._all_parsers(filename) if parser.may_parse(filename)]
 
     @classmethod
     def get_file_extensions_from_parsers(cls) -> list[str]:
-        """The extensions of all formats."""
+        """Return the extensions of all formats."""
         return [name for parser in cls._all_parsers() for name in sorted(parser.get_file_extensions())]
 
     @classmethod
     def is_filename_valid(cls, filename: str) -> bool:
-        """Whether any parser claims such a name."""
+        """Return whether any parser claims such a name."""
         return bool(cls.get_parsers_from_filename(filename))
 
     @classmethod

@@ -12,7 +12,7 @@ class ParserProtocol(Protocol):
     """See :class:`~launch.frontend.Parser`."""
 
     def parse_action(self, entity: Entity) -> Any:
-        """The action of an element."""
+        """Return the action of an element."""
 
     def parse_substitution(self, value: str) -> list[Substitution]:
         """Return a string with its `$(...)` as substitutions."""

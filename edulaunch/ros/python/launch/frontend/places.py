@@ -19,7 +19,7 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any) -> Error:
-    """The error, which now knows its element, and facts about it."""
+    """Return the error, which now knows its element, and facts about it."""
     error.edulaunch_line = entity.line  # type: ignore[attr-defined]
     return with_facts(error, about, element=str(entity.type_name), shown=entity.shown, **facts)
 

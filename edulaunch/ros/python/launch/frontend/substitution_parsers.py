@@ -61,7 +61,7 @@ def _takes_expression(arguments: list[Argument]) -> dict[str, Any]:
 
 
 def _module_names(argument: Argument) -> list[str]:
-    """The modules in a comma-separated literal; substitutions are not possible there."""
+    """Return the modules in a comma-separated literal; substitutions are not possible there."""
     text = argument[0].perform(None) if argument else ''
     return [name.strip() for name in text.split(',')] if text else []
 

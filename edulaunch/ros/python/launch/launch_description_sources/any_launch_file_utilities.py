@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
-    """The description in the file: `.py` files are tried as Python first, others last.
+    """Return the description in the file: `.py` files are tried as Python first, others last.
 
     :raises InvalidLaunchFileError: when no loader can read it, with the message of each.
     """

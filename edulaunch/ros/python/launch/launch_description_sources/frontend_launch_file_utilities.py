@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def get_launch_description_from_frontend_launch_file(
     frontend_launch_file_path: str, *, parser: type[Parser] | None = None
 ) -> LaunchDescription:
-    """The description in the file.
+    """Return the description in the file.
 
     :param parser: of its format; without one all are tried, those first that know the file's extension.
     :raises InvalidFrontendLaunchFileError: when no parser can read it.

@@ -31,7 +31,7 @@ def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleTyp
 
 
 def get_launch_description_from_python_launch_file(python_launch_file_path: str) -> LaunchDescription:
-    """What the file's `generate_launch_description()` returns.
+    """Return what the file's `generate_launch_description()` returns.
 
     :raises InvalidPythonLaunchFileError: when it has no such function.
     :raises Exception: whatever the file raises.
@@ -46,7 +46,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
 
 
 def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
-    """The error, with the line of a function whose name is nearly right."""
+    """Return the error, with the line of a function whose name is nearly right."""
     from edulaunch.engine.facts import with_facts
     from edulaunch.engine.nearest import nearest
 

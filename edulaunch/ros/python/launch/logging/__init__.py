@@ -65,7 +65,7 @@ def __getattr__(name: str) -> Any:
 
 
 def get_logger(name: str | None = None) -> logging.Logger:
-    """The logger of that name (the root logger without one), writing to the screen and to launch.log."""
+    """Return the logger of that name (the root logger without one), writing to the screen and to launch.log."""
     state = logging_state()
     logger = state.get_logger(name)
     for handler in (state.config.get_screen_handler(), state.config.get_log_file_handler()):
@@ -77,7 +77,7 @@ def get_logger(name: str | None = None) -> logging.Logger:
 def get_output_loggers(
     process_name: str, output_config: OutputConfig, main_log_file_name: str = 'launch.log'
 ) -> tuple[logging.Logger, logging.Logger]:
-    """The loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
+    """Return the loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
 
     :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr'
         and 'both' to one or more of 'screen', 'log' and 'own_log'.

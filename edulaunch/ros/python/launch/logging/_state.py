@@ -13,7 +13,7 @@ from . import handlers
 
 
 def _get_logging_directory() -> str:
-    """The folder below which each launch makes its own: $ROS_LOG_DIR, else $ROS_HOME/log, else ~/.ros/log."""
+    """Return the folder below which each launch makes its own: $ROS_LOG_DIR, else $ROS_HOME/log, else ~/.ros/log."""
     env = environment()
     log_dir = env.get('ROS_LOG_DIR')
     if not log_dir:
@@ -48,7 +48,7 @@ def _numbered(first: str, count: int) -> str:
 
 
 def _free_number(first: str) -> int:
-    """A number that is not in use, found by halving: one launch after the other begins at the same simulated time."""
+    """Return a number that is not in use, found by halving: one launch after the other begins at the same simulated time."""
     if not os.path.exists(first):
         return 1
     taken, free = 1, 2
@@ -166,18 +166,18 @@ class LaunchConfig:
                 handler.setFormatter(formatter)
 
     def get_screen_handler(self) -> Any:
-        """The handler that writes to the standard output of the process that asked first."""
+        """Return the handler that writes to the standard output of the process that asked first."""
         if self.screen_handler is None:
             self.screen_handler = handlers.StreamHandler(running_process().streams.stdout)
             self.screen_handler.setFormatter(self._screen_formatter)
         return self.screen_handler
 
     def get_log_file_path(self, file_name: str = 'launch.log') -> str:
-        """Where a log file of that name is."""
+        """Return where a log file of that name is."""
         return os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = 'launch.log') -> Any:
-        """The handler that writes to that file; one that does nothing when no files are wanted."""
+        """Return the handler that writes to that file; one that does nothing when no files are wanted."""
         if not self._writes_files:
             return self._silent_handlers.setdefault(file_name, handlers.NullHandler())
         handler = self.file_handlers.get(file_name)
@@ -220,7 +220,7 @@ class LaunchLogger(logging.Logger):
         return '(unknown file)', 0, '(unknown function)', None
 
     def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
-        """A record with the simulated time."""
+        """Return a record with the simulated time."""
         record = super().makeRecord(*args, **kwargs)
         now_ns = running_process().sim.now_ns
         record.created = now_ns / 1e9
@@ -252,7 +252,7 @@ class LoggingState:
         self.config = LaunchConfig(self.root)
 
     def get_logger(self, name: str | None = None) -> logging.Logger:
-        """The logger of that name, without adding handlers."""
+        """Return the logger of that name, without adding handlers."""
         if not name:
             return self.root
         known = self._manager.loggerDict.get(name)
@@ -267,5 +267,5 @@ class LoggingState:
 
 
 def logging_state() -> LoggingState:
-    """The loggers of the running process."""
+    """Return the loggers of the running process."""
     return process_state('launch.loggers', LoggingState)

@@ -11,7 +11,7 @@ from typing import Any
 
 
 def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
-    """A sub-class of a handler class that has `setFormatterFor(logger, formatter)` and
+    """Return a sub-class of a handler class that has `setFormatterFor(logger, formatter)` and
     `unsetFormatterFor(logger)`.
     """
 
@@ -31,7 +31,7 @@ def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
             self._formatters.pop(logger.name, None)
 
         def format(self, record: logging.LogRecord) -> str:
-            """The text of a record."""
+            """Return the text of a record."""
             formatter = self._formatters.get(record.name)
             return super().format(record) if formatter is None else formatter.format(record)
 

@@ -31,7 +31,7 @@ class AnonName(Substitution):
         return f'AnonName({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The unique name."""
+        """Return the unique name."""
         name = perform_substitutions(context, self.__name)
         key = 'anon' + name
         if key not in context.launch_configurations:

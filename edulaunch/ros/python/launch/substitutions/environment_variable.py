@@ -35,7 +35,7 @@ class EnvironmentVariable(Substitution):
         return f'EnvVar({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The value of the variable, else the default."""
+        """Return the value of the variable, else the default."""
         name = perform_substitutions(context, self.__name)
         value = context.environment.get(name)
         if value is not None:

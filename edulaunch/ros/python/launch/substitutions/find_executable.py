@@ -34,7 +34,7 @@ class FindExecutable(Substitution):
         return f'FindExec({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The path."""
+        """Return the path."""
         name = perform_substitutions(context, self.__name)
         path = which(name)
         assumed = assumptions() if path is None else None

@@ -38,7 +38,7 @@ class LaunchConfiguration(Substitution):
         return f'LaunchConfig({describe_all(self.__variable_name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The value of the launch configuration, else the default."""
+        """Return the value of the launch configuration, else the default."""
         name = perform_substitutions(context, self.__variable_name)
         names_read = getattr(context, '_names_read', None)  # not there in contexts that unit tests make for themselves
         if names_read is not None:

@@ -18,7 +18,7 @@ class LaunchLogDir(Substitution):
         return 'LaunchLogDir()'
 
     def perform(self, context: LaunchContext) -> str:
-        """The folder."""
+        """Return the folder."""
         from ..logging import launch_config
 
         log_dir: str = launch_config.log_dir

@@ -31,5 +31,5 @@ class PathJoinSubstitution(Substitution):
         return f"PathJoin('{describe_all(self.__substitutions)}')"
 
     def perform(self, context: LaunchContext) -> str:
-        """The joined path."""
+        """Return the joined path."""
         return os.path.join(*[part.perform(context) for part in self.__substitutions])

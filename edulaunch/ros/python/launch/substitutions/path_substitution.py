@@ -23,6 +23,6 @@ class PathSubstitution(PathJoinSubstitution):
         super().__init__([path] if isinstance(path, (str, Substitution)) else path)
 
     def __truediv__(self, part: SomeSubstitutionsType) -> PathSubstitution:
-        """The path continued by one part; a list is joined to one part first."""
+        """Return the path continued by one part; a list is joined to one part first."""
         whole = part if isinstance(part, (str, Substitution)) else StringJoinSubstitution(part)
         return PathSubstitution([*self.substitutions, whole])

@@ -29,6 +29,6 @@ class StringJoinSubstitution(Substitution):
         return f'StringJoin({" + ".join(describe_all(part) for part in self.__substitutions)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The joined text."""
+        """Return the joined text."""
         delimiter = perform_substitutions(context, self.__delimiter)
         return delimiter.join(perform_substitutions(context, part) for part in self.__substitutions)

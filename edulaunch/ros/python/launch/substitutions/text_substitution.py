@@ -27,11 +27,11 @@ class TextSubstitution(Substitution):
     text: ReadOnly[str] = ReadOnly('The text.', '_text')
 
     def describe(self) -> str:
-        """The text in quotes."""
+        """Return the text in quotes."""
         return f"'{self._text}'"
 
     def perform(self, context: LaunchContext) -> str:
-        """The text."""
+        """Return the text."""
         return self._text
 
 

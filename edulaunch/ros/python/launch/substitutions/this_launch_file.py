@@ -26,7 +26,7 @@ class ThisLaunchFile(Substitution):
         return f'{type(self).__name__}()'
 
     def perform(self, context: LaunchContext) -> str:
-        """The path."""
+        """Return the path."""
         known = context.get_locals_as_dict()
         if self._local not in known:
             raise SubstitutionFailure(f'{type(self).__name__} used outside of a launch file (in a script)')

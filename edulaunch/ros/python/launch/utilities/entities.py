@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def normalize_to_list_of_entities(entities: SomeEntitiesType) -> list[LaunchDescriptionEntity]:
-    """One entity, or a possibly nested iterable of entities, as a flat list.
+    """Return one entity, or a possibly nested iterable of entities, as a flat list.
 
     :raises TypeError: for anything else.
     """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def plain_text(value: Any) -> str | None:
-    """The text of a `str`, or of a list or tuple with nothing but one literal text in it; None for the rest.
+    """Return the text of a `str`, or of a list or tuple with nothing but one literal text in it; None for the rest.
 
     Launch files hold hardly anything else, and to evaluate them the general way is ten times the work.
     """

@@ -33,12 +33,12 @@ StrSomeValueType = Any
 
 
 def is_typing_list(data_type: AllowedTypesType) -> bool:
-    """Whether it is `List[...]`, `List` or `list[...]`."""
+    """Return whether it is `List[...]`, `List` or `list[...]`."""
     return getattr(data_type, '__origin__', None) is list or data_type is List  # noqa: UP006
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
-    """The scalar type, and whether it was a list of that.
+    """Return the scalar type, and whether it was a list of that.
 
     :raises ValueError: when `data_type` is not one of :data:`AllowedTypesTuple`.
     """
@@ -50,12 +50,12 @@ def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
 
 
 def is_valid_scalar_type(data_type: Any) -> bool:
-    """Whether it is one of :data:`ScalarTypesTuple`."""
+    """Return whether it is one of :data:`ScalarTypesTuple`."""
     return data_type in ScalarTypesTuple
 
 
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
-    """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same
+    """Return whether the value is a scalar of an allowed type, or a list whose items all have one and the same
     allowed type.
 
     :param can_be_str: items of a list may also be strings.
@@ -69,7 +69,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = False) -> bool:
-    """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in
+    """Return whether the value has the type; None stands for any allowed type, and True counts as an int, as in
     Python.
 
     :param can_be_str: a string (or, in a list, strings) is also accepted.
@@ -187,7 +187,7 @@ def is_substitution(x: Any) -> bool:
 
 
 def is_normalized_substitution(x: Any) -> bool:
-    """Whether it is a non-empty list of substitutions only."""
+    """Return whether it is a non-empty list of substitutions only."""
     return isinstance(x, list) and bool(x) and all(isinstance(item, Substitution) for item in x)
 
 
@@ -264,17 +264,17 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
 
 
 def isclassinstance(obj: Any) -> bool:
-    """Whether `obj` is an instance of a class, which everything is; kept for code of Python 2's time."""
+    """Return whether `obj` is an instance of a class, which everything is; kept for code of Python 2's time."""
     return hasattr(obj, '__class__')
 
 
 def is_a(obj: Any, entity_type: Any) -> bool:
-    """Whether `obj` is an instance of exactly `entity_type` (or of a sub-class)."""
+    """Return whether `obj` is an instance of exactly `entity_type` (or of a sub-class)."""
     return isinstance(obj, entity_type)
 
 
 def is_a_subclass(obj: Any, entity_type: Any) -> bool:
-    """Whether `obj` is an instance of `entity_type`, or a class derived from it."""
+    """Return whether `obj` is an instance of `entity_type`, or a class derived from it."""
     return isinstance(obj, entity_type) or (isinstance(obj, type) and issubclass(obj, entity_type))
 
 

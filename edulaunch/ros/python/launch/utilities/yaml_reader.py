@@ -37,7 +37,7 @@ SAFE_DEPTH = 1_000
 
 
 def read(text: str) -> Any:
-    """The data of the single document in `text`, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+    """Return the data of the single document in `text`, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
 
     :raises yaml.YAMLError: when the text is not (plain, single-document) YAML.
     :raises ValueError: when it is nested too deep, its aliases multiply it too much, or a date is impossible.
@@ -69,7 +69,7 @@ def read_file(text: str, name: str) -> Any:
 
 
 def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
-    """What upstream's users see: libyaml reads several times as fast, but PyYAML's own reader says more."""
+    """Return what upstream's users see: libyaml reads several times as fast, but PyYAML's own reader says more."""
     if len(text) > LONGEST_READ_TWICE:
         return None
     stream = StringIO(text)
@@ -86,7 +86,7 @@ def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
 
 
 def _data_of(node: Any, loader: Any) -> Any:
-    """What PyYAML's constructor makes of a node, for the usual tags several times as fast."""
+    """Return what PyYAML's constructor makes of a node, for the usual tags several times as fast."""
     tag = node.tag
     if tag == 'tag:yaml.org,2002:str' and isinstance(node, yaml.ScalarNode):
         return node.value

@@ -81,7 +81,7 @@ def _complain(action: ExecuteLocal, validate: Validate, stream: str) -> None:
 
 
 def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
-    """The four functions that look at what a process wrote to 'stdout' or 'stderr'."""
+    """Return the four functions that look at what a process wrote to 'stdout' or 'stderr'."""
 
     async def wait(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
@@ -116,7 +116,7 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
 
 
 def _for_event(handler: Callable[..., Any], argument: str, has_come: Callable[[ExecuteLocal], bool]) -> tuple[Any, Any]:
-    """The two functions that wait for the start or the end of a process."""
+    """Return the two functions that wait for the start or the end of a process."""
 
     def look(action: ExecuteLocal) -> tuple[Callable[[Any], Any], Holds]:
         return lambda tell: handler(target_action=action, **{argument: tell}), lambda: has_come(action)

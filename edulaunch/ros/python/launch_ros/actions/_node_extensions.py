@@ -36,7 +36,7 @@ class NodeActionExtension:
 
 
 def get_extensions(logger: Any) -> dict[str, NodeActionExtension]:
-    """One extension of each installed class, by name; one that cannot be made gives a warning."""
+    """Return one extension of each installed class, by name; one that cannot be made gives a warning."""
     extensions: dict[str, NodeActionExtension] = {}
     if not _are_announced(tuple(sys.path)):
         return extensions
@@ -80,7 +80,7 @@ def instantiate_extension(
 
 @lru_cache(maxsize=8)
 def _are_announced(folders: tuple[str, ...]) -> bool:
-    """Whether any installed package names the group; asking `importlib.metadata` takes thirty times as long."""
+    """Return whether any installed package names the group; asking `importlib.metadata` takes thirty times as long."""
     return any(
         GROUP.encode() in _entry_points_text(os.path.join(folder, name)) for folder in folders for name in _packages(folder)
     )

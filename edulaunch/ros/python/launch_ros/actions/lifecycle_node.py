@@ -64,7 +64,7 @@ class LifecycleNode(Node):
 
 
 def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
-    """An action that sends the ChangeState event that is handled just now."""
+    """Return an action that sends the ChangeState event that is handled just now."""
     from launch.actions.opaque_function import OpaqueFunction
 
     def send(context: LaunchContext) -> None:

@@ -144,7 +144,7 @@ class LoadComposableNodes(Action):
 def get_composable_node_load_request(
     composable_node_description: ComposableNode, context: LaunchContext
 ) -> LoadNode.Request | None:
-    """The request that loads a node, all substitutions performed; None when its condition does not hold."""
+    """Return the request that loads a node, all substitutions performed; None when its condition does not hold."""
     condition = composable_node_description.condition()
     if condition is not None and not condition.evaluate(context):
         return None

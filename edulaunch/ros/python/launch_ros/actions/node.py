@@ -129,7 +129,7 @@ class Node(ExecuteProcess):
         return self.__expanded_remappings
 
     def is_node_name_fully_specified(self) -> bool:
-        """Whether both name and namespace are known to the launch file."""
+        """Return whether both name and namespace are known to the launch file."""
         name = self.node_name
         return self.UNSPECIFIED_NODE_NAME not in name and self.UNSPECIFIED_NODE_NAMESPACE not in name
 
@@ -161,12 +161,12 @@ class Node(ExecuteProcess):
         return [] if arguments is None else arguments.missing_files
 
     def given_parameters(self) -> list[Given]:
-        """All that is given to its parameters, in rcl's order: of two for one parameter the later one counts."""
+        """Return all that is given to its parameters, in rcl's order: of two for one parameter the later one counts."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.in_force(self.origin)
 
     def process_spec_details(self) -> dict[str, Any]:
-        """What a checker may want to know of the node: package, executable, and where its parameter values
+        """Return what a checker may want to know of the node: package, executable, and where its parameter values
         were written."""
         assert self.__parameter_arguments is not None
         package, executable = self.__package_and_executable

@@ -54,5 +54,5 @@ class ComposableNode:
     extra_arguments: ReadOnly[Any | None] = ReadOnly('Normalized arguments for the container, or None.')
 
     def condition(self) -> Condition | None:
-        """The condition, or None. A method, as upstream."""
+        """Return the condition, or None. A method, as upstream."""
         return self.__condition

@@ -30,7 +30,7 @@ class FindPackage(Substitution):
         return package if isinstance(package, str) else perform_substitutions(context, package)
 
     def find(self, package_name: str) -> str:
-        """The path to substitute.
+        """Return the path to substitute.
 
         :raises NotImplementedError: in this base class, as upstream.
         """
@@ -42,7 +42,7 @@ class FindPackage(Substitution):
         return f'{type(self).__name__}(pkg={package})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The path.
+        """Return the path.
 
         :raises PackageNotFoundError: when there is no such package.
         :raises ValueError: when this cannot be a package name.

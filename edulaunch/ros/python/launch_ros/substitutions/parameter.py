@@ -34,7 +34,7 @@ class Parameter(Substitution):
         return f'Parameter({name})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The text."""
+        """Return the text."""
         name = perform_substitutions(context, self.name)
         for entry in reversed(context.launch_configurations.get('global_params', [])):
             if isinstance(entry, tuple) and entry[0] == name:

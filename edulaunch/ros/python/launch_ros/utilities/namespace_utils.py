@@ -9,12 +9,12 @@ if TYPE_CHECKING:
 
 
 def is_root_namespace(ns: str) -> bool:
-    """Whether it is `/`."""
+    """Return whether it is `/`."""
     return ns == '/'
 
 
 def is_namespace_absolute(ns: str) -> bool:
-    """Whether it begins with `/`."""
+    """Return whether it begins with `/`."""
     return ns.startswith('/')
 
 

@@ -23,7 +23,7 @@ _ITEM_TYPES = (float, int, str, bool, *SomeSubstitutionsType_types_tuple)
 
 
 def normalize_parameters(parameters: SomeParameters) -> Parameters:
-    """A list of parameter files, dicts and Parameters.
+    """Return a list of parameter files, dicts and Parameters.
 
     :raises TypeError: when it is not a list, or an item or value is of no kind that can be used.
     """
@@ -39,7 +39,7 @@ def _normalize(item: Any) -> Any:
 
 
 def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
-    """A flat dict of one mapping: nested names are joined with '.', and an empty nested mapping vanishes.
+    """Return a flat dict of one mapping: nested names are joined with '.', and an empty nested mapping vanishes.
 
     :raises TypeError: for a value of no kind that can be used.
     """

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
-    """A pair of tuples of substitutions.
+    """Return a pair of tuples of substitutions.
 
     :raises TypeError: for anything but a tuple of two.
     """

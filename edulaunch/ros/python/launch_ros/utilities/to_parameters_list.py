@@ -23,7 +23,7 @@ _KEY = 'ros__parameters'
 def to_parameters_list(
     context: LaunchContext, node_name: str, namespace: str, evaluated_parameters: EvaluatedParameters
 ) -> list[Parameter]:
-    """One `rclpy.parameter.Parameter` for each evaluated value, in order.
+    """Return one `rclpy.parameter.Parameter` for each evaluated value, in order.
 
     Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, then the exact name. A file without any
     `ros__parameters` is read as a plain mapping.

@@ -23,6 +23,6 @@ def add_node_name(context: LaunchContext, node_name: str) -> int:
 
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
-    """How often the name was counted."""
+    """Return how often the name was counted."""
     counts: dict[str, int] = context.local(_KEY) or {}
     return counts.get(node_name, 0)

@@ -52,7 +52,7 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 def is_launch_test(source: bytes) -> bool:
-    """Whether a file has a function `generate_test_description` with one of our marks; it is not run."""
+    """Return whether a file has a function `generate_test_description` with one of our marks; it is not run."""
     if b'generate_test_description' not in source:
         return False
     try:
@@ -73,7 +73,7 @@ class LaunchTestModule(pytest.File):
     """A launch test file."""
 
     def collect(self) -> Iterable[LaunchTestItem]:
-        """One item, whatever is in the file, as in ROS 2."""
+        """Yield one item, whatever is in the file, as in ROS 2."""
         yield LaunchTestItem.from_parent(self, name=self.path.stem)
 
 
@@ -99,7 +99,7 @@ class LaunchTestItem(pytest.Item):
         return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Where it is, and what it is called."""
+        """Return where it is, and what it is called."""
         return self.path, 0, f'launch test {self.name}'
 
 
@@ -112,7 +112,7 @@ def _skip_if_skipped(test: LaunchTest) -> None:
 
 
 def _failure_text(test: LaunchTest) -> str:
-    """Each failed test with its text, or why the file could not be run."""
+    """Return each failed test with its text, or why the file could not be run."""
     if test.error is not None:
         return test.error_text()
     lines = []

@@ -24,7 +24,7 @@ class HasProcesses(Protocol):
     """Something recorded by process."""
 
     def processes(self) -> Iterable[Any]:
-        """The actions of the processes that have been recorded."""
+        """Return the actions of the processes that have been recorded."""
 
 
 class NoMatchingProcessException(Exception):
@@ -32,7 +32,7 @@ class NoMatchingProcessException(Exception):
 
 
 def process_name(action: ExecuteLocal) -> str:
-    """The launch name, such as 'talker-1'."""
+    """Return the launch name, such as 'talker-1'."""
     details = action.process_details
     return str(details['name']) if details is not None else type(action).__name__
 
@@ -45,7 +45,7 @@ def _name_and_arguments(action: ExecuteLocal) -> str:
 def resolveProcesses(
     info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None, strict_proc_matching: bool = True
 ) -> list[Any]:
-    """The actions that `process` means.
+    """Return the actions that `process` means.
 
     :param process: an action, or part of a launch name; None means all.
     :param cmd_args: with a name: a string that is one of the arguments, several of them, or NO_CMD_ARGS.

@@ -231,7 +231,7 @@ class ActionClient(Asker, Waitable):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
     def asked(self) -> tuple[Any, str, str]:
-        """The endpoint that sends goals, the action's name and kind."""
+        """Return the endpoint that sends goals, the action's name and kind."""
         return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
@@ -240,7 +240,7 @@ class ActionClient(Asker, Waitable):
         return future
 
     def server_is_ready(self) -> bool:
-        """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
         check_endpoint(self._goal_client, self._node.context, 'Failed to check if action server is available: rcl node')
         current_task().poll()
         return self._server_is_ready()
@@ -263,7 +263,7 @@ class ActionClient(Asker, Waitable):
 
 
 def _random_uuid() -> Any:
-    """A goal id: random, but the same in every run, and no other goal's on this machine."""
+    """Return a goal id: random, but the same in every run, and no other goal's on this machine."""
     from unique_identifier_msgs.msg import UUID
 
     state = process_state()

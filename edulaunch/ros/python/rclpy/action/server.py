@@ -198,7 +198,7 @@ class ActionServer(Waitable):
         self._cancel_service.respond(request_id, service.Response.to_wire(response))
 
     def _goals_to_cancel(self, info: Any, response: Any) -> list[ServerGoalHandle]:
-        """Which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
+        """Return which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
         goal_uuid = bytes(info.goal_id.uuid)
         limit = (info.stamp.sec, info.stamp.nanosec)
         stoppable = [goal for goal in self._goals.values() if goal.status in (GoalState.ACCEPTED, GoalState.EXECUTING)]
@@ -227,7 +227,7 @@ class ActionServer(Waitable):
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
     def now_ns(self) -> int:
-        """The time of the node's clock."""
+        """Return the time of the node's clock."""
         return self._node.get_clock().now_ns()
 
     def send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:

@@ -51,7 +51,7 @@ _TRANSITIONS = {
 
 
 def state_after(state: GoalState, event: GoalEvent) -> GoalState:
-    """The state that an event leads to. Raises RCLError when it cannot happen in this state."""
+    """Return the state that an event leads to. Raises RCLError when it cannot happen in this state."""
     following = _TRANSITIONS.get((state, event))
     if following is None:
         raise RCLError(
@@ -154,5 +154,5 @@ def stamp_of(goal: ServerGoalHandle) -> tuple[int, int]:
 
 
 def has_ended_until(goal: ServerGoalHandle, limit_ns: int) -> bool:
-    """Whether it ended, at that time or before."""
+    """Return whether it ended, at that time or before."""
     return goal._state not in ACTIVE and goal._ended_ns <= limit_ns

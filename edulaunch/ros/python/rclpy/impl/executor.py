@@ -109,7 +109,7 @@ class Executor(Waiting):
             self._look_again()
 
     def get_nodes(self) -> list[Node]:
-        """The nodes, in the order in which they came."""
+        """Return the nodes, in the order in which they came."""
         return list(self._nodes)
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
@@ -155,7 +155,7 @@ class Executor(Waiting):
         return Task(lambda: self._run_entity(item), executor=self), item, node
 
     def can_execute(self, entity: Entity) -> bool:
-        """Whether the callback of an entity could begin now, by the rules of its group."""
+        """Return whether the callback of an entity could begin now, by the rules of its group."""
         return entity.callback_group.can_execute(entity)
 
     def _execute(self, item: Item) -> None:
@@ -288,7 +288,7 @@ class Executor(Waiting):
         self._spin_once_impl(timeout_sec, self._is_over(future))
 
     def _is_over(self, future: Future) -> Callable[[], bool]:
-        """The condition of a wait for a future, which wakes this executor when it is done."""
+        """Return the condition of a wait for a future, which wakes this executor when it is done."""
         check_future(future)
         future.wake_when_done(self)
         context = self._context

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def callback_name(entity: Any) -> str | None:
-    """The name of an entity's callback; None when it has none."""
+    """Return the name of an entity's callback; None when it has none."""
     callback: Any = getattr(entity, 'callback', None)
     while isinstance(callback, partial):
         callback = callback.func

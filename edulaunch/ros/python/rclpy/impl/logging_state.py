@@ -62,7 +62,7 @@ class ConsoleFormat:
         self.stream = 'stdout' if environment.get('RCUTILS_LOGGING_USE_STDOUT') == '1' else 'stderr'
 
     def line(self, record: Record) -> str:
-        """The line, with its end."""
+        """Return the line, with its end."""
         if self.text == DEFAULT_FORMAT:
             text = f'[{SEVERITY_NAMES[record.severity]}] [{_seconds(record)}] [{record.name}]: {record.message}'
         else:
@@ -118,7 +118,7 @@ class LoggingState:
         self._effective.clear()
 
     def effective_level(self, name: str) -> int:
-        """The level that counts for a logger."""
+        """Return the level that counts for a logger."""
         level = self._effective.get(name)
         if level is None:
             level = self._effective[name] = self._inherited(name)
@@ -146,7 +146,7 @@ class LoggingState:
 
 
 def logging_state() -> LoggingState:
-    """The logging of the program that runs now."""
+    """Return the logging of the program that runs now."""
     state = process_state()
     if state.logging is None:
         state.logging = LoggingState(state.process)

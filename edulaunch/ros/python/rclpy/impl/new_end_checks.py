@@ -78,7 +78,7 @@ def _clash(kind: str, name: str, wanted: Any, other: Any) -> dict[str, str]:
 
 
 def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
-    """The absolute name; remap rules are for the services and topics of the action.
+    """Return the absolute name; remap rules are for the services and topics of the action.
 
     :param kind: 'client' or 'server'.
     :raises InvalidHandle: the node was destroyed.
@@ -102,7 +102,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
 
 
 def _problem(core: NodeCore, name: str) -> str | None:
-    """What is wrong with a name, as ROS 2 sees it on the name of the action's first service."""
+    """Return what is wrong with a name, as ROS 2 sees it on the name of the action's first service."""
     if not name:
         return 'invalid empty action name'
     service = f'{name}/_action/send_goal'

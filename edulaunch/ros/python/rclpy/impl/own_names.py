@@ -32,7 +32,7 @@ def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
 
 
 def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
-    """What a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
+    """Yield what a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
     own = vars(node)
     for name in sorted(_PRIVATE_USES.keys() & own.keys()):
         if not hasattr(own[name], _PRIVATE_USES[name]):
@@ -41,7 +41,7 @@ def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
-    """Where the student's class gives it a value first; nothing where the class has no constructor of its own."""
+    """Return where the student's class gives it a value first; nothing where the class has no constructor of its own."""
     code = getattr(type(node).__init__, '__code__', None)
     if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':
         return {}

@@ -28,13 +28,13 @@ class ExecutorProtocol(Protocol):
     spinner: SimTask | None
 
     def running_entity(self) -> Any:
-        """The entity whose callback runs, None between callbacks."""
+        """Return the entity whose callback runs, None between callbacks."""
 
     def cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
         """Not None when the callback that runs now shuts this entity out; changes with each callback."""
 
     def get_nodes(self) -> Any:
-        """The nodes that it spins."""
+        """Return the nodes that it spins."""
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Any:
         """Run a function or coroutine when there is nothing else to do."""
@@ -53,7 +53,7 @@ class ClockProtocol(Protocol):
     """The source of the time."""
 
     def now(self) -> Any:
-        """The time now, a `rclpy.time.Time`."""
+        """Return the time now, a `rclpy.time.Time`."""
 
 
 class NodeProtocol(Protocol):

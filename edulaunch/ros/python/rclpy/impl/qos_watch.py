@@ -63,7 +63,7 @@ class Count:
         self._tell()
 
     def take(self) -> Any:
-        """The info, or None when the callback knows it already."""
+        """Return the info, or None when the callback knows it already."""
         info = self._make_info(self._total, self._change, *self._last) if self._change else None
         self._change = 0
         return info
@@ -133,7 +133,7 @@ class LivelinessWatch:
             self._tell()
 
     def take(self) -> Any:
-        """How many are alive and how many are not, and what changed, or None when the callback knows it already."""
+        """Return how many are alive and how many are not, and what changed, or None when the callback knows it already."""
         alive = sum(self._alive.values())
         lost = len(self._alive) - alive
         before, self._reported = self._reported, (alive, lost)

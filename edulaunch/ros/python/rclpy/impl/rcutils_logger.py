@@ -20,7 +20,7 @@ _OPTIONS = ['throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 
 
 
 def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
-    """The filters that keyword arguments ask for.
+    """Return the filters that keyword arguments ask for.
 
     :raises TypeError: for an unknown keyword, or a throttle without its duration.
     :raises ValueError: for a time source that is not a clock.
@@ -64,7 +64,7 @@ class CallSite:
             raise ValueError('Logging filter parameters cannot be changed between calls.')
 
     def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
-        """Whether this call's message is to be written. Filters are asked in order, until one says no."""
+        """Return whether this call's message is to be written. Filters are asked in order, until one says no."""
         return all(self._passes(name, options, now_ns) for name in self.filters)
 
     def _passes(self, name: str, options: dict[str, Any], now_ns: int) -> bool:
@@ -84,7 +84,7 @@ class CallSite:
 
 
 def _settings(filters: tuple[str, ...], options: dict[str, Any]) -> list[Any]:
-    """What a call gives to its filters; a place may not change it between calls."""
+    """Return what a call gives to its filters; a place may not change it between calls."""
     return [options.get(parameter) for name in filters for parameter in _FILTERS[name]]
 
 
@@ -107,7 +107,7 @@ class RcutilsLogger:
         self.contexts: dict[tuple[str, str, int, int], CallSite] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """The logger `<this name>.<name>`. Its messages go out on /rosout as this one's do."""
+        """Return the logger `<this name>.<name>`. Its messages go out on /rosout as this one's do."""
         if not name:
             raise ValueError('Child logger name must not be empty.')
         if not self.name:
@@ -123,11 +123,11 @@ class RcutilsLogger:
         logging_state().set_level(self.name, LoggingSeverity(level))
 
     def get_effective_level(self) -> LoggingSeverity:
-        """The level that counts: this logger's, its parents', or the default."""
+        """Return the level that counts: this logger's, its parents', or the default."""
         return LoggingSeverity(logging_state().effective_level(self.name))
 
     def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
-        """Whether messages of this severity are written."""
+        """Return whether messages of this severity are written."""
         return int(severity) >= logging_state().effective_level(self.name)
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -180,7 +180,7 @@ class RcutilsLogger:
 
 
 def _checked_name(name: Any) -> str:
-    """The name given with a message; None is the root's."""
+    """Return the name given with a message; None is the root's."""
     if name is not None and not isinstance(name, str):
         raise TypeError(
             'rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '

@@ -29,7 +29,7 @@ def student_level() -> int:
 
 
 def invalid_handle() -> InvalidHandle:
-    """What ROS 2 raises when something is used after it was destroyed."""
+    """Return what ROS 2 raises when something is used after it was destroyed."""
     return InvalidHandle('cannot use Destroyable because destruction was requested')
 
 
@@ -79,19 +79,19 @@ def stopped(error: StopIteration) -> RuntimeError:
 
 
 def two_spinners(error: ValueError) -> ValueError:
-    """What Python raises when two threads take from the same wait: both spin one executor, with equal arguments."""
+    """Return what Python raises when two threads take from the same wait: both spin one executor, with equal arguments."""
     return with_facts(error, 'programs.two-spinners')
 
 
 def no_context(context: ContextProtocol) -> Exception:
-    """What rclpy raises when an executor is made before init or after the end."""
+    """Return what rclpy raises when an executor is made before init or after the end."""
     if context.ended_by_signal:
         return without_context('failed to create guard_condition')
     return with_facts(TypeError("'NoneType' object does not support the context manager protocol"), 'programs.no-init')
 
 
 def without_context(what: str) -> RCLError:
-    """What rcl says when something that needs a context is wanted after its end."""
+    """Return what rcl says when something that needs a context is wanted after its end."""
     return with_facts(
         RCLError(f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'),
         'programs.after-shutdown',

@@ -50,7 +50,7 @@ _order_of = attrgetter('order')
 
 
 def never() -> bool:
-    """The condition of a wait that only something ready ends."""
+    """Return the condition of a wait that only something ready ends."""
     return False
 
 
@@ -94,7 +94,7 @@ class Waiting:
             waiting.wake()
 
     def _collect(self) -> list[Entity]:
-        """The entities that are ready now and may begin, in the order of one wait."""
+        """Return the entities that are ready now and may begin, in the order of one wait."""
         now = self._sim.now_ns
         batch: list[Entity] = []
         for ready_list in self._lists:

@@ -13,27 +13,27 @@ class ManagedEntity:
     """The base class of managed entities: they are called at each transition of the node, after the node itself."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """The node is being configured."""
+        """Return the node is being configured."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """The node is being cleaned up."""
+        """Return the node is being cleaned up."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """The node is being shut down."""
+        """Return the node is being shut down."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """The node is being activated."""
+        """Return the node is being activated."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """The node is being deactivated."""
+        """Return the node is being deactivated."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """A transition went wrong."""
+        """Return a transition went wrong."""
         return TransitionCallbackReturn.SUCCESS
 
 
@@ -57,7 +57,7 @@ class SimpleManagedEntity(ManagedEntity):
 
     @staticmethod
     def when_enabled(wrapped: Any = None, *, when_not_enabled: Any = None) -> Any:
-        """A decorator for methods that do nothing (or `when_not_enabled`) while the entity is not enabled."""
+        """Return a decorator for methods that do nothing (or `when_not_enabled`) while the entity is not enabled."""
 
         def decorator(method: Any) -> Any:
             @wraps(method)

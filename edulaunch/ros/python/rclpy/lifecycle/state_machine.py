@@ -100,7 +100,7 @@ OUTCOMES = {
 
 
 def transition_from(state: str, wanted: int | str) -> Transition | None:
-    """The transition of that number or label which starts in a state, or None."""
+    """Return the transition of that number or label which starts in a state, or None."""
     for transition in TRANSITIONS:
         if transition.start == state and wanted in (transition.number, transition.label):
             return transition
@@ -225,7 +225,7 @@ class LifecycleServices:
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
-        """A label that does not suit is refused; a number that does not suit is an error of the node, as in rclpy."""
+        """Return a label that does not suit is refused; a number that does not suit is an error of the node, as in rclpy."""
         label = request.transition.label
         try:
             response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS

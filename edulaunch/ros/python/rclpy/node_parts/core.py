@@ -83,7 +83,7 @@ class NodeCore:
         self._number = 0
 
     def next_number(self) -> int:
-        """The next number in order of creation, for entities of all kinds."""
+        """Return the next number in order of creation, for entities of all kinds."""
         self._number += 1
         return self._number
 
@@ -106,7 +106,7 @@ class NodeCore:
             raise without_context(what)
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
-        """The absolute, remapped form of a topic or service name.
+        """Return the absolute, remapped form of a topic or service name.
 
         :param kind: 'topic' or 'service'.
         :raises InvalidTopicNameException, InvalidServiceNameException: when the name breaks the rules.
@@ -131,13 +131,13 @@ class NodeCore:
 
 
 def core_of(node: Any) -> NodeCore:
-    """The state of a node: the way in for everything of rclpy that is not the node itself."""
+    """Return the state of a node: the way in for everything of rclpy that is not the node itself."""
     core: NodeCore = node._rclpy
     return core
 
 
 def is_node(thing: Any) -> bool:
-    """Whether it is a node whose constructor has run."""
+    """Return whether it is a node whose constructor has run."""
     return isinstance(getattr(thing, '_rclpy', None), NodeCore)
 
 

@@ -281,25 +281,25 @@ class NodeEntities:
         return True
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The absolute, remapped form of a topic name. Raises RCLError when the name breaks the rules."""
+        """Return the absolute, remapped form of a topic name. Raises RCLError when the name breaks the rules."""
         return _resolved(self._rclpy, topic, 'topic', only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """The absolute, remapped form of a service name. Raises RCLError when the name breaks the rules."""
+        """Return the absolute, remapped form of a service name. Raises RCLError when the name breaks the rules."""
         return _resolved(self._rclpy, service, 'service', only_expand)
 
     def get_name(self) -> str:
-        """The node's own name. Raises InvalidHandle when the node was destroyed."""
+        """Return the node's own name. Raises InvalidHandle when the node was destroyed."""
         self._rclpy.check_alive()
         return self._rclpy.name
 
     def get_namespace(self) -> str:
-        """The namespace, '/' for the root. Raises InvalidHandle when the node was destroyed."""
+        """Return the namespace, '/' for the root. Raises InvalidHandle when the node was destroyed."""
         self._rclpy.check_alive()
         return self._rclpy.namespace
 
     def get_fully_qualified_name(self) -> str:
-        """The namespace and the name. Raises InvalidHandle when the node was destroyed."""
+        """Return the namespace and the name. Raises InvalidHandle when the node was destroyed."""
         return fully_qualified_name(self.get_namespace(), self.get_name())
 
 

@@ -23,7 +23,7 @@ class NodeGraphQueries:
     _rclpy: NodeCore
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """All topics with their types; with `no_demangle` as DDS has them, those of services among them."""
+        """Return all topics with their types; with `no_demangle` as DDS has them, those of services among them."""
         graph = _looked_at(self._rclpy, 'failed to get topic names and types')
         if no_demangle:
             ends = (graph.publishers, graph.subscriptions, graph.services, graph.clients)
@@ -31,13 +31,13 @@ class NodeGraphQueries:
         return names_and_types([*_all(graph.publishers), *_all(graph.subscriptions)], 'topic_name')
 
     def get_service_names_and_types(self) -> NamesAndTypes:
-        """All services that have a server, with their types."""
+        """Return all services that have a server, with their types."""
         return names_and_types(_all(_looked_at(self._rclpy, 'failed to get service names and types').services), 'service_name')
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """The topics that a node publishes, with `no_demangle` as DDS has them.
+        """Return the topics that a node publishes, with `no_demangle` as DDS has them.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
@@ -46,26 +46,26 @@ class NodeGraphQueries:
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """The topics that a node subscribes to, with `no_demangle` as DDS has them.
+        """Return the topics that a node subscribes to, with `no_demangle` as DDS has them.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
         return _topics_by_node(self._rclpy, node_name, node_namespace, 'subscription', READS if no_demangle else None)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """The services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
+        """Return the services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """The services that a node has clients of. Raises NodeNameNonExistentError for an unknown node."""
+        """Return the services that a node has clients of. Raises NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
 
     def get_node_names(self) -> list[str]:
-        """The own names of all nodes, in order of creation."""
+        """Return the own names of all nodes, in order of creation."""
         return [node.name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """The full names of all nodes."""
+        """Return the full names of all nodes."""
         return [node.fully_qualified_name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
@@ -77,27 +77,27 @@ class NodeGraphQueries:
         return [(node.name, node.namespace, '/') for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def count_publishers(self, topic_name: str) -> int:
-        """How many publishers a topic has."""
+        """Return how many publishers a topic has."""
         return _count(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
 
     def count_subscribers(self, topic_name: str) -> int:
-        """How many subscriptions a topic has."""
+        """Return how many subscriptions a topic has."""
         return _count(self._rclpy, 'subscribers', self._rclpy.graph.subscriptions, topic_name)
 
     def count_clients(self, service_name: str) -> int:
-        """How many clients a service has."""
+        """Return how many clients a service has."""
         return _count(self._rclpy, 'clients', self._rclpy.graph.clients, service_name)
 
     def count_services(self, service_name: str) -> int:
-        """How many servers a service has."""
+        """Return how many servers a service has."""
         return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """The publishers of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        """Return the publishers of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
         return _infos(self._rclpy, 'publishers', {} if no_mangle else self._rclpy.graph.publishers, topic_name)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """The subscriptions of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        """Return the subscriptions of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
         return _infos(self._rclpy, 'subscriptions', {} if no_mangle else self._rclpy.graph.subscriptions, topic_name)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
@@ -128,7 +128,7 @@ _NODE_NAMES = 'Failed to get node names'
 
 
 def _looked_at(core: NodeCore, what: str) -> Graph:
-    """The graph; a loop that does nothing but look at it is moved on by simulated time.
+    """Return the graph; a loop that does nothing but look at it is moved on by simulated time.
 
     :param what: how the error after shutdown begins.
     """
@@ -184,7 +184,7 @@ def _infos(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) ->
 
 
 def _expanded(core: NodeCore, name: str) -> str:
-    """The absolute form of a name. Raises ValueError when it breaks the rules, as rclpy has it in these methods."""
+    """Return the absolute form of a name. Raises ValueError when it breaks the rules, as rclpy has it in these methods."""
     problem = topic_name_problem(name) if isinstance(name, str) else None
     if problem is not None:
         raise ValueError(f"topic name '{name}' is invalid: {problem[0]}")

@@ -49,7 +49,7 @@ class ParameterStore:
         self._on_change = on_change
 
     def descriptor(self, name: str) -> ParameterDescriptor:
-        """The descriptor of a parameter.
+        """Return the descriptor of a parameter.
 
         :raises ParameterNotDeclaredException: when it was not declared, and undeclared ones are not allowed.
         """
@@ -122,7 +122,7 @@ class ParameterStore:
         return _result(None)
 
     def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
-        """Why a descriptor does not allow a value, in rclpy's words, or None."""
+        """Return why a descriptor does not allow a value, in rclpy's words, or None."""
         type_ = parameter.type_
         if check_read_only and descriptor.read_only:
             return f'Trying to set a read-only parameter: {parameter.name}.'
@@ -200,7 +200,7 @@ class ParameterEvents:
 
     @staticmethod
     def from_arguments(parameters: Iterable[Parameter]) -> dict[str, Override]:
-        """The constructor's `parameter_overrides`, in the form of those of the command line."""
+        """Return the constructor's `parameter_overrides`, in the form of those of the command line."""
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
@@ -236,7 +236,7 @@ class ParameterEvents:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
 
     def _origin(self, parameter: Parameter) -> str:
-        """Where a value came from, in words: at its declaration from outside or the program, later from a change."""
+        """Return where a value came from, in words: at its declaration from outside or the program, later from a change."""
         if parameter.name in self._declared:
             return 'set_parameters'
         self._declared.add(parameter.name)

@@ -86,11 +86,11 @@ class NodeParameters:
         self._rclpy.graph.tracer.parameter(self._rclpy.entry, name, None, 'undeclare_parameter')
 
     def has_parameter(self, name: str) -> bool:
-        """Whether it is declared."""
+        """Return whether it is declared."""
         return name in self._rclpy.parameters.values
 
     def get_parameter(self, name: str) -> Parameter:
-        """A parameter; read its `.value`.
+        """Return a parameter; read its `.value`.
 
         :raises ParameterNotDeclaredException: when it was not declared.
         :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
@@ -112,21 +112,21 @@ class NodeParameters:
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """A parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
+        """Return a parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
         if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
             return parameter
         return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """The parameters `prefix.x`, by x."""
+        """Return the parameters `prefix.x`, by x."""
         prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ''
         return {
             name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
         }
 
     def get_parameter_type(self, name: str) -> int | ParameterType:
-        """The number of the type of a parameter's value, 0 without one.
+        """Return the number of the type of a parameter's value, 0 without one.
 
         As in rclpy it is `Parameter.Type.NOT_SET` itself for an undeclared parameter where those are allowed.
         """
@@ -138,17 +138,17 @@ class NodeParameters:
         return ParameterType.NOT_SET
 
     def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
-        """The numbers of several types."""
+        """Return the numbers of several types."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
         return [self.get_parameter_type(name) for name in names]
 
     def describe_parameter(self, name: str) -> ParameterDescriptor:
-        """The descriptor of a parameter."""
+        """Return the descriptor of a parameter."""
         return self._rclpy.parameters.descriptor(name)
 
     def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
-        """The descriptors of several."""
+        """Return the descriptors of several."""
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
@@ -239,7 +239,7 @@ class NodeParameters:
 def _prepared(
     overrides: Mapping[str, Override], namespace: str, index: int, entry: tuple[Any, ...]
 ) -> tuple[Parameter, ParameterDescriptor]:
-    """The first value and the descriptor of one declaration."""
+    """Return the first value and the descriptor of one declaration."""
     name, value, descriptor = _unpacked(index, entry)
     name = f'{namespace}.{name}' if namespace else name
     if len(entry) == 1:

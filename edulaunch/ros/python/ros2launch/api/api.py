@@ -29,7 +29,7 @@ class MultipleLaunchFilesError(Exception):
 
 
 def get_share_file_path_from_package(*, package_name: str, file_name: str | None) -> str:
-    """The path of the one file of that name anywhere below the package's share directory.
+    """Return the path of the one file of that name anywhere below the package's share directory.
 
     :raises PackageNotFoundError: when there is no such package.
     :raises FileNotFoundError: when there is no such file.
@@ -57,7 +57,7 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
 
 
 def is_launch_file(path: str) -> bool:
-    """Whether it is a file with a name that a launch file may have."""
+    """Return whether it is a file with a name that a launch file may have."""
     from launch.frontend.parser import Parser
 
     extensions = ['py', *Parser.get_file_extensions_from_parsers()]
@@ -79,7 +79,7 @@ def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]
 
 
 def load_launch_file(path: str) -> LaunchDescription:
-    """What the launch file describes, without launching it.
+    """Return what the launch file describes, without launching it.
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
@@ -103,7 +103,7 @@ def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
 
 
 def arguments_text(launch_description: LaunchDescription) -> str:
-    """The launch arguments of a description as `ros2 launch -s` shows them."""
+    """Return the launch arguments of a description as `ros2 launch -s` shows them."""
     lines = [HEADING]
     arguments = launch_description.get_launch_arguments()
     for argument in arguments:

@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 
 def matches_pid(pid: int) -> ProcessMatcher:
-    """The process with this number."""
+    """Return the process with this number."""
     return lambda action: action.process_details is not None and action.process_details['pid'] == pid
 
 
 def matches_name(name: str) -> ProcessMatcher:
-    """The process with this unique name, such as 'talker-1'."""
+    """Return the process with this unique name, such as 'talker-1'."""
     return lambda action: action.process_details is not None and action.process_details['name'] == name
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def matches_node_name(node_name: str) -> Callable[[Any], bool]:
-    """The old place of :func:`launch_ros.events.matchers.matches_node_name`: as there, with a warning."""
+    """Call :func:`launch_ros.events.matchers.matches_node_name`, after a warning that this name is deprecated."""
     warnings.warn(
         'launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
         stacklevel=2,
