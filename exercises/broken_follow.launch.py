@@ -8,7 +8,7 @@ and in a remapping. Neither turtle1 nor turtle2 moves. The part of the teacher i
 ROS 2 reports no error for any of the three: a node may subscribe to a topic without a publisher, and ask for a frame
 that does not exist yet. Find them with the report of the grader, or with ros2 topic list, ros2 node info and view_frames.
 
-Grade it: edugrade exercises/broken_follow.launch.py        A hint: edugrade exercises/broken_follow.launch.py --hint 1
+Grade it with `edugrade exercises/broken_follow.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess

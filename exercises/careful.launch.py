@@ -5,7 +5,7 @@
 The process echo receives one message of the talker and ends. Only then the driver starts. After end seconds, the launch
 shuts down, and everything ends.
 
-Grade it: edugrade exercises/careful.launch.py        A hint: edugrade exercises/careful.launch.py --hint 1
+Grade it with `edugrade exercises/careful.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler, Shutdown, TimerAction

@@ -7,7 +7,7 @@ the demo names this frame; the default is turtle1. Two programs can broadcast th
 fixed_frame_tf2_broadcaster puts it two metres to the left, dynamic_frame_tf2_broadcaster moves it from side to side.
 At the moment both run and contradict each other. Fill the three gaps.
 
-Grade it: edugrade exercises/carrot.launch.py        A hint: edugrade exercises/carrot.launch.py --hint 1
+Grade it with `edugrade exercises/carrot.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import IncludeLaunchDescription

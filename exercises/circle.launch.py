@@ -6,7 +6,7 @@ The node param_circle.py of the package part3_beyond_basics publishes velocities
 `radius` is the radius in metres; the default is 0.5. No robot receives the velocities yet, and the user
 cannot choose the radius. Fill the three gaps.
 
-Grade it: edugrade exercises/circle.launch.py        A hint: edugrade exercises/circle.launch.py --hint 1
+Grade it with `edugrade exercises/circle.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch_ros.actions import Node

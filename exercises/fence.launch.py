@@ -5,7 +5,7 @@
 There should be /night/sim with dark water (background_b 40) and /day/sim with the default (255). Instead there is
 /night/day/sim, and its water is dark, too. Limit the settings to the group.
 
-Grade it: edugrade exercises/fence.launch.py        A hint: edugrade exercises/fence.launch.py --hint 1
+Grade it with `edugrade exercises/fence.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction

@@ -9,7 +9,7 @@ drives turtle2 there. It needs both frames. Fill the two gaps.
 The grader launches this file twice: without arguments, when turtle1 does not move, and with move:=true, when
 turtle1 drives a square. The part for the square is complete.
 
-Grade it: edugrade exercises/follow.launch.py        A hint: edugrade exercises/follow.launch.py --hint 1
+Grade it with `edugrade exercises/follow.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -5,7 +5,7 @@
 The simulator starts. When it has started, draw_square starts (its node name is driver). The launch argument delay is the
 number of seconds between the start of draw_square and the start of the other simulator, /late/sim.
 
-Grade it: edugrade exercises/in_order.launch.py        A hint: edugrade exercises/in_order.launch.py --hint 1
+Grade it with `edugrade exercises/in_order.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, RegisterEventHandler, TimerAction

@@ -5,7 +5,7 @@
 Do not change the talker: it publishes on /news/chatter. Both listeners should receive its messages, and keep their names
 and namespaces. There are two mistakes.
 
-Grade it: edugrade exercises/silent_listener.launch.py        A hint: edugrade exercises/silent_listener.launch.py --hint 1
+Grade it with `edugrade exercises/silent_listener.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

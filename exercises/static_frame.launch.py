@@ -7,7 +7,7 @@ is. The program static_transform_publisher of the package tf2_ros publishes it. 
 --yaw --pitch --roll (in radians), --frame-id (the parent) and --child-frame-id (the new frame). Numbers that you omit are 0.
 tf2_echo, which already runs, prints the camera as seen from base_link as soon as tf2 knows it. Fill the two gaps.
 
-Grade it: edugrade exercises/static_frame.launch.py        A hint: edugrade exercises/static_frame.launch.py --hint 1
+Grade it with `edugrade exercises/static_frame.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -4,7 +4,7 @@
 
 There are two mistakes. Find them with the tools (ros2 topic info, ros2 node info, edulaunch doctor) before you read the file.
 
-Grade it: edugrade exercises/two_pools.launch.py        A hint: edugrade exercises/two_pools.launch.py --hint 1
+Grade it with `edugrade exercises/two_pools.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess

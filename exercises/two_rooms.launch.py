@@ -5,7 +5,7 @@
 The talker /hall/talker publishes on /hall/chatter, and /hall/listener receives its messages. The launch argument room is
 the namespace of the second listener, so its name is known only at launch. It should receive the same messages.
 
-Grade it: edugrade exercises/two_rooms.launch.py        A hint: edugrade exercises/two_rooms.launch.py --hint 1
+Grade it with `edugrade exercises/two_rooms.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -5,7 +5,7 @@
 When the simulator has started, call the service /spawn twice: for a turtle bert at (9, 9), and for a turtle carl at (x, 2).
 The launch argument x is the x of carl. (A call is `ros2 service call NAME TYPE VALUES`.)
 
-Grade it: edugrade exercises/visitors.launch.py        A hint: edugrade exercises/visitors.launch.py --hint 1
+Grade it with `edugrade exercises/visitors.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler

@@ -5,7 +5,7 @@
 The recorder writes the topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts only when the
 recorder has started.
 
-Grade it: edugrade exercises/black_box.launch.py        A hint: edugrade exercises/black_box.launch.py --hint 1
+Grade it with `edugrade exercises/black_box.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler

@@ -4,7 +4,7 @@
 
 There are two mistakes. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
 
-Grade it: edugrade exercises/lost_carrot.launch.py        A hint: edugrade exercises/lost_carrot.launch.py --hint 1
+Grade it with `edugrade exercises/lost_carrot.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -5,7 +5,7 @@
 The mast is 0.1 m in front of base_link and 0.2 m above it, and turns about z. The camera is on the mast, 0.3 m above its
 frame. The node robot_state_publisher is already there. The motor publishes the angle on /joint_states.
 
-Grade it: edugrade exercises/mast.launch.py        A hint: edugrade exercises/mast.launch.py --hint 1
+Grade it with `edugrade exercises/mast.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess

@@ -5,7 +5,7 @@
 The world /one/sim always starts. With drive:=true a node /one/draw_square drives in it. With worlds:=2 another world
 starts, /two/sim.
 
-Grade it: edugrade exercises/on_request.launch.py        A hint: edugrade exercises/on_request.launch.py --hint 1
+Grade it with `edugrade exercises/on_request.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

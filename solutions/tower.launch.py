@@ -5,7 +5,7 @@
 The frame table is at x = 1.0 in the frame floor, and the launch argument height is its z. The frame lamp is 0.4 m above
 the frame table, and turned by a quarter turn to the left (yaw 1.5708).
 
-Grade it: edugrade exercises/tower.launch.py        A hint: edugrade exercises/tower.launch.py --hint 1
+Grade it with `edugrade exercises/tower.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

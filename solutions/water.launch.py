@@ -4,7 +4,7 @@
 
 turtlesim_node has the parameters background_r, background_g and background_b, whole numbers from 0 to 255.
 
-Grade it: edugrade exercises/water.launch.py        A hint: edugrade exercises/water.launch.py --hint 1
+Grade it with `edugrade exercises/water.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -246,7 +246,7 @@ class Retelling:
 
 
 def fields_of(template: str) -> list[str]:
-    """Names of the facts in a template."""
+    """Return the names of the facts in a template."""
     return [name for _, name, _, _ in Formatter().parse(template) if name]
 
 

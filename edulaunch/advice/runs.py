@@ -118,7 +118,7 @@ def origin_place(recording: Recording, process: str | None, origin: str) -> Plac
 
 @lru_cache(maxsize=1)
 def own_nodes(recording: Recording) -> set[str]:
-    """Names of the nodes whose programs a student wrote."""
+    """Return the names of the nodes whose programs a student wrote."""
     own = {process.name for process in recording.own_processes}
     return {node.name for node in recording.nodes if node.process in own}
 

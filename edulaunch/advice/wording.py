@@ -82,7 +82,7 @@ def end_of_run_lines(
 
 
 def place(finding: Finding, reader: Reader) -> Iterator[str]:
-    """File and line, and the simulated time: 'follow.launch.py:12', 'at 0.50 s'."""
+    """Yield the file and line, and the simulated time: 'follow.launch.py:12', 'at 0.50 s'."""
     if finding.file is not None:
         yield reader.place(finding.file, finding.line)
     if finding.time_s is not None:

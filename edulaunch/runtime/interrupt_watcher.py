@@ -78,7 +78,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterat
         yield WatchedSignals()
         return
     import faulthandler
-    import subprocess  # late: only a terminal needs it, and it takes as long to load as the rest of this module
+    import subprocess  # imported here, because only a terminal needs it, and loading it takes as long as the rest of this module
 
     reading, writing = os.pipe()
     os.set_blocking(writing, False)
@@ -185,7 +185,7 @@ def _print(line: str) -> None:
 
 
 def main() -> None:
-    """The program of a watcher."""
+    """Run the program of a watcher."""
     try:
         Watcher(int(sys.argv[1]), sys.stdin.fileno(), sys.argv[2:]).run()
     except ProcessLookupError:  # the run has ended meanwhile

@@ -31,7 +31,7 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outco
         return list(outcomes)
     try:
         plan = in_worker(lambda: _plan(outcomes))  # what a submission declares may upset whoever looks at it
-    except Exception:  # judging it meets the same, and says so
+    except Exception:  # judging raises the same error, and reports it
         return list(outcomes)
     places = [place for place, (names, *_) in enumerate(plan) if names and None not in names.values()]
     made = again([_giving(outcomes[place].scenario, plan[place][0]) for place in places]) if places else []
@@ -115,7 +115,7 @@ def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str
     other: dict[str, str | None] = {
         name: wanted for name, wanted in defaults.items() if wanted is not None and _is_other(declared.get(name), wanted)
     }
-    if outcome.recording is not None:  # it can do without those that it does not declare
+    if outcome.recording is not None:  # it does not need arguments that it does not declare
         return other or _of_another_type(outcome, declared)
     lacking = {name: wanted for name, wanted in defaults.items() if declared.get(name) is None}
     return {**lacking, **other} or {name: wanted or written_text(declared[name] or '') for name, wanted in defaults.items()}

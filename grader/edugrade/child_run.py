@@ -71,7 +71,7 @@ class StarterLink:
                 start_new_session=True,
             )
             failed.pop_all()
-        try:  # not as an argument: of many installed packages these are more than one may hold
+        try:  # not as an argument, because many installed packages exceed the length of one argument
             self._socket.sendall(len(settings).to_bytes(LENGTH_BYTES, 'big') + settings)
         except OSError:
             self.is_alive = False
@@ -119,7 +119,7 @@ class ChildRun:
         self.workspaces = job.workspaces
         self.limits = job.limits
         self.frame = bytearray()
-        self.printed = bytearray()  # the first part of it; printed_bytes counts all
+        self.printed = bytearray()  # the first part of the output; printed_bytes counts all of it
         self.printed_bytes = 0
         self.sandbox: dict[str, str] | None = None
         self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage', 'processes', 'memory' or 'disk': what ended it
@@ -227,7 +227,7 @@ class ChildRun:
         while not self.is_over and monotonic() < deadline:
             if is_readable(self.link, GUARD_S):
                 self.read_link()
-        if not self.is_over and self._pids:  # somebody has stopped the guard, which only an unconfined run can
+        if not self.is_over and self._pids:  # the guard was stopped, which only an unconfined run can do
             for pid in self._pids:
                 with suppress(OSError):
                     os.kill(pid, signal.SIGKILL)

@@ -32,7 +32,7 @@ FORKING = ('batch', 'doctor')
 """Verbs that run submissions of others, which must be confined."""
 
 HEAD = ('submission', 'result', 'checks', 'points')
-TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}  # words, not colours
+TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}  # use words and no colours
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -52,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             return _broke(error)
         print(f'edugrade: the report cannot be written: {error.strerror}', file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # else Python tries once more at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again at its end
         return 2
     except ComputerFault as error:
         print(f'edugrade: not graded: {error}.\n  help: {REPAIR}', file=sys.stderr)
@@ -149,7 +149,7 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
             from .results import Refusal
 
             refusals.append(Refusal(path, error.message, error.help))
-        except Exception as error:  # a fault of the grader, which costs no other submission its report
+        except Exception as error:  # a fault of the grader must not affect other submissions
             if not several:
                 raise
             from .results import BROKEN_GRADER, Refusal

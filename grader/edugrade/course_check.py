@@ -126,7 +126,7 @@ def check_manifest(path: str) -> Iterator[str]:
 
 
 def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Stubs and solutions have the same relative paths, each of them belongs to an exercise; so do the rubrics."""
+    """Check that starter files and solutions have equal relative paths, and that each file and rubric belongs to an exercise."""
     stubs, solutions = (_files(os.path.join(folder, name)) for name in (STUBS, SOLUTIONS))
     yield from (f'{SOLUTIONS}/{name} is missing' for name in stubs if name not in solutions)
     yield from (f'{STUBS}/{name} is missing' for name in solutions if name not in stubs)
@@ -144,7 +144,7 @@ def _rubrics(folder: str) -> dict[str, str]:
 
 
 def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Titles, points, hints, lessons and gaps are as they should be."""
+    """Check titles, points, hints, lessons and gaps."""
     rubrics = _rubrics(folder)
     for item in course:
         yield from listed(_entry(folder, item, rubrics))
@@ -219,7 +219,7 @@ def _personal_copy(source: str, target: str, variant: Variant) -> None:
 
 
 def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Stubs run, and fail with a report that names a gap; solutions pass everything."""
+    """Check that starter files fail with a report that names a gap, and that solutions pass every check."""
     rubrics = _rubrics(folder)
     paths = [(os.path.join(folder, kind, item.path), rubrics[item.name]) for kind in (STUBS, SOLUTIONS) for item in course]
     for report in grade([plan_work(Submission(path), rubric) for path, rubric in paths]):

@@ -98,7 +98,7 @@ def grade(
 
         jobs.reverse()
         for item in work:
-            yield _report(item, runner, jobs.pop(), workspaces)  # nothing is kept of it here: recordings are large
+            yield _report(item, runner, jobs.pop(), workspaces)  # not stored here, because recordings are large
 
 
 class WarmGrader:
@@ -149,7 +149,7 @@ def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: S
     except Exceeded as error:
         fault = runner.fault()
         results = [no_mark(fault)] if fault else too_much(work.rubric.checks, str(error), submission.source)
-    except Exception as error:  # a fault of ours with one submission, which costs no other its report
+    except Exception as error:  # a fault of the grader with one submission must not affect the others
         results = [broken(error)]
     if any(result.status == FAILED for result in results) and not submission.is_as_it_was():
         results = [no_mark(f'{submission.given} could be read before the runs, and now it is another text or cannot be read')]
@@ -226,7 +226,7 @@ def progress_bar(total: int) -> Iterator[Callable[[], None]]:
 
     def advance() -> None:
         nonlocal done
-        done = min(done + 1, total)  # a run that is made again was counted
+        done = min(done + 1, total)  # a repeated run was already counted
         show()
 
     show()

@@ -55,7 +55,7 @@ class InPlace:
         return job
 
     def fault(self) -> str | None:
-        """Nothing is known of this computer."""
+        """Return None: this computer is not examined."""
         return None
 
     def wait(self, job: GradingJob) -> list[Outcome]:

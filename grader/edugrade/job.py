@@ -110,7 +110,7 @@ def environment(home: str) -> dict[str, str]:
         'TMPDIR': home,
         'LANG': 'C.UTF-8',
         'USER': 'student',
-        'PYTHONHASHSEED': '0',  # the order of a set decides no mark
+        'PYTHONHASHSEED': '0',  # the order of a set must not affect a mark
         'OPENBLAS_NUM_THREADS': '1',
         'OMP_NUM_THREADS': '1',
     }
@@ -134,7 +134,7 @@ SYSTEM = (
 
 
 def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """(what may be read with all below it, folders that may be listed only), for every run.
+    """Return (what may be read with all below it, folders that may be listed only), for every run.
 
     :param path: where Python looks for modules.
     """
@@ -152,7 +152,7 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """(places that every run sees, folders in them that are hidden from it: the grader and the rubrics).
+    """Return (places that every run sees, folders in them that are hidden from it: the grader and the rubrics).
 
     :param path: where Python looks for modules.
     """

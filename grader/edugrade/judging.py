@@ -22,7 +22,7 @@ from .worker import TooLong, cpu_limit, in_worker
 if TYPE_CHECKING:
     from edulaunch.advice.rule import Finding
 
-LONGEST_CHECK_S = 5.0  # usual: a thousandth of it
+LONGEST_CHECK_S = 5.0  # usually it takes a thousandth of this
 LAUNCHES_SENTENCE = 'The launch file starts and runs to the end without an error'
 
 
@@ -166,7 +166,7 @@ def _rows(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
     try:
         results = judge()
     except MemoryError:
-        raise  # the worker has an answer for it
+        raise  # the worker handles this error
     except Exception as error:
         results = [broken(error)]
     return [asdict(result) for result in results]
@@ -177,13 +177,13 @@ def _of_row(row: dict[str, Any]) -> CheckResult:
     row['steps'] = tuple(row['steps'])
     row['where'] = Place(*row['where']) if row['where'] else None
     if row['cause']:
-        from edulaunch.advice.rule import Finding  # a submission that passes has no cause, and need not wait for the rules
+        from edulaunch.advice.rule import Finding  # a submission that passes needs no causes, so the rules need not run
 
         row['cause'] = Finding(*row['cause'])
     return CheckResult(**row)
 
 
-LONGEST_S = 2.0  # usual: a hundredth of it
+LONGEST_S = 2.0  # usually it takes a hundredth of this
 DIED = ' died with exit code '
 COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
 """Rubrics report dead programs and missing arguments themselves. The arguments of a run come from the grader."""
@@ -222,7 +222,7 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
             found = in_order([finding for recording in evidence.values() for finding in recording.advice])
     except MemoryError:
         raise
-    except Exception:  # a rule that breaks costs the causes, and never the mark
+    except Exception:  # if a rule raises an error, the causes are missing, but the mark does not change
         return []
     covered = COVERED_BY_CHECKS if death_is_covered else tuple(rule for rule in COVERED_BY_CHECKS if rule != 'programs.died')
     return [finding for finding in found if finding.rule not in covered]
@@ -243,7 +243,7 @@ def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[
             words = words_on_deaths(evidence)
     except MemoryError:
         raise
-    except Exception:  # a hostile recording costs this line, and never the mark
+    except Exception:  # for a hostile recording this line is missing, but the mark does not change
         words = ''
     alike = (first.reason, first.expected, first.seen, first.where)
     seen = '\n'.join(filter(None, (first.seen, words)))

@@ -79,7 +79,7 @@ def _epilog() -> str:
 
 
 def add_common(parser: argparse.ArgumentParser) -> None:
-    """The options that every way of grading has."""
+    """Add the options that all grading commands have."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='use this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
         '--seed', type=int, metavar='N', help="select the values of the runs from this number (default: from the file's content)"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The options; without ``--edugrade`` nothing is collected."""
+    """Add the options. Without ``--edugrade``, pytest collects no submissions."""
     group = parser.getgroup('edugrade')
     group.addoption('--edugrade', action='store_true', help='grade launch files: every check of their rubrics is a test')
     group.addoption(
@@ -61,7 +61,7 @@ class GradedFile(pytest.File):
 
             (self._report,) = grade([self._work])
         found = {result.name: result for result in self._report.results}
-        return found.get(name) or self._report.results[0]  # where the grader broke there is but one
+        return found.get(name) or self._report.results[0]  # if the grader failed, there is only one result
 
 
 class GradedCheck(pytest.Item):

@@ -93,7 +93,7 @@ class Rubric:
     ) -> None:
         self.title, self.decoys = title, decoys
         self.of, self.launch, self.beside, self.names = of, launch, tuple(beside), tuple(names)
-        self.file, self.text = '', b''  # whoever reads it from a file says so
+        self.file, self.text = '', b''  # the function that reads the file reports the error
         self.checks = tuple(checks)
         self._scenarios = scenarios
         _refuse_disorder(self.checks)
@@ -118,7 +118,7 @@ class Rubric:
             hint = f'did you mean {close}? ' if close else ''
             raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
         wanted = {name}
-        for check in reversed(self.checks):  # what a check needs stands before it
+        for check in reversed(self.checks):  # a check comes after the checks that it needs
             if check.name in wanted:
                 wanted |= {need.name for need in check.needs}
         part = copy(self)

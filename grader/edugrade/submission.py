@@ -152,7 +152,7 @@ def _read(path: str) -> bytes:
 
 
 def _gradable(folder: str) -> list[str]:
-    """Names of the launch files and packages in a folder."""
+    """Return the names of the launch files and packages in a folder."""
     try:
         return sorted(
             name for name in os.listdir(folder or '.') if name.endswith(ENDINGS) or package_at(os.path.join(folder, name))
@@ -216,7 +216,7 @@ class PackageFolder(NamedTuple):
         return os.path.join(self.path, 'launch', f'{self.name}.launch.py')
 
     def texts(self) -> Iterator[tuple[str, bytes]]:
-        """(path relative to the package, content) of its text files, in a fixed order; the first MOST_FILES of them.
+        """Yield (path relative to the package, content) of its text files, in a fixed order; the first MOST_FILES of them.
 
         Links, pipes, unreadable files and files below more than DEEPEST_TEXT directories are left out.
         """

@@ -88,7 +88,7 @@ class Variant(NamedTuple):
     def stub(self, text: str) -> str:
         """Return a launch file that is handed out: with this student's values, and a line that says whose it is."""
         line = f'Variant {self.tag}, made for {self.student}.\n\n'
-        return re.sub(r'^(?=Grade it: )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
+        return re.sub(r'^(?=Grade it )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
 
     def is_of_another(self, text: str) -> bool:
         """Return whether a file belongs to another student's variant."""

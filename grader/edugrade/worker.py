@@ -22,14 +22,14 @@ from typing import Any, NoReturn
 from .job import CAN_FORK, MEBI
 from .readiness import is_readable
 
-LONGEST_CPU_S = 12  # of processor time; usual: a tenth of a second
-LONGEST_S = 300.0  # of real time: somebody else may keep the machine busy, so that this is no verdict
-MOST_MEMORY_MIB = 1024  # more than the grader had
+LONGEST_CPU_S = 12  # seconds of processor time; usually it takes a tenth of a second
+LONGEST_S = 300.0  # seconds of real time; other programs may keep the computer busy, so reaching it is not a verdict
+MOST_MEMORY_MIB = 1024  # more memory than the grader had
 TRIES = 3
 LOOK_S = 0.05
 CHUNK_BYTES = 1 << 18
 MOST_DESCRIPTORS = 4096
-SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one stands for an answer that did not come
+SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one means that no reply arrived
 
 Attend = Callable[[int, float], bool]
 
@@ -81,7 +81,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     """Return the exit code of a worker (below zero: the signal that ended it), and what it answered."""
     for stream in (sys.stdout, sys.stderr):
-        stream.flush()  # or both processes would write what is kept back
+        stream.flush()  # otherwise both processes would write the buffered output
     answer, end = os.pipe()
     parent = os.getpid()
     pid = os.fork()
@@ -93,8 +93,8 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     finally:
         os.close(answer)
         with suppress(OSError):
-            os.kill(pid, signal.SIGKILL)  # it has answered, or has had its time
-        status = os.waitpid(pid, 0)[1]  # nothing of it is left, also when the grader is stopped
+            os.kill(pid, signal.SIGKILL)  # it has replied, or its time is over
+        status = os.waitpid(pid, 0)[1]  # removes all of it, also if the grader is stopped
     if not content:
         return os.waitstatus_to_exitcode(status) or UNHEARD, b''
     header, loaded, body = content.split(b'\n', 2)
@@ -105,7 +105,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
 def _load(names: Sequence[str]) -> None:
     """Load what the worker had to load, so that the next one has it."""
     for name in names:
-        with suppress(Exception):  # the next one meets the same
+        with suppress(Exception):  # the next one has the same error
             import_module(name)
 
 

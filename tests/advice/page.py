@@ -34,7 +34,7 @@ on these pages. It reports what is wrong, where, and what to do. You see this ad
 SHOWN = Path(edulaunch.__file__).parent / 'advice' / 'examples.json'
 KINDS = {
     'workspaces': 'a workspace',
-    'errors': 'an error',
+    'errors': 'an error message',
     'plans': 'a launch file',
     'recordings': 'a run',
     'scripts': 'a launch file and its runs',
@@ -105,8 +105,8 @@ def _difference(rule: str) -> str:
 def _section(rule: Rule, kind: str) -> Iterator[str]:
     yield f'## {rule.name}'
     yield ''
-    lesson = f', lesson `lessons/{rule.lesson}.ipynb`' if rule.lesson else ''
-    yield f'Checks {KINDS[kind]}; {rule.level}, {rule.confidence}{lesson}.'
+    lesson = f' See `lessons/{rule.lesson}.ipynb`.' if rule.lesson else ''
+    yield f'This rule checks {KINDS[kind]}. Its level is *{rule.level}*, and its confidence is *{rule.confidence}*.{lesson}'
     if rule.name in WITHOUT:
         yield ''
         yield f'> {rule.what[0]}'

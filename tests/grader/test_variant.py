@@ -91,7 +91,7 @@ def test_a_copy_for_a_student_names_the_values_in_the_task_and_is_graded_by_them
 def test_a_class_is_graded_by_the_variant_of_each_and_told_of_another_one_s(
     tmp_path: Path, secret: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    text = (ROOT / 'solutions' / 'tower.launch.py').read_text().replace('"""\nfrom', 'Grade it: edugrade\n"""\nfrom')
+    text = (ROOT / 'solutions' / 'tower.launch.py').read_text().replace('"""\nfrom', 'Grade it with `edugrade`\n"""\nfrom')
     ada, bert = (personal(COURSE['tower'], name, CourseSecret(str(secret))) for name in ('ada', 'bert'))
     assert ada is not None and bert is not None and ada.values != bert.values
     for student, handed_in in (('ada', ada.stub(text)), ('bert', bert.stub(text)), ('carl', ada.stub(text))):

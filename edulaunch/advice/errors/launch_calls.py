@@ -42,13 +42,13 @@ OLD_KEYWORDS = {
     edits=(('{keyword}=', '{near}='),),
 )
 def keyword(failure: Failure) -> Iterator[Finding]:
-    """An argument that the constructor does not know."""
+    """Report an argument that the constructor does not know."""
     match = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
     if match is not None and known and failure.process is None:
         action = failure.facts.get('class') or match[1]
-        if match[2] in known and cls is not None:  # it stands inside of the parentheses of what is handed to that action
+        if match[2] in known and cls is not None:  # it is inside the parentheses of an argument of that action
             action, known = match[1], keywords_of(cls)
         old = OLD_KEYWORDS.get(match[2])
         near = old if old in known else nearest(match[2], known)
@@ -62,7 +62,7 @@ def keyword(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def positional(failure: Failure) -> Iterator[Finding]:
-    """`LogInfo('hello')`, `LaunchDescription(node, node)`."""
+    """Report code such as `LogInfo('hello')`, `LaunchDescription(node, node)`."""
     match = re.match(r'(\w+)\.__init__\(\) takes .*positional arguments? but \d+ .*were given', failure.message)
     cls = class_named(match[1]) if match is not None and failure.process is None else None
     if match is None or cls is None:
@@ -82,7 +82,7 @@ def positional(failure: Failure) -> Iterator[Finding]:
     edits=(('{near}=', '{needed}='),),
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
-    """A misspelt one is taken for one of the many that an action passes on, so that only its absence is seen."""
+    """Report a missing argument. The action passes a misspelt one on, so only its absence is visible."""
     match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     if match is not None and cls is not None and failure.process is None:
@@ -183,7 +183,7 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def missing_comma(failure: Failure) -> Iterator[Finding]:
-    """Two items of a list, one after the other."""
+    """Report two items of a list, one after the other."""
     match = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
     if match is None or failure.process is not None:
         return
@@ -213,7 +213,7 @@ def not_an_action(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def condition_object(failure: Failure) -> Iterator[Finding]:
-    """`condition=LaunchConfiguration('x')`."""
+    """Report code such as `condition=LaunchConfiguration('x')`."""
     match = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, given=match[1])
@@ -226,7 +226,7 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
-    """`on_exit='shutdown'` in Python."""
+    """Report code such as `on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
         yield report(failure)
 
@@ -238,7 +238,7 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
-    """`LaunchConfiguration('count') > 1`, and `.perform()` of it."""
+    """Report code such as `LaunchConfiguration('count') > 1`, and `.perform()` of it."""
     match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
     cls = class_named(match[1] or match[2]) if match is not None and failure.process is None else None
     if match is not None and hasattr(cls, 'perform'):
@@ -252,7 +252,7 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def default_no_choice(failure: Failure) -> Iterator[Finding]:
-    """`choices='true false'`, which is a list of letters, or `choices=[True, False]`."""
+    """Report code such as `choices='true false'`, which is a list of letters, or `choices=[True, False]`."""
     match = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
     if match is not None:
         yield report(failure, default=match[1])
@@ -265,7 +265,7 @@ def default_no_choice(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bool_wanted(failure: Failure) -> Iterator[Finding]:
-    """`respawn='yes'`."""
+    """Report code such as `respawn='yes'`."""
     match = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -279,7 +279,7 @@ def bool_wanted(failure: Failure) -> Iterator[Finding]:
     hides=('launch.element',),
 )
 def number_wanted(failure: Failure) -> Iterator[Finding]:
-    """`period='2 s'`."""
+    """Report code such as `period='2 s'`."""
     match = re.match(r"could not convert string to float: '(.*)'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -292,6 +292,6 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def target_no_action(failure: Failure) -> Iterator[Finding]:
-    """`target_action='sim'`."""
+    """Report code such as `target_action='sim'`."""
     if failure.message.startswith("action_matcher must be an '"):
         yield report(failure)

@@ -25,7 +25,7 @@ from edulaunch.engine.packages.absent import absent_module_kind
     edits=(('def {near}', 'def generate_launch_description'),),
 )
 def no_generate(failure: Failure) -> Iterator[Finding]:
-    """The function that every Python launch file has."""
+    """Report a Python launch file without generate_launch_description()."""
     if 'does not contain the required function' in failure.message and failure.facts.get('about') != 'launch.test-description':
         yield report(failure)
 
@@ -44,7 +44,7 @@ RUN_TEST = 'run it with: launch_test {file}'
     hides=('launch.no-generate', 'launch.fails'),
 )
 def test_description(failure: Failure) -> Iterator[Finding]:
-    """The function that every launch test has."""
+    """Report a launch test without generate_test_description()."""
     if failure.facts.get('about') == 'launch.test-description':
         yield report(failure)
 
@@ -58,7 +58,7 @@ def test_description(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def other_source(failure: Failure) -> Iterator[Finding]:
-    """A file that is included as Python."""
+    """Report a file that is included as Python."""
     name, ending = os.path.basename(failure.file or ''), os.path.splitext(failure.file or '')[1]
     if failure.type == 'SyntaxError' and failure.process is None and ending in ('.xml', '.yaml', '.yml'):
         yield report(failure, name=name, language='XML' if ending == '.xml' else 'YAML')
@@ -72,7 +72,7 @@ def other_source(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def no_return(failure: Failure) -> Iterator[Finding]:
-    """A forgotten `return`, or a list that was returned."""
+    """Report a forgotten `return`, or a list that was returned."""
     match = re.match(r"'(\w+)' object has no attribute 'get_launch_arguments", failure.message)
     if match is not None:
         yield report(failure, returned='nothing' if match[1] == 'NoneType' else f'a {match[1]}')
@@ -90,7 +90,7 @@ def no_return(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_file(failure: Failure) -> Iterator[Finding]:
-    """A file that a launch file opens or includes."""
+    """Report a file that a launch file opens or includes."""
     if failure.type == 'FileNotFoundError' and failure.process is None and failure.facts.get('wanted'):
         built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
         package = built[1] if built and failure.facts.get('no_folder') else None
@@ -195,7 +195,7 @@ _NO_ATTRIBUTE = re.compile(r"(?:partially initialized )?module '(?P<module>[\w.]
     edits=(('{missing}', '{near_here}'), ('from {module} import {missing}', '{line}', 'line')),
 )
 def import_name(failure: Failure) -> Iterator[Finding]:
-    """A name that lives in another module of launch, or is misspelt."""
+    """Report a name that is misspelt or is defined in another module of launch."""
     match = _NOT_IN.match(failure.message) or _NO_ATTRIBUTE.match(failure.message)
     if match is None or failure.process is not None or match['module'].partition('.')[0] not in ('launch', 'launch_ros'):
         return
@@ -214,7 +214,7 @@ def import_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def relative_import(failure: Failure) -> Iterator[Finding]:
-    """`from .other import x`."""
+    """Report code such as `from .other import x`."""
     if failure.process is None and failure.message.startswith('attempted relative import'):
         yield report(failure)
 
@@ -237,7 +237,7 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
     edits=(('{wanted_module}', '{near}'),),
 )
 def no_module(failure: Failure) -> Iterator[Finding]:
-    """A module that the launch file imports."""
+    """Report a module that the launch file imports."""
     match = re.match(r"No module named '([\w.]+)'", failure.message)
     if match is None or failure.process is not None:
         return
@@ -284,7 +284,7 @@ def misspelt(module: str) -> str | None:
     edits=(('{missing}', '{python}'), ('{missing}', '{near_bound}'), ('', '{line}', 'import')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
-    """A name without an import, misspelt, or from another language."""
+    """Report a name without an import, misspelt, or from another language."""
     match = re.match(r"name '(\w+)' is not defined", failure.message)
     if match is None or failure.process is not None:
         return

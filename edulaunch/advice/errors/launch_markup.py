@@ -9,7 +9,7 @@ from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest
 
 HOMES = {
-    # elements that stand inside others: (where, and what does it for everything that follows)
+    # elements that belong inside others: (where, and which element does the same for everything that follows)
     'param': (('node',), 'set_parameter'),
     'remap': (('node',), 'set_remap'),
     'env': (('node', 'executable'), 'set_env'),
@@ -79,7 +79,7 @@ def _instead(failure: Failure, name: str) -> str | None:
     level='error',
 )
 def unknown_element(failure: Failure) -> Iterator[Finding]:
-    """An element that no action has, or not here."""
+    """Report an element that no action has, or not here."""
     if failure.facts.get('about') != 'launch.unknown-element':
         return
     name, shown = str(failure.facts.get('element')), str(failure.facts.get('shown'))
@@ -117,7 +117,7 @@ def unknown_element(failure: Failure) -> Iterator[Finding]:
     edits=(('{attribute}', '{near_name}'),),
 )
 def unknown_attribute(failure: Failure) -> Iterator[Finding]:
-    """An attribute, key or child that the element does not have."""
+    """Report an attribute, key or child that the element does not have."""
     if failure.facts.get('about') != 'launch.unknown-attribute':
         return
     name, kind = str(failure.facts.get('attribute')), failure.facts.get('kind_of')
@@ -167,7 +167,7 @@ def missing_attribute(failure: Failure) -> Iterator[Finding]:
     edits=(('$({call} ', '$({ros_2} '), ('$({call}', '$({near}')),
 )
 def call(failure: Failure) -> Iterator[Finding]:
-    """A `$(name ...)` that is unknown or has the wrong arguments."""
+    """Report a `$(name ...)` that is unknown or has the wrong arguments."""
     if failure.facts.get('about') == 'launch.call':
         name, is_known = str(failure.facts.get('call')), bool(failure.facts.get('is_known'))
         instead = ROS_1_CALLS.get(name)

@@ -21,7 +21,7 @@ from edulaunch.engine.nearest import nearest
     hides=('programs.died',),
 )
 def command_failed(failure: Failure) -> Iterator[Finding]:
-    """Of the substitution Command; `said` is the first line of its standard error."""
+    """Report this for the substitution Command. `said` is the first line of its standard error."""
     said = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
     if said is not None:
         words = [os.path.realpath(word) if os.path.exists(word) else word for word in said[1].split()]
@@ -48,7 +48,7 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     edits=(('{configuration}', '{near}', 'near'),),
 )
 def no_configuration(failure: Failure) -> Iterator[Finding]:
-    """`LaunchConfiguration('x')`, or $(var x), of a name that no action declares."""
+    """Report code such as `LaunchConfiguration('x')`, or $(var x), of a name that no action declares."""
     if failure.facts.get('about') == 'launch.no-configuration':
         is_markup = (failure.file or '').endswith(('.xml', '.launch'))
         yield report(failure, xml=failure.facts['configuration'] if is_markup else None)
@@ -77,7 +77,7 @@ def no_argument(failure: Failure) -> Iterator[Finding]:
     edits=(('{variable}', '{near}', 'near'),),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
-    """An environment variable without a default."""
+    """Report an environment variable without a default."""
     match = re.search(r"environment variable '(.*)' does not exist", failure.message)
     if match is not None:
         yield report(failure, variable=match[1])
@@ -91,7 +91,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def condition_value(failure: Failure) -> Iterator[Finding]:
-    """`IfCondition('maybe')`."""
+    """Report code such as `IfCondition('maybe')`."""
     if failure.message.startswith('invalid condition expression'):
         yield report(failure)
 
@@ -103,7 +103,7 @@ def condition_value(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def namespace(failure: Failure) -> Iterator[Finding]:
-    """A namespace that ROS 2 refuses."""
+    """Report a namespace that ROS 2 refuses."""
     if failure.message.startswith('The resulting namespace is invalid'):
         yield report(failure)
 
@@ -115,7 +115,7 @@ def namespace(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def executed_twice(failure: Failure) -> Iterator[Finding]:
-    """The same `ExecuteProcess` object in two places."""
+    """Report the same `ExecuteProcess` object in two places."""
     if 'executed more than once' in failure.message:
         yield report(failure)
 
@@ -157,7 +157,7 @@ _JOINED = re.compile(
     level='error',
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
-    """`'carrot_' + LaunchConfiguration('leader')`, an f-string around it, or a minus in front."""
+    """Report code such as `'carrot_' + LaunchConfiguration('leader')`, an f-string around it, or a minus in front."""
     match = _JOINED.match(failure.message)
     given = (
         next(filter(None, match.groups()), None)
@@ -180,7 +180,7 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def parameter_type(failure: Failure) -> Iterator[Finding]:
-    """The type of a parameter never changes, and an integer is not a double."""
+    """Report a value of the wrong type. The type of a parameter never changes, and an integer is not a double."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-type':
         pair, value = (facts.get('given'), facts.get('expected')), str(facts.get('value'))

@@ -114,7 +114,7 @@ _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split(
     edits=(('', '{line}', 'import'), ('{missing}', '{near_bound}')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
-    """A name without an import, or misspelt, in a program of a node."""
+    """Report a name without an import, or misspelt, in a program of a node."""
     match = re.match(r"name '(\w+)' is not defined", failure.message)
     if match is not None and failure.process is not None and failure.type == 'NameError':
         home = 'rclpy' if match[1] == 'rclpy' else _HOME_OF.get(match[1])
@@ -134,7 +134,7 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_number(failure: Failure) -> Iterator[Finding]:
-    """`Duration(0.5)`, `now - 0.5`, `get_clock().now - Duration(...)`."""
+    """Report code such as `Duration(0.5)`, `now - 0.5`, `get_clock().now - Duration(...)`."""
     made = re.match(r'(Duration|Time)\.__init__\(\) takes 1 positional argument', failure.message)
     match = re.match(r"unsupported operand type\(s\) for \S+: '(\w+)' and '(\w+)'", failure.message)
     if (
@@ -156,6 +156,6 @@ def no_number(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_period(failure: Failure) -> Iterator[Finding]:
-    """`create_timer(self.on_timer)`, or `create_timer(1.0)`."""
+    """Report code such as `create_timer(self.on_timer)`, or `create_timer(1.0)`."""
     if failure.process is not None and re.match(r'Node\.create_timer\(\) missing 1 required positional', failure.message):
         yield report(failure)

@@ -33,7 +33,7 @@ def _line(failure: Failure) -> str:
     hides=('launch.fails',),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
-    """`os.environ['NAME']` in a launch file or a program."""
+    """Report code such as `os.environ['NAME']` in a launch file or a program."""
     match = re.fullmatch(r"'(\w+)'", failure.message)
     if failure.type == 'KeyError' and match is not None and 'environ' in _line(failure):
         yield report(failure, variable=match[1], example=MODELS.get(match[1]), quoted=repr(match[1]))
@@ -51,7 +51,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def result_too_early(failure: Failure) -> Iterator[Finding]:
-    """An attribute of None on a line with `.result()`, or of a variable that got its value so on the lines above."""
+    """Report an attribute of None on a line with `.result()`, or of a variable that got its value from it on the lines above."""
     if failure.type != 'AttributeError' or not failure.message.startswith("'NoneType' object has no attribute"):
         return
     above = [
@@ -77,7 +77,7 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def path_too_early(failure: Failure) -> Iterator[Finding]:
-    """`os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
+    """Report code such as `os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
     match = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
     if match is not None and hasattr(class_named(match[1]), 'perform'):
         yield report(failure, given=match[1])
@@ -93,7 +93,7 @@ def path_too_early(failure: Failure) -> Iterator[Finding]:
     hides=('launch.condition-value',),
 )
 def condition_word(failure: Failure) -> Iterator[Finding]:
-    """`IfCondition('gui')`, in the file that failed."""
+    """Report code such as `IfCondition('gui')`, in the file that failed."""
     match = re.match(r"invalid condition expression.* but got '(\w+)'", failure.message)
     lines = _lines(failure.file) if match is not None and failure.file else []
     if match is not None and any(re.search(rf"""DeclareLaunchArgument\(.*['"]{match[1]}['"]""", line) for line in lines):
@@ -177,7 +177,7 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
     hides=('launch.positional', 'launch.call'),
 )
 def class_for_action(failure: Failure) -> Iterator[Finding]:
-    """`on_exit=Shutdown`, in the file that failed or in one that the launch began with."""
+    """Report code such as `on_exit=Shutdown`, in the file that failed or in one that the launch began with."""
     match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
     if match is not None:
         yield report(failure, given=match[1], keyword='on_exit' if match[1] == 'Shutdown' else 'on_start')
@@ -201,7 +201,7 @@ CONVERTERS = {'geometry_msgs': 'tf2_geometry_msgs', 'sensor_msgs': 'tf2_sensor_m
     level='error',
 )
 def no_converter(failure: Failure) -> Iterator[Finding]:
-    """`buffer.transform(pose, 'map')` without the import."""
+    """Report code such as `buffer.transform(pose, 'map')` without the import."""
     match = re.match(r"Type <class '(\w+)\.msg\.\w+\.(\w+)'> is not loaded or supported", failure.message)
     if match is not None and match[1] in CONVERTERS:
         yield report(failure, package=match[1], kind_of=match[2], converter=CONVERTERS[match[1]])
@@ -224,7 +224,7 @@ ELSEWHERE = {
     level='error',
 )
 def other_module(failure: Failure) -> Iterator[Finding]:
-    """`rclpy.remove_ros_args(...)`."""
+    """Report code such as `rclpy.remove_ros_args(...)`."""
     match = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
     if match is not None and match[1] in ELSEWHERE:
         yield report(failure, part=match[1], module=ELSEWHERE[match[1]])

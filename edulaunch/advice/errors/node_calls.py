@@ -31,7 +31,7 @@ def calls_on_line(failure: Failure) -> list[ast.Call]:
     level='error',
 )
 def type_as_text(failure: Failure) -> Iterator[Finding]:
-    """`create_subscription('Pose', ...)`, or the topic in the first place."""
+    """Report code such as `create_subscription('Pose', ...)`, or the topic in the first place."""
     if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
         return
     for call in calls_on_line(failure):
@@ -51,7 +51,7 @@ def type_as_text(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def timer_order(failure: Failure) -> Iterator[Finding]:
-    """`create_timer(self.tick, 1.0)`."""
+    """Report code such as `create_timer(self.tick, 1.0)`."""
     if not re.match(r"float\(\) argument must be a string or a real number, not '(method|function)'", failure.message):
         return
     for call in calls_on_line(failure):
@@ -68,7 +68,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def service_class(failure: Failure) -> Iterator[Finding]:
-    """`client.call_async(Spawn())`."""
+    """Report code such as `client.call_async(Spawn())`."""
     if failure.message == 'Service classes can not be instantiated':
         made = [call.func for call in calls_on_line(failure) if isinstance(call.func, ast.Name)]
         yield report(failure, service=next((one.id for one in made if one.id[:1].isupper()), 'the service class'))
@@ -83,7 +83,7 @@ def service_class(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
-    """`self.get_parameter('speed') * 2`."""
+    """Report code such as `self.get_parameter('speed') * 2`."""
     if failure.type == 'TypeError' and re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message):
         yield report(failure)
 
@@ -96,7 +96,7 @@ def parameter_object(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def local_not_attribute(failure: Failure) -> Iterator[Finding]:
-    """`pub = self.create_publisher(...)` in the constructor, and `self.pub` in a callback."""
+    """Report code such as `pub = self.create_publisher(...)` in the constructor, and `self.pub` in a callback."""
     match = re.fullmatch(r"'(\w+)' object has no attribute '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:

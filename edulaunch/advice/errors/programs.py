@@ -166,7 +166,7 @@ TIMEOUT_NO_DURATION = about(
     level='error',
 )
 def forgotten_self(failure: Failure) -> Iterator[Finding]:
-    """A method of a class without any argument. Python before 3.10 does not name the class."""
+    """Report a method of a class without any argument. Python before 3.10 does not name the class."""
     match = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
     if match is not None and failure.type == 'TypeError':
         yield report(failure, method=match[1])
@@ -180,7 +180,7 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def called_too_early(failure: Failure) -> Iterator[Finding]:
-    """`create_subscription(String, 'chatter', self.heard(), 10)`: a method of the student's own."""
+    """Report code such as `create_subscription(String, 'chatter', self.heard(), 10)`: a method of the student's own."""
     match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     own = [node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)] if tree is not None else []
@@ -195,7 +195,7 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_depth(failure: Failure) -> Iterator[Finding]:
-    """`create_subscription(String, 'chatter', self.heard)`."""
+    """Report code such as `create_subscription(String, 'chatter', self.heard)`."""
     match = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
     if match is not None and failure.process is not None:
         yield report(failure, method=match[1])
@@ -220,7 +220,7 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
     lesson='02_names',
 )
 def sign_in_name(failure: Failure) -> Iterator[Finding]:
-    """A blank, a minus or a letter with an accent in the name of a node, namespace or topic."""
+    """Report a blank, a minus or a letter with an accent in the name of a node, namespace or topic."""
     match = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
     if match is not None:
         name, at = match[1], len(match[2]) - len("  '")

@@ -74,7 +74,7 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:
-    """One kind of bracket was opened, another is closed."""
+    """Report a closing bracket that does not match the opening one."""
     match = _matched(failure, r"closing parenthesis '(.)' does not match opening parenthesis '(.)'(?: on line (\d+))?")
     if match is not None:
         opened = int(match[3]) if match[3] else None
@@ -88,7 +88,7 @@ def bracket_other(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_too_many(failure: Failure) -> Iterator[Finding]:
-    """A closing bracket without an opening one."""
+    """Report a closing bracket without an opening one."""
     match = _matched(failure, r"unmatched '(.)'")
     if match is not None:
         yield _in_line(failure, closing=match[1])

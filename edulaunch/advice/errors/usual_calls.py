@@ -34,7 +34,7 @@ FORMS = (
     level='error',
 )
 def wrong_call(failure: Failure) -> Iterator[Finding]:
-    """A call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
+    """Report a call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
     if failure.process is None:
         return
     for pattern, form in FORMS:
@@ -55,7 +55,7 @@ def wrong_call(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def brackets_missing(failure: Failure) -> Iterator[Finding]:
-    """`self.get_logger.info(...)`, `Twist.linear.x = 0.2`, `lookup_transform('a', 'b', Time)`."""
+    """Report code such as `self.get_logger.info(...)`, `Twist.linear.x = 0.2`, `lookup_transform('a', 'b', Time)`."""
     match = re.match(r"'(function|method|property)' object has no attribute '(\w+)'", failure.message)
     compared = re.match(r"'[<>]=?' not supported between instances of ('property'|.* and 'property')", failure.message)
     tree = script_of(failure.file) if failure.process is not None and (match or compared) else None
@@ -80,7 +80,7 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def future_no_answer(failure: Failure) -> Iterator[Finding]:
-    """`future.sum`."""
+    """Report code such as `future.sum`."""
     match = re.match(r"'Future' object has no attribute '(\w+)'", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     if match is None or tree is None:
@@ -98,7 +98,7 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def init_misspelt(failure: Failure) -> Iterator[Finding]:
-    """`def _init_(self):`, so that the node's own constructor is called without a name."""
+    """Report code such as `def _init_(self):`, so that the node's own constructor is called without a name."""
     tree = script_of(failure.file) if failure.message.startswith('Node.__init__() missing 1 required') else None
     for klass in [] if tree is None else ast.walk(tree):
         names = [node.name for node in klass.body if isinstance(node, ast.FunctionDef)] if isinstance(klass, ast.ClassDef) else []
@@ -115,7 +115,7 @@ def init_misspelt(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def fields_by_name(failure: Failure) -> Iterator[Finding]:
-    """`String('hello')`, of a class that the file imports from a package of messages."""
+    """Report code such as `String('hello')`, of a class that the file imports from a package of messages."""
     match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but \d+ were given', failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     if match is None or tree is None:
@@ -136,7 +136,7 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_no_value(failure: Failure) -> Iterator[Finding]:
-    """The value None of such a parameter ends up in a message."""
+    """Report a parameter without a value whose None is assigned to a field of a message."""
     is_none = failure.facts.get('about') == 'messages.field-value' and failure.facts.get('given') == 'None'
     tree = script_of(failure.file) if is_none and any(map(_reads_parameter, calls_on_line(failure))) else None
     for call in [] if tree is None else ast.walk(tree):

@@ -27,7 +27,7 @@ MOMENT_S = 0.5
 
 
 def declared_parameters(package: str, executable: str, workspaces: Sequence[str]) -> dict[str, Any]:
-    """Parameter -> default value of the first node of a program; empty when it does not come so far by itself."""
+    """Return the default of each parameter of a program's first node, or {} if the program fails earlier."""
     with Session(workspaces=workspaces) as session:
         session.host.start(ProcessSpec(argv=('ros2', 'run', package, executable), name=executable))
         session.run(MOMENT_S)

@@ -153,7 +153,7 @@ class _Reader:
                 self._set.setdefault(ast.unparse(part), []).append(value if part is target else None)
 
     def node_names(self) -> Iterator[str]:
-        """Names of the nodes that the file makes."""
+        """Yield the names of the nodes that the file makes."""
         for call in self._calls:
             name = name_of_call(call)
             is_super = name == '__init__' and isinstance(call.func, ast.Attribute) and name_of_call(call.func.value) == 'super'

@@ -44,7 +44,7 @@ LARGE = 60
 
 
 def place_of(entry: Entry) -> str:
-    """'file:line' unless the text has it already, or ''."""
+    """Return 'file:line' unless the text has it already, or ''."""
     if entry['file'] is None or (entry['kind'] == 'parameter' and 'origin' in entry):
         return ''
     return f'{os.path.basename(entry["file"])}:{entry["line"]}'

@@ -18,6 +18,6 @@ __all__ = ['Rehearsal', 'make_plan', 'rehearse']
 def __getattr__(name: str) -> Any:
     if name not in __all__:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from edulaunch.advice.plan import dry_run  # late: each launch loads this package, and only for its trace
+    from edulaunch.advice.plan import dry_run  # imported here, because each launch loads this package only for its trace
 
     return getattr(dry_run, name)

@@ -194,7 +194,7 @@ def _writes(arguments: tuple[Any, ...]) -> bool:
     if not isinstance(path, (str, bytes)) or not isinstance(flags, int) or os.path.isdir(path):
         return False  # `tempfile` names a folder where it opens a file in it by itself
     if flags & os.O_EXCL and os.path.lexists(path):
-        return False  # it fails by itself
+        return False  # the call fails without our help
     return bool(flags & WRITING) and not (NOWHERE and flags & NOWHERE == NOWHERE)
 
 

@@ -98,7 +98,7 @@ def rehearse(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Rehearsal:
-    """As :func:`make_plan`, with more to show.
+    """Do the same as :func:`make_plan`, with more to show.
 
     :raises UnusableInput: for an argument that is no 'name:=value'.
     """

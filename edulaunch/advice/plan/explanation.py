@@ -174,7 +174,7 @@ def parameters_of(branch: Branch) -> list[Entry]:
     chains: dict[str, list[Any]] = {}
     for one in branch.given_parameters:
         chain = chains.setdefault(one.name, [])
-        if chain[-1:] != [one]:  # a SetParameter that is visited twice says the same twice
+        if chain[-1:] != [one]:  # a SetParameter that is visited twice is reported twice
             chain.append(one)
     return [_parameter(name, item['parameters'][name], chains.get(name, [])) for name in item['parameters']]
 
@@ -203,7 +203,7 @@ def differences(before: Entry, after: Entry) -> list[Entry]:
 
 
 def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
-    from difflib import SequenceMatcher  # late: each launch loads this module
+    from difflib import SequenceMatcher  # imported here, because each launch loads this module
 
     old, new = [_identity(entry) for entry in before], [_identity(entry) for entry in after]
     found: list[Entry] = []

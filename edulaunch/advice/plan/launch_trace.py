@@ -61,7 +61,7 @@ class LaunchTrace(Watch):
         self.stepper = Stepper()
         self.on_stop: Callable[[Step], object] = lambda step: self._process.lifecycle.task.suspend()
 
-    # -- what launch tells
+    # -- events of launch
 
     def enter(self, entity: Any, context: LaunchContext) -> None:
         self._context = context
@@ -115,7 +115,7 @@ class LaunchTrace(Watch):
         return self._sim.now_ns - self._sim.start_ns
 
     def _touch(self, step: Step) -> None:
-        if step.number < MOST_STEPS:  # even if it was touched last: that may have been returned already
+        if step.number < MOST_STEPS:  # even if it was changed last, because it may have been returned already
             self.touched.append(step.number)
 
     def executed(self, action: Any, context: LaunchContext) -> None:
@@ -146,7 +146,7 @@ class LaunchTrace(Watch):
             return None
         try:
             return item_of(action, context, self._environment_at_start or {}, 0)
-        except Exception:  # what cannot be shown must not end a launch that runs
+        except Exception:  # an item that cannot be shown must not end a running launch
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:
@@ -282,7 +282,7 @@ class LaunchTrace(Watch):
         configurations = {name: value for name, value in found['configurations'].items() if value is not None}
         return configurations, found['environment']
 
-    # -- what somebody asks for
+    # -- queries
 
     def signal(self, number: int, signum: signal.Signals) -> str:
         """Let launch send a signal to the process of a step. Returns a message for the student."""

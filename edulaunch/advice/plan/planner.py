@@ -168,7 +168,7 @@ class Planner:
         from edulaunch.advice.plan.watching import Watch
 
         launch.logging.launch_config.dry = True
-        launch.logging.launch_config.level = logging.WARNING  # what a plan keeps; a line for each start takes its time
+        launch.logging.launch_config.level = logging.WARNING  # a plan keeps these; a line for each start takes time
         launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
         source = AnyLaunchDescriptionSource(self._path)
         self._arguments = _declared_arguments(source)
@@ -259,7 +259,7 @@ def _plain(value: Any) -> Any:
         return value
     if kind is list:
         return [item if type(item) in _SCALARS else _plain(item) for item in value]
-    if kind is dict or isinstance(value, Mapping):  # what is answered ten times as fast comes first
+    if kind is dict or isinstance(value, Mapping):  # the check that is ten times as fast comes first
         texts = sorted([(str(key), item) for key, item in value.items()], key=_KEY)
         return {key: item if type(item) in _SCALARS else _plain(item) for key, item in texts}
     if isinstance(value, (list, tuple)):

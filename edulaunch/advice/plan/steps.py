@@ -69,7 +69,7 @@ class Step(Branch):
             make, self.make_item = self.make_item, None
             try:
                 self._item = make()
-            except Exception as error:  # an odd file that changed meanwhile: the launch itself went well
+            except Exception as error:  # the file changed in the meantime; the launch itself succeeded
                 self._item = {'kind': 'action', 'name': f'{type(self.action).__name__} ({error})'}
         return self._item
 
@@ -159,7 +159,7 @@ def _action_row(step: Step) -> Row:
 
 
 def _chains(step: Step, shown: Row) -> Iterator[Row]:
-    """Arguments and parameters, each with the chain of where its value comes from."""
+    """Yield the arguments and parameters, each with the chain of where its value comes from."""
     if is_declaration(step):
         yield {
             'kind': 'argument',

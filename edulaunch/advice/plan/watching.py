@@ -97,7 +97,7 @@ class Watch:
 
     def leave(self, entity: Any, context: LaunchContext, error: Exception | None) -> None:
         branch = self._open.pop()
-        if error is not None and error is not self._failure:  # those around it leave with the same error
+        if error is not None and error is not self._failure:  # the surrounding actions end with the same error
             self._failure, branch.condition = error, None
 
     def event(self, event: Event, context: LaunchContext) -> None:

@@ -87,7 +87,7 @@ Detail = tuple[str, str]
 
 
 def action_words(action: Any) -> tuple[str, str]:
-    """Kind and title of an action that was not executed, or only holds others."""
+    """Return the kind and title of an action that was not executed, or only holds others."""
     name = type(action).__name__
     if name in ('GroupAction', 'OpaqueFunction'):
         return name, 'group' if name == 'GroupAction' else 'function'

@@ -132,7 +132,7 @@ FIRST_LAUNCH = '01_first_launch'
     level='error',
 )
 def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of an ExecuteProcess without a shell whose first word has spaces in it."""
+    """Report this for an ExecuteProcess without a shell whose first word has spaces in it."""
     for branch, item in _commands(rehearsal):
         first = item['cmd'][0]
         if len(first.split()) > 1 and not os.path.exists(first):
@@ -149,7 +149,7 @@ def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
     level='error',
 )
 def command_of_letters(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of an ExecuteProcess."""
+    """Report this for an ExecuteProcess."""
     for branch, item in _commands(rehearsal):
         if len(item['cmd']) > 2 and all(len(word) == 1 for word in item['cmd']):
             text = ''.join(item['cmd'])

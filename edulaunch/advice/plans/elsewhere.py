@@ -52,7 +52,7 @@ _ABOUT = (
     hides=('launch.fails', 'launch.unknown-element'),
 )
 def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of a package or module whose name is not nearly that of one that is here."""
+    """Report this for a package or module whose name is not nearly that of one that is here."""
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     brought = None if error is None else _ELEMENTS.get(_first(_ELEMENT, error['text']) or '')
@@ -85,7 +85,7 @@ def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of an argument of the file itself, when none was given that could mean it."""
+    """Report this for an argument of the file itself, when none was given that could mean it."""
     error = rehearsal.plan['error']
     needed = None if error is None or rehearsal.plan['given'] else _first(_ARGUMENT, error['text'])
     if needed is not None and any(one['name'] == needed for one in rehearsal.plan['arguments']):
@@ -101,7 +101,7 @@ def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of input()."""
+    """Report this for input()."""
     error = rehearsal.plan['error']
     if error is not None and 'EOF when reading a line' in error['text']:
         yield found('file', rehearsal.plan['file'], **_place(error))
@@ -119,7 +119,7 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of EnvironmentVariable without a default, and of os.environ['NAME']."""
+    """Report this for EnvironmentVariable without a default, and for os.environ['NAME']."""
     error = rehearsal.plan['error']
     if error is None or (error.get('facts') or {}).get('near'):
         return
@@ -157,7 +157,7 @@ def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def not_in_dry_run(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """A library was asked to change something; what the launch file itself asks for is left out."""
+    """Report a change that a library tried to make. Changes by the launch file itself are not reported."""
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     if error is not None and facts.get('about') == 'launch.not-in-dry-run':

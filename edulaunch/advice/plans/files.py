@@ -30,7 +30,7 @@ LESSON = '03_parameters'
     hides=('programs.key-for-no-node',),
 )
 def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of a node whose name the launch file says, and a file of which no key means it."""
+    """Report this for a node whose name the launch file says, and a file of which no key means it."""
     from edulaunch.engine.graph.parameters import pattern_matches
     from edulaunch.engine.graph.ros_arguments import entries_of_file
 
@@ -42,7 +42,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
             try:
                 entries = entries_of_file(source['file'])
             except (OSError, ValueError):
-                continue  # the node says what is wrong
+                continue  # the node itself reports the mistake
             lines = {entry.pattern: entry.line for entry in reversed(entries)}
             keys = list(lines)[::-1]
             if keys and not any(pattern_matches(key, item['runtime_name']) for key in keys):
@@ -110,7 +110,7 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """The last one that is given does not count, which hardly anybody expects; by rcl's order of patterns."""
+    """Report a value that is given last and has no effect, because of rcl's order of patterns."""
     for branch, item in nodes(rehearsal):
         if not any(os.path.isfile(source['file']) for source in item['parameter_sources']):
             continue
@@ -148,7 +148,7 @@ DO = (
     lesson=LESSON,
 )
 def relative_path(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of an included launch file, and of a parameter file."""
+    """Report this for an included launch file and for a parameter file."""
     for branch in branches(rehearsal):
         if branch.item is not None and branch.item['kind'] == 'include' and branch.origin is not None:
             location = branch.action.launch_description_source.location
@@ -182,7 +182,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
     confidence='asked',
 )
 def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """A path below a home folder that is written out."""
+    """Report a path below a home folder that is written out."""
     from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import read_text
 

@@ -83,7 +83,7 @@ def _texts(value: Any) -> Iterator[str]:
     level='error',
 )
 def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """An option together with its value, or several numbers."""
+    """Report an option together with its value, or several numbers."""
     for branch, item in nodes(rehearsal):
         for word in item['arguments']:
             parts = word.split()

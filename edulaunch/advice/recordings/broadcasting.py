@@ -90,7 +90,7 @@ def static_repeated(recording: Recording) -> Iterator[Finding]:
     lesson=STATIC,
 )
 def static_and_moving(recording: Recording) -> Iterator[Finding]:
-    """The same frame in the same parent on /tf and on /tf_static."""
+    """Report the same frame in the same parent on /tf and on /tf_static."""
     for links in by_child(recording).values():
         for one in links:
             other = next((link for link in links if link.parent == one.parent and not link.is_static), None)
@@ -134,7 +134,7 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def nameless(recording: Recording) -> Iterator[Finding]:
-    """An empty parent or child."""
+    """Report an empty parent or child."""
     return (_found(recording, one) for one in broadcasts(recording) if not (one.child and one.parent))
 
 
@@ -148,7 +148,7 @@ def nameless(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def zero_rotation(recording: Recording) -> Iterator[Finding]:
-    """All four numbers are 0, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`."""
+    """Report a rotation of four zeros, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`."""
     counts = {(one.node, one.child): one.count for one in broadcasts(recording)}
     for finding in _odd(recording, 'zero'):
         yield finding._replace(facts={**finding.facts, 'count': counts[finding.facts['node'], finding.name]})

@@ -30,7 +30,7 @@ ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
     hides=('programs.died',),
 )
 def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
-    """Of a Node: `arguments='--x 1 --frame-id world'`."""
+    """Report this for a Node: `arguments='--x 1 --frame-id world'`."""
     for process in recording.processes:
         words = process.argv[1 : process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv[1:]
         if process.package and len(words) >= FEWEST and all(len(word) == 1 for word in words):
@@ -50,7 +50,7 @@ def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
     hides=('messages.nobody-listens', 'messages.nobody-publishes', 'messages.other-topic'),
 )
 def no_ros_args(recording: Recording) -> Iterator[Finding]:
-    """Of a program with a node."""
+    """Report this for a program with a node."""
     with_node = {node.process for node in recording.nodes}
     for process in recording.processes:
         words = process.argv[: process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv
@@ -69,7 +69,7 @@ def no_ros_args(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def main_misspelt(recording: Recording) -> Iterator[Finding]:
-    """Of a file that a command runs: `if __name__ == 'main':`."""
+    """Report this for a file that a command runs: `if __name__ == 'main':`."""
     run = {os.path.basename(word) for process in recording.own_processes for word in process.argv[:2]}
     for file, tree in program_scripts(recording):
         tests = [node.test for node in tree.body if isinstance(node, ast.If) and os.path.basename(file) in run]
@@ -89,7 +89,7 @@ def main_misspelt(recording: Recording) -> Iterator[Finding]:
     hides=('programs.parameter-refused',),
 )
 def parameter_callback(recording: Recording) -> Iterator[Finding]:
-    """A callback that returned None, True or False."""
+    """Report a callback that returned None, True or False."""
     for fact in recording.facts:
         if fact.kind == 'no parameter result':
             file, line = fact_place(recording, fact)

@@ -100,7 +100,7 @@ def spin_in_callback(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def node_taken_away(recording: Recording) -> Iterator[Finding]:
-    """The node was in an executor of the student's, and rclpy.spin... moves it into the global one."""
+    """Report a node that rclpy.spin... moves from the student's executor into the global one."""
     return _of(recording, 'node taken away', 'spins')
 
 
@@ -114,7 +114,7 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
     hides=('messages.reply-not-taken', 'programs.never-spun'),
 )
 def other_node_spun(recording: Recording) -> Iterator[Finding]:
-    """`spin_until_future_complete` with the future of another node's client."""
+    """Report code such as `spin_until_future_complete` with the future of another node's client."""
     return _of(recording, 'other node spun', 'other')
 
 
@@ -128,7 +128,7 @@ def other_node_spun(recording: Recording) -> Iterator[Finding]:
     hides=('messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def rate_in_callback(recording: Recording) -> Iterator[Finding]:
-    """The executor that would call the timer of the rate waits for the callback."""
+    """Report rate.sleep() in a callback: the executor that calls the timer of the rate waits for that callback."""
     return _of(recording, 'rate in callback')
 
 
@@ -158,7 +158,7 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died', 'turtlesim.slow-commands'),
 )
 def callback_missing(recording: Recording) -> Iterator[Finding]:
-    """A timer or service."""
+    """Report a timer or service without a callback."""
     return _of(recording, 'callback missing', 'function', 'process')
 
 
@@ -175,7 +175,7 @@ def callback_missing(recording: Recording) -> Iterator[Finding]:
     hides=('programs.not-activated',),
 )
 def transition_failed(recording: Recording) -> Iterator[Finding]:
-    """A callback of a lifecycle node."""
+    """Report a transition of a lifecycle node whose callback failed."""
     return _of(recording, 'transition failed', 'raised', 'returned')
 
 
@@ -205,7 +205,7 @@ def waits_for_input(recording: Recording) -> Iterator[Finding]:
     level='info',
 )
 def terminal_window(recording: Recording) -> Iterator[Finding]:
-    """`gnome-terminal -- ros2 run turtlesim turtle_teleop_key`, once its program waits for a key."""
+    """Report code such as `gnome-terminal -- ros2 run turtlesim turtle_teleop_key`, once its program waits for a key."""
     windows = terminal_windows(recording)
     for fact in recording.facts:
         if fact.kind == 'waits for input' and fact.process in windows:

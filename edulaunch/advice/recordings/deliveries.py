@@ -29,7 +29,7 @@ SECOND = 1.0
     hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
 )
 def never_spun(recording: Recording) -> Iterator[Finding]:
-    """A node with timers, subscriptions or services of its own that lived for a second and was in no executor."""
+    """Report a node with timers, subscriptions or services of its own that lived for a second and was in no executor."""
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
         if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
@@ -168,7 +168,7 @@ GOAL = '/_action/send_goal'
     level='error',
 )
 def asked_too_early(recording: Recording) -> Iterator[Finding]:
-    """A request that found no server, of a service that came later."""
+    """Report a request that found no server, of a service that came later."""
     offered: dict[str, float] = {}
     for end in recording.ends:
         if end.kind == 'service':
@@ -188,7 +188,7 @@ def _alike(name: str, known: list[str]) -> str | None:
 
 
 def _actions(recording: Recording) -> list[str]:
-    """Names of all actions that were offered."""
+    """Return the names of all actions that were offered."""
     names = (end.name for end in recording.ends if end.kind == 'service' and end.name.endswith(GOAL))
     return list(dict.fromkeys(name.removesuffix(GOAL) for name in names))
 

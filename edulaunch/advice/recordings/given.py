@@ -44,7 +44,7 @@ def text_for_bool(recording: Recording) -> Iterator[Finding]:
 
 
 def _tested(recording: Recording) -> set[str]:
-    """Names of parameters whose values are tested by themselves in a program of the run."""
+    """Return the names of parameters whose values are tested by themselves in a program of the run."""
     found_names: set[str] = set()
     for _, tree in program_scripts(recording):
         holders = {
@@ -156,7 +156,7 @@ OPTIONS = (
     hides=('programs.died',),
 )
 def unknown_option(recording: Recording) -> Iterator[Finding]:
-    """The first one of a program that has ended."""
+    """Report the first unknown option of a static_transform_publisher that has ended."""
     for process, words in _static_publishers(recording):
         unknown = [word for word in words if word.startswith('--') and ' ' not in word and word not in OPTIONS]
         if unknown and process.returncode:

@@ -49,7 +49,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     hides=('programs.died',),
 )
 def unknown_frame(recording: Recording) -> Iterator[Finding]:
-    """A frame that was asked for and never came, in the whole run. A frame that came late is not reported."""
+    """Report a frame that was asked for and never came, in the whole run. A frame that came late is not reported."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
@@ -73,7 +73,7 @@ def _near(name: str, known: list[str]) -> str | None:
     hides=('programs.died',),
 )
 def leading_slash(recording: Recording) -> Iterator[Finding]:
-    """The frame is there, under the name without the slash."""
+    """Report a frame that exists under the name without the slash."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown']:
@@ -94,7 +94,7 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def empty_buffer(recording: Recording) -> Iterator[Finding]:
-    """The frames are broadcast, but none of them has reached the buffer that is asked."""
+    """Report frames that are broadcast, but have not reached the buffer of the lookup."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)
@@ -112,7 +112,7 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def lookup_early(recording: Recording) -> Iterator[Finding]:
-    """Of a frame that is broadcast, asked for only in the first 50 ms of the node."""
+    """Report this for a frame that is broadcast, asked for only in the first 50 ms of the node."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in reversed(fact.data['unknown']) if name in known), None)

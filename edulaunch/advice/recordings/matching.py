@@ -57,7 +57,7 @@ def best_effort(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def not_kept(recording: Recording) -> Iterator[Finding]:
-    """A volatile publisher and a transient-local subscription."""
+    """Report a volatile publisher and a transient-local subscription."""
     return _unfit(recording, 'DURABILITY')
 
 
@@ -111,7 +111,7 @@ def different_types(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def service_type(recording: Recording) -> Iterator[Finding]:
-    """A client for whose type there is no server of that name, though there is one of another type."""
+    """Report a client for whose type there is no server of that name, though there is one of another type."""
     ends = ends_by_name(recording)
     for (kind, name), clients in ends.items():
         servers = ends.get(('service', name))
@@ -180,7 +180,7 @@ def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
 
 
 def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
-    """Those of its command line that are for topics and services."""
+    """Yield those of its command line that are for topics and services."""
     for flag, text in zip(process.argv, process.argv[1:], strict=False):
         if flag in ('-r', '--remap'):
             try:

@@ -132,7 +132,7 @@ def unknown_argument(recording: Recording) -> Iterator[Finding]:
     lesson='13_large_project',
 )
 def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
-    """The same for `launch_arguments` of an IncludeLaunchDescription."""
+    """Report the same for `launch_arguments` of an IncludeLaunchDescription."""
     for argument, time_s in _unread(recording):
         if argument.included is not None:
             yield found(

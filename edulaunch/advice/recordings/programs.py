@@ -78,7 +78,7 @@ def died(recording: Recording) -> Iterator[Finding]:
 
 
 def _outside(recording: Recording) -> Iterator[Finding]:
-    """Programs that are not simulated, such as `python3 misspelt.py`: known by what launch says of their end."""
+    """Yield the programs that are not simulated, such as `python3 misspelt.py`: known by what launch says of their end."""
     ours = {process.name for process in recording.processes}
     launches = {'launch', *(process.name for process in recording.processes if process.argv[:2] == ['ros2', 'launch'])}
     lines = [line for row in recording.output if row.process in launches for line in row.text.splitlines()]
@@ -105,7 +105,7 @@ def _last_words(said: list[str]) -> dict[str, Any]:
 
 
 def _short(text: str) -> str:
-    """Its first line, and not too much of that."""
+    """Return its first line, and not too much of that."""
     line = text.partition('\n')[0]
     return line if len(line) <= LONGEST else f'{line[:LONGEST].rpartition(" ")[0] or line[:LONGEST]} ...'
 

@@ -57,7 +57,7 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def description_is_path(recording: Recording) -> Iterator[Finding]:
-    """A value that ends like the name of a URDF file."""
+    """Report a value that ends like the name of a URDF file."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             for text in _texts(recording, process):

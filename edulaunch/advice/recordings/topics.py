@@ -75,7 +75,7 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _commands(recording: Recording) -> set[str]:
-    """Nodes that the launch files gave remappings, and those of `ros2 topic pub`: their names were typed, too."""
+    """Return the nodes that the launch files gave remappings, and those of `ros2 topic pub`: their names were typed, too."""
     typed = {process.name for process in recording.processes if '-r' in process.argv or process.argv[1:2] == ['topic']}
     return {node.name for node in recording.nodes if node.process in typed}
 

@@ -106,7 +106,7 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def outside(recording: Recording) -> Iterator[Finding]:
-    """Of spawn and teleport_absolute."""
+    """Report this for spawn and teleport_absolute."""
     for kind in ('Spawn', 'TeleportAbsolute'):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
@@ -247,7 +247,7 @@ AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z
     lesson=LESSON,
 )
 def slow_commands(recording: Recording) -> Iterator[Finding]:
-    """A student's node alone sends, with a speed, and at least every second gap is longer than a second."""
+    """Report speed commands of one student's node where at least every second gap is longer than a second."""
     own = own_nodes(recording)
     dead = {process.name for process in recording.processes if process.exception and process.exception['type'] not in INTERRUPTS}
     failed = {node.name for node in recording.nodes if node.process in dead}

@@ -84,7 +84,7 @@ def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
     hides=('messages.field', 'programs.callback-arguments', 'programs.died'),
 )
 def method_twice(recording: Recording) -> Iterator[Finding]:
-    """Two definitions of one name in one class, without decorators, as `@property` and its setter have."""
+    """Report two definitions of one name in one class, without decorators, as `@property` and its setter have."""
     for file, tree in program_scripts(recording):
         for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
             first: dict[str, ast.FunctionDef] = {}

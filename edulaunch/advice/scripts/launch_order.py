@@ -81,7 +81,7 @@ def _variables(tree: ast.Module) -> dict[str, ast.expr]:
     hides=('launch.not-added',),
 )
 def waits_for_unstarted(scripts: list[Script]) -> Iterator[Finding]:
-    """The variable is read as target_action and nowhere else."""
+    """Report a variable that is read as target_action and nowhere else."""
     for file, tree in scripts:
         variables = _variables(tree)
         reads: dict[str, int] = {}
@@ -111,7 +111,7 @@ LONG_S = 300.0
     confidence='asked',
 )
 def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
-    """A number that is written out, of 300 and more."""
+    """Report a number that is written out, of 300 and more."""
     for file, tree in scripts:
         for call in ast.walk(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':

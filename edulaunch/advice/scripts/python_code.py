@@ -96,7 +96,7 @@ def _functions(tree: ast.Module) -> Iterator[Function]:
 
 
 def _own(function: Function) -> Iterator[ast.AST]:
-    """Everything of a function but the functions in it."""
+    """Yield everything of a function but the functions in it."""
     todo: list[ast.AST] = list(function.body)
     while todo:
         node = todo.pop()
@@ -152,7 +152,7 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
     level='error',
 )
 def not_added(scripts: list[Script]) -> Iterator[Finding]:
-    """A variable of generate_launch_description() that holds an action and is never read."""
+    """Report a variable of generate_launch_description() that holds an action and is never read."""
     for file, tree in scripts:
         for function in _functions(tree):
             if isinstance(function, ast.Module) or function.name != 'generate_launch_description':

@@ -21,7 +21,7 @@ SHELL_WORDS = ('&&', '||', '|', '>', '>>', '<', ';', '&', '2>&1')
     hides=('programs.died',),
 )
 def shell_word(scripts: list[Script]) -> Iterator[Finding]:
-    """`ExecuteProcess(cmd=['sleep', '1', '&&', 'ros2', ...])` without `shell=True`."""
+    """Report code such as `ExecuteProcess(cmd=['sleep', '1', '&&', 'ros2', ...])` without `shell=True`."""
     for file, tree in scripts:
         for call in ast.walk(tree):
             if not isinstance(call, ast.Call) or name_of_call(call) not in ('ExecuteProcess', 'ExecuteLocal'):

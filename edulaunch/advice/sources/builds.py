@@ -83,7 +83,7 @@ INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to 
     level='error',
 )
 def no_shebang(source: Source) -> Iterator[Finding]:
-    """Of what install(PROGRAMS) installs."""
+    """Report this for what install(PROGRAMS) installs."""
     programs = _programs(source)
     for path, text in _scripts(source):
         if os.path.realpath(path) in programs and _runs(text) and not text.startswith('#!'):
@@ -115,7 +115,7 @@ def program_not_installed(source: Source) -> Iterator[Finding]:
     level='info',
 )
 def program_left_out(source: Source) -> Iterator[Finding]:
-    """Of a package that installs other programs: it may be left out on purpose."""
+    """Report this for a package that installs other programs: it may be left out on purpose."""
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
         if not has_none and os.path.basename(path) not in launched:
@@ -186,7 +186,7 @@ def _calls(statement: ast.stmt) -> bool:
 
 
 def _scripts(source: Source) -> Iterator[tuple[str, str]]:
-    """(file, text) of the Python files of a CMake package that can be read."""
+    """Yield (file, text) of the Python files of a CMake package that can be read."""
     if source.is_readable and not source.package.is_python:
         package = source.package
         yield from ((path, read_text(path)) for path in package.python_files if not package.is_test(path))

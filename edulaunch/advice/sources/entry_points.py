@@ -33,7 +33,7 @@ LESSON = '07_packages'
     edits=(('{module}', '{near}', 'near'),),
 )
 def entry_point_module(source: Source) -> Iterator[Finding]:
-    """Of setup.py or setup.cfg, by the modules that setup() installs."""
+    """Report this for setup.py or setup.cfg, by the modules that setup() installs."""
     package = source.package
     for executable, module, function in _entry_points(source):
         if module_file(package, module) is None and not _is_of_another(source, module):
@@ -79,7 +79,7 @@ def entry_point_function(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def main_wants_arguments(source: Source) -> Iterator[Finding]:
-    """A script of setuptools calls the function with nothing."""
+    """Report a main function with required arguments: a script of setuptools calls it without arguments."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         called = main_of(tree, function)
         if called is None:
@@ -101,7 +101,7 @@ def main_wants_arguments(source: Source) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_without_entry_point(source: Source) -> Iterator[Finding]:
-    """A node that a launch file of the package starts, or any when the package has no entry point at all."""
+    """Report a node that a launch file of the package starts, or any when the package has no entry point at all."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] in launched or not source.package.contents.entry_points:
@@ -118,7 +118,7 @@ def node_without_entry_point(source: Source) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_left_out(source: Source) -> Iterator[Finding]:
-    """Of a package with other entry points: it may be left out on purpose."""
+    """Report this for a package with other entry points: it may be left out on purpose."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] not in launched and source.package.contents.entry_points:
@@ -126,7 +126,7 @@ def node_left_out(source: Source) -> Iterator[Finding]:
 
 
 def _unnamed(source: Source) -> Iterator[Finding]:
-    """Modules with a main() that starts rclpy; not when an entry point means one and misspells it."""
+    """Yield the modules with a main() that starts rclpy; not when an entry point means one and misspells it."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -148,7 +148,7 @@ def _unnamed(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
-    """Of a package of setup.py: neither a module, nor a script that data_files or scripts= install."""
+    """Report this for a package of setup.py: neither a module, nor a script that data_files or scripts= install."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -177,7 +177,7 @@ def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
     hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),
 )
 def no_init(source: Source) -> Iterator[Finding]:
-    """The folder of the package's own modules, when setup() does not install it."""
+    """Report the folder of the package's own modules, when setup() does not install it."""
     package = source.package
     folder = os.path.join(package.folder, package.name)
     has_modules = os.path.isdir(folder) and any(name.endswith('.py') for name in os.listdir(folder))
@@ -187,14 +187,14 @@ def no_init(source: Source) -> Iterator[Finding]:
 
 
 def _entry_points(source: Source) -> Iterator[tuple[str, str, str]]:
-    """(executable, module, function) of a package whose build file can be read."""
+    """Yield (executable, module, function) of a package whose build file can be read."""
     if source.is_readable:
         for place, (module, function) in source.package.contents.entry_points.items():
             yield os.path.basename(place), module, function
 
 
 def _read_entry_points(source: Source) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
-    """Those whose module is there and is Python: package, executable, module, function, file, syntax tree."""
+    """Yield those whose module is there and is Python: package, executable, module, function, file, syntax tree."""
     for executable, module, function in _entry_points(source):
         path = module_file(source.package, module)
         tree = None if path is None else parsed(path)

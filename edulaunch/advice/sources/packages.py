@@ -40,7 +40,7 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def launch_file_not_installed(source: Source) -> Iterator[Finding]:
-    """A launch file by its name or its folder; descriptions of launch tests need not be installed."""
+    """Report a launch file by its name or its folder; descriptions of launch tests need not be installed."""
     package = source.package
     for path in _not_installed(source):
         if package.is_launch_file(path) and os.path.dirname(package.relative(path)).split(os.sep)[0] not in NOT_LAUNCHED:
@@ -217,7 +217,7 @@ def _missing(source: Source) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
-    """(package, file, line, 'imported' or 'launched') in order of files and lines."""
+    """Yield (package, file, line, 'imported' or 'launched') in order of files and lines."""
     launched: list[tuple[str, str, int, str]] = []
     for path in _used_texts(source):
         is_launch = source.package.is_launch_file(path)
@@ -235,7 +235,7 @@ def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _launched_by_markup(path: str) -> Iterator[tuple[int, str]]:
-    """(line, package) of a launch file of XML or YAML, without its comments."""
+    """Yield (line, package) of a launch file of XML or YAML, without its comments."""
     text = _COMMENT.sub(lambda found: '\n' * found[0].count('\n'), read_text(path))
     for number, line in enumerate(text.splitlines(), 1):
         yield from ((number, name) for name in _XML_LAUNCHED.findall(line))

@@ -54,7 +54,7 @@ class Around:
         return list(self.index.packages())
 
     def executables(self, package: str) -> list[str]:
-        """Names of the executables of a package."""
+        """Return the names of the executables of a package."""
         if package not in self._executables:
             known = [*self.index.executables(package), *self.index.native_executables(package)]
             self._executables[package] = sorted(set(known))

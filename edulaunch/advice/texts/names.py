@@ -48,7 +48,7 @@ def bound_names(tree: ast.Module) -> set[str] | None:
 
 
 def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> Iterator[Foreseen]:
-    """Names that the file uses and nothing binds, each where it is used first.
+    """Yield the names that the file uses and nothing binds, each where it is used first.
 
     :param process: the name of the program; None for a launch file.
     """
@@ -92,7 +92,7 @@ def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
 
 
 def launch_imports(text: Text, tree: ast.Module) -> Iterator[Foreseen]:
-    """Modules of launch that are not there, and names that they do not have."""
+    """Yield the modules of launch that are not there, and names that they do not have."""
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             module = node.module

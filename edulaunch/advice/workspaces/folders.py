@@ -27,7 +27,7 @@ BUILD_SIGNS = {
     level='error',
 )
 def none_here(workspace: Workspace) -> Iterator[Finding]:
-    """A package.xml that cannot be read, or a folder that colcon passes over, is reported as such."""
+    """Report a package.xml that cannot be read, or a folder that colcon skips."""
     if not workspace.packages and not workspace.around.warnings and _mark(workspace.path) is None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path)
 
@@ -40,7 +40,7 @@ def none_here(workspace: Workspace) -> Iterator[Finding]:
     level='info',
 )
 def passed_over(workspace: Workspace) -> Iterator[Finding]:
-    """The folder itself; those below it are left out on purpose."""
+    """Report the folder itself; those below it are left out on purpose."""
     mark = _mark(workspace.path)
     if not workspace.packages and mark is not None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path, mark=mark)
@@ -95,7 +95,7 @@ def _is_committed(path: str) -> bool:
     level='info',
 )
 def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
-    """A package.xml beside .git."""
+    """Report a package.xml beside .git."""
     for package in workspace.packages:
         if package.folder == workspace.path and os.path.isdir(os.path.join(workspace.path, '.git')):
             yield found('package', package.name, file=package.manifest_file)
@@ -124,7 +124,7 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     level='info',
 )
 def build_unknown(workspace: Workspace) -> Iterator[Finding]:
-    """One for each build file."""
+    """Report one for each build file."""
     first = {warning.file: warning for warning in reversed(workspace.around.warnings) if warning.about == 'unknown'}
     for warning in first.values():
         yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, said=warning.sentence)
@@ -137,7 +137,7 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
     do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two',
 )
 def same_name(workspace: Workspace) -> Iterator[Finding]:
-    """Of the one that is left out."""
+    """Report this for the one that is left out."""
     for warning in workspace.around.warnings:
         said = re.match(r"there is a package '(.*)' in (.*)/ already", warning.sentence) if warning.about == 'same name' else None
         if said is not None:

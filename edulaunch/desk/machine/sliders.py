@@ -18,7 +18,7 @@ WITHOUT_STEP = 100
 def slider(
     machine: LiveMachine, take: Callable[[dict[str, Any]], object], node: str, name: str, limits: tuple[float, float] | None
 ) -> Any:
-    """See `Machine.slider`.
+    """Implement `Machine.slider`.
 
     :param take: handles the requests of a live view.
     """

@@ -63,12 +63,12 @@ class RecordingSource:
         return list(self._topics)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """See `TimelineSource.rows`."""
+        """Implement `TimelineSource.rows`."""
         column = self._topics[topic, kind]
         return column['times'][first:], column['publishers'][first:], column['messages'][first:]
 
     def part(self, name: str) -> Sequence[Any]:
-        """See `TimelineSource.part`."""
+        """Implement `TimelineSource.part`."""
         rows: Sequence[Any] = self._content.get(name) or ()
         return rows
 
@@ -77,7 +77,7 @@ class RecordingSource:
         return range(len(self.part(name)))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """See `numbers`."""
+        """Implement `numbers`."""
         return 0
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
@@ -85,16 +85,16 @@ class RecordingSource:
         return self._lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
-        """See `TimelineSource.beside`."""
+        """Implement `TimelineSource.beside`."""
         return list(launches_of(self._content['beside'].get(name)))
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """See `TimelineSource.wire_type`."""
+        """Implement `TimelineSource.wire_type`."""
         entries: Sequence[tuple[str, str]] = self._class(kind).wire_type()
         return entries
 
     def start_ns(self) -> int:
-        """See `TimelineSource.start_ns`."""
+        """Implement `TimelineSource.start_ns`."""
         start: int = self._content['start_ns']
         return start
 
@@ -115,41 +115,41 @@ class RecorderSource:
         return sorted(self._recorder.columns)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """See `TimelineSource.rows`."""
+        """Implement `TimelineSource.rows`."""
         flat = self._recorder.columns[topic, kind]
         start, at = self._recorder.sim.start_ns, 3 * (first - self.forgotten((topic, kind)))
         return [time - start for time in flat[at::3]], flat[at + 1 :: 3], flat[at + 2 :: 3]
 
     def numbers(self, name: str) -> Sequence[int]:
-        """See `TimelineSource.numbers`."""
+        """Implement `TimelineSource.numbers`."""
         return self._recorder.numbers(_PARTS.get(name, name))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """See `TimelineSource.forgotten`."""
+        """Implement `TimelineSource.forgotten`."""
         return self._recorder.forgotten.get(topic, 0)
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
-        """See `TimelineSource.lines`."""
+        """Implement `TimelineSource.lines`."""
         return self._recorder.lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
-        """See `TimelineSource.beside`."""
+        """Implement `TimelineSource.beside`."""
         return [one.told(since.get(one.pid, 0)) for one in self._recorder.beside.get(name, ())]
 
     def part(self, name: str) -> Sequence[Any]:
-        """See `TimelineSource.part`."""
+        """Implement `TimelineSource.part`."""
         rows: Sequence[Any] = getattr(self._recorder, _PARTS.get(name, name))
         return rows
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """See `TimelineSource.wire_type`."""
+        """Implement `TimelineSource.wire_type`."""
         overlay = self._recorder.overlay
         registry = overlay.registry if overlay is not None else current_registry()
         entries: Sequence[tuple[str, str]] = registry.get(kind).wire_type()
         return entries
 
     def start_ns(self) -> int:
-        """See `TimelineSource.start_ns`."""
+        """Implement `TimelineSource.start_ns`."""
         return self._recorder.sim.start_ns
 
     def now_ns(self) -> int:

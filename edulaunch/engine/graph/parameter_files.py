@@ -53,7 +53,7 @@ def read_value(text: str) -> Any:
         raise ParameterFileError('error not set')
     reader = _Reader(text, of_a_file=False)
     if not reader.skip_to_root(mapping=False):
-        return None  # nothing but a comment
+        return None  # the line is only a comment
     return _read_value(reader, reader.next())
 
 
@@ -157,7 +157,7 @@ def _read_value(reader: _Reader, event: Any) -> Any:
     if kind == 'ScalarEvent':
         return _scalar(event)
     if kind == 'SequenceStartEvent':
-        return _read_sequence(reader) or None  # rcl cannot tell of what an empty list would be: the parameter is not set
+        return _read_sequence(reader) or None  # rcl does not know the type of an empty list, so it does not set the parameter
     if not reader.of_a_file:
         raise with_facts(ParameterFileError('Unknown YAML event'), 'launch.parameter-value')
     raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')

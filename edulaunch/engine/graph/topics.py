@@ -101,7 +101,7 @@ class WatchedPublisher(Publisher):
         self.on_life: list[Callable[[], object]] = []
 
     def publish(self, wire: Any) -> None:
-        """See `Publisher.publish`."""
+        """Implement `Publisher.publish`."""
         super().publish(wire)
         for callback in self.on_publish:
             callback()

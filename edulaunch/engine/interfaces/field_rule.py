@@ -34,7 +34,7 @@ def python_values(values: Any, kind: Primitive) -> Any:
         return values
     try:
         return [kind.python(value) if isinstance(value, numbers) else value for value in values]
-    except (TypeError, OverflowError):  # no iterable; an integer that no float can hold
+    except (TypeError, OverflowError):  # not iterable, or an integer that no float can hold
         return values
 
 
@@ -201,7 +201,7 @@ class FieldRule:
             self._refuse_array(words, count=int(value.size), size=self.type.size)
         return value
 
-    # What is refused
+    # Refused values
 
     def _refuse(self, words: str, value: Any) -> NoReturn:
         from edulaunch.engine.interfaces.mistakes import value_facts
@@ -248,7 +248,7 @@ class FieldRule:
 
     def to_numpy(self, wire: Any) -> Any:
         """Return a fresh numpy array with the wire value of a fixed array of numbers."""
-        import numpy  # late: a run that never looks into a covariance does not pay for it
+        import numpy  # imported here, because few runs read a covariance
 
         assert self.kind is not None
         if isinstance(wire, bytes):

@@ -278,7 +278,7 @@ def _complete(cls: type[Message], spec: MessageSpec) -> None:
 
 
 def _slot_types(spec: MessageSpec) -> tuple[object, ...]:
-    from edulaunch.engine.interfaces.slot_types import slot_types  # late: few programs ever look at it
+    from edulaunch.engine.interfaces.slot_types import slot_types  # computed late, because few programs read it
 
     return slot_types(spec)
 

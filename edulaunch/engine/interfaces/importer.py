@@ -65,7 +65,7 @@ class InterfaceFinder(Loader):
         self.registry.refresh()
 
     def _interface(self, fullname: str) -> str | None:
-        """'turtlesim.srv._teleport_absolute' -> 'turtlesim/srv/TeleportAbsolute'."""
+        """Return the type of a module name: 'turtlesim/srv/TeleportAbsolute' for 'turtlesim.srv._teleport_absolute'."""
         from edulaunch.engine.interfaces.spec import module_name
 
         package, kind, module = fullname.split('.')
@@ -129,7 +129,7 @@ class InterfaceModule(ModuleType):
         return sorted({*super().__dir__(), *self.__all__})
 
     def _no_name(self, name: str, asker: FrameType) -> Exception:
-        from edulaunch.engine.facts import with_facts  # late: every start loads this module
+        from edulaunch.engine.facts import with_facts  # imported here, because every start loads this module
         from edulaunch.engine.nearest import nearest
 
         # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.

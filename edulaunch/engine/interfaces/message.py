@@ -68,7 +68,7 @@ class Message(metaclass=ConstantsStay):
 
     @classmethod
     def wire_type(cls) -> tuple[tuple[str, str], ...]:
-        """(dotted path, type in .msg notation) of each entry of a wire tuple, in order."""
+        """Return (dotted path, type in .msg notation) of each entry of a wire tuple, in order."""
         return tuple((leaf.path, leaf.type.text) for leaf in cls.LAYOUT.leaves)
 
     @property

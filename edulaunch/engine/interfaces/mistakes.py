@@ -101,7 +101,7 @@ def _converts(python: type, value: Any) -> bool:
 
 
 def given_kind(value: Any) -> str:
-    """'int', 'numpy.float32', 'geometry_msgs.msg.Point', 'None'."""
+    """Return 'int', 'numpy.float32', 'geometry_msgs.msg.Point', 'None'."""
     cls = type(value)
     if value is None:
         return 'None'

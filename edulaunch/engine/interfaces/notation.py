@@ -54,7 +54,7 @@ _TYPE = re.compile(
     re.ASCII,
 )
 _NESTED = re.compile(r'(?:(?P<package>[a-z]\w*)/(?:msg/)?)?(?P<name>[A-Z][A-Za-z0-9]*)$', re.ASCII)
-# Where students most often reach for a word of another language, or of ROS 1.
+# Type names of other languages and of ROS 1 that students often write.
 _OTHER_WORDS = {
     'float': 'float32 or float64',
     'double': 'float64',

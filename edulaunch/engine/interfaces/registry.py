@@ -43,7 +43,7 @@ class Registry:
         self._one_thread = threading.RLock()  # real threads of a plain script import messages too
         self._making: list[str] = []
 
-    # What there is
+    # Existing types
 
     def packages(self) -> list[str]:
         """Return the names of all packages that have interfaces, sorted."""
@@ -158,7 +158,7 @@ class Registry:
     # Inside
 
     def _package_folders(self) -> dict[str, str]:
-        """Package -> its folder, read once: asked for every import, so it must be cheap."""
+        """Return the folder of each package. Every import asks for it, so it is read only once."""
         if self._folders is None:
             self._folders = {}
             for root in reversed(self.roots):

@@ -79,5 +79,5 @@ def _parts(registry: Registry, name: str) -> list[str]:
 
 
 def _nested(spec: InterfaceSpec) -> list[str]:
-    """Names of the types of the fields of a message; services and actions come as their parts."""
+    """Return the names of the types of the fields of a message; services and actions come as their parts."""
     return [field.type.base for field in getattr(spec, 'fields', ()) if field.type.kind is None]

@@ -160,7 +160,7 @@ even where they are installed. `tkinter` has a view."""
 
 def absent_kind(package: str) -> str | None:
     """Return what an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
-    from fnmatch import fnmatchcase  # late: most launches never ask
+    from fnmatch import fnmatchcase  # imported here, because most launches do not need it
 
     return next((kind for kind, absent in KINDS.items() if any(fnmatchcase(package, name) for name in absent.packages)), None)
 

@@ -26,22 +26,22 @@ class Place(Protocol):
     path: str
 
     def packages(self) -> list[str]:
-        """Names of the packages here, sorted."""
+        """Return the names of the packages here, sorted."""
 
     def install(self, package: str) -> None:
         """Make sure that the package's files exist below :attr:`path`."""
 
     def executables(self, package: str) -> list[str]:
-        """Names in lib/<package> that can be started, sorted."""
+        """Return the names in lib/<package> that can be started, sorted."""
 
     def program(self, package: str, executable: str) -> Program | None:
         """Return the Python program of that name; None for an unknown one, or one that is not Python."""
 
     def modules(self) -> dict[str, str]:
-        """Top-level import names that packages here bring, with the path of each folder or .py file."""
+        """Return the top-level import names that packages here bring, with the path of each folder or .py file."""
 
     def interface_packages(self) -> list[str]:
-        """Packages with msg/, srv/ or action/ files in their share folder, sorted."""
+        """Return the packages with msg/, srv/ or action/ files in their share folder, sorted."""
 
     def source_path(self, path: str) -> str | None:
         """Return the file as the student wrote it, for a path below :attr:`path`."""
@@ -140,7 +140,7 @@ class Index:
         return self._underlay or ''
 
     def executables(self, package: str) -> list[str]:
-        """Names of the package's executables, sorted; none for an unknown package.
+        """Return the names of the package's executables, sorted; none for an unknown package.
 
         A workspace may hold the C++ source of a built-in package: its executables are then the built-in ones.
         """
@@ -221,7 +221,7 @@ class Index:
             self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
-        """Top-level modules of which each program gets its own, by name, with the path of each folder or .py file.
+        """Return the top-level modules of which each program gets its own, by name, with the path of each folder or .py file.
 
         Those of ROS itself stay the built-in ones, whatever a workspace has cloned: others need the real middleware.
         """

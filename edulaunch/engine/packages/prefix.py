@@ -18,7 +18,7 @@ _KINDS = ('msg', 'srv', 'action')
 
 
 def interface_packages(prefix: str, packages: list[str]) -> list[str]:
-    """Those of `packages` whose share folder has msg/, srv/ or action/."""
+    """Return those of `packages` whose share folder has msg/, srv/ or action/."""
     return [
         package for package in packages if any(os.path.isdir(os.path.join(prefix, 'share', package, kind)) for kind in _KINDS)
     ]
@@ -46,7 +46,7 @@ class Prefix:
         self._entries: dict[str, tuple[str, str]] | None = None
 
     def packages(self) -> list[str]:
-        """Names with a marker in the resource index."""
+        """Return the names with a marker in the resource index."""
         if self._packages is None:
             folder = os.path.join(self.path, MARKERS)
             names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -87,7 +87,7 @@ class Prefix:
         return found
 
     def interface_packages(self) -> list[str]:
-        """Packages with interface files in their share folder."""
+        """Return the packages with interface files in their share folder."""
         return interface_packages(self.path, self.packages())
 
     def source_path(self, path: str) -> str | None:
@@ -169,14 +169,14 @@ class Underlay:
         self._scripts: dict[str, dict[str, tuple[str, str]]] = {}
 
     def packages(self) -> list[str]:
-        """Names of the built-in packages."""
+        """Return the names of the built-in packages."""
         return list(_built_in(self.path)[0])
 
     def install(self, package: str) -> None:
         """Do nothing: the files exist."""
 
     def executables(self, package: str) -> list[str]:
-        """Names in the package's console_scripts.txt."""
+        """Return the names in the package's console_scripts.txt."""
         return sorted(self._entries(package))
 
     def program(self, package: str, executable: str) -> Program | None:
@@ -190,7 +190,7 @@ class Underlay:
         return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=roots)
 
     def modules(self) -> dict[str, str]:
-        """Those of `programs/`; the others are shared and lie on the ordinary path."""
+        """Return those of `programs/`; the others are shared and lie on the ordinary path."""
         if self._modules is None:
             folder = os.path.join(self.path, 'programs')
             names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -234,6 +234,6 @@ def _built_in(path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def _faces(python: str) -> list[str]:
-    """Names of the import packages that are ROS packages."""
+    """Return the names of the import packages that are ROS packages."""
     names = os.listdir(python) if os.path.isdir(python) else []
     return [name for name in names if name not in _NO_PACKAGES and os.path.isfile(os.path.join(python, name, '__init__.py'))]

@@ -147,7 +147,7 @@ _MAX_FOLDERS = 5000
 
 
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
-    """Folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
+    """Return the folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
 
     The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
     COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`

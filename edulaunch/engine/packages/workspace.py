@@ -126,7 +126,7 @@ def _runs(pid: int) -> bool:
     except ProcessLookupError:
         return False
     except OSError:
-        return True  # somebody else's process, but there
+        return True  # the process exists, but belongs to another user
     return True
 
 
@@ -141,7 +141,7 @@ def _base() -> str:
         if not hasattr(os, 'getuid') or os.stat(path).st_uid == os.getuid():
             return path
     except OSError:
-        pass  # somebody else made it, or a file of that name is in the way: take a private folder instead
+        pass  # another user created it, or a file has that name: use a private folder instead
     return tempfile.mkdtemp(prefix='edulaunch-')
 
 
@@ -160,11 +160,11 @@ def _link(source: str, target: str) -> None:
     except FileNotFoundError:
         os.makedirs(os.path.dirname(target), exist_ok=True)
     except OSError:
-        os.unlink(target)  # a copy from before, or a file in the way
+        os.unlink(target)  # an earlier copy exists, or a file has that name
     try:
         os.symlink(source, target)
     except FileExistsError:
-        pass  # another session made it meanwhile
+        pass  # another session has created it in the meantime
     except OSError:
         import shutil
 
@@ -192,7 +192,7 @@ class Workspace:
         self._installed: set[str] = set()
 
     def packages(self) -> list[str]:
-        """Names from the package.xml files."""
+        """Return the names from the package.xml files."""
         return sorted(self._manifests())
 
     def install(self, package: str) -> None:
@@ -231,7 +231,7 @@ class Workspace:
         return found
 
     def interface_packages(self) -> list[str]:
-        """Packages whose build file generates or installs interfaces; their files are put into the prefix."""
+        """Return the packages whose build file generates or installs interfaces; their files are put into the prefix."""
         found = [package for package in self.packages() if self.contents(package).interfaces]
         for package in found:
             self.install(package)

@@ -66,7 +66,7 @@ class Child:
             self._sinks['stdout'] if stderr == subprocess.STDOUT else _sink(process, 'stderr', stderr, self.stderr)
         )
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
-        program.is_recorded = False  # what nobody captures, this program writes in its place
+        program.is_recorded = False  # this program writes the output that nobody captures
         self._program = program
         self.stdin: InputEnd | None = None
         if input is not None:
@@ -153,7 +153,7 @@ class InputEnd:
         self._pipe = pipe
 
     def write(self, data: Any) -> int:
-        """Text or bytes; the child can read it at once."""
+        """Write text or bytes, which the child can read immediately, and return their length."""
         self._pipe.feed(data if isinstance(data, str) else bytes(data).decode('utf-8', 'replace'))
         return len(data)
 
@@ -186,7 +186,7 @@ class Pipe:
         wait_until(lambda: child.returncode is not None or ready(), child.waiters, None)
 
     def read(self, size: int = -1) -> Any:
-        """Everything until the end, or `size` characters."""
+        """Return everything until the end, or `size` characters."""
         self._wait(lambda: 0 <= size <= len(self._text))
         return self._cut(len(self._text) if size < 0 else size)
 

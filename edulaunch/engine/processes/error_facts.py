@@ -130,7 +130,7 @@ def error_facts(process: Program, error: BaseException) -> Found:
     carried = facts_of(error)
     if carried:
         return carried
-    if type(error) is ModuleNotFoundError and error.name:  # importlib.metadata's kind of it is not about modules
+    if type(error) is ModuleNotFoundError and error.name:  # importlib.metadata raises a subclass that is not about modules
         return _module(process, error.name)
     if isinstance(error, ImportError | OSError) and (library := missing_library(error)):
         return {'about': 'programs.library', 'library': library}

@@ -58,7 +58,7 @@ class Finder:
             return None
         found = self._first_match(top, folders)
         if found is None:
-            self._absent[top] = folders  # most imports are of something shared, again and again
+            self._absent[top] = folders  # most imports are repeated imports of shared modules
         return found
 
     def _first_match(self, top: str, folders: tuple[str, ...]) -> Found | None:
@@ -96,7 +96,7 @@ class Finder:
         return top in names or f'{top}.py' in names
 
     def _program_path(self) -> tuple[list[str], list[str]]:
-        """Folders that the program put on its `sys.path`, before and after the shared ones."""
+        """Return the folders that the program put on its `sys.path`, before and after the shared ones."""
         view = self._loaded.get('sys')
         return ([], []) if view is None else view.private_path()
 

@@ -97,7 +97,7 @@ class Input:
         if not self._text:
             if self.by_key and self.blocking:
                 self._wait_for_ever()
-            current_task().poll()  # a loop that reads on and on must not stop the time
+            current_task().poll()  # an endless reading loop must not stop simulated time
 
     def _cut(self, length: int) -> str:
         text, self._text = self._text[:length], self._text[length:]

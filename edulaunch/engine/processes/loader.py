@@ -178,7 +178,7 @@ class Loader:
         if self.modules.get(parent_name) is not parent:
             return self._shared(name)
         module = self.modules.get(name)
-        if module is not None:  # the package has imported it itself meanwhile
+        if module is not None:  # the package itself has imported it in the meantime
             return module
         made = self._interfaces(name)
         if made is None:

@@ -109,11 +109,11 @@ class Process:
         return path if self.cwd is None else os.path.join(self.cwd, path) if path else self.cwd
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """See :meth:`Lifecycle.start_thread`."""
+        """Implement :meth:`Lifecycle.start_thread`."""
         return self.lifecycle.start_thread(body, name, daemon, at_once=at_once)
 
     def send_signal(self, signum: int) -> None:
-        """See :meth:`SignalDelivery.deliver`."""
+        """Implement :meth:`SignalDelivery.deliver`."""
         self.signals.deliver(signum)
 
     def _note_force(self, signum: int, waits: list[dict[str, Any]]) -> None:

@@ -67,7 +67,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
 
 
 def _modules_beside(process: Process, module: str) -> list[str]:
-    """Full names of the modules in the package of `module`."""
+    """Return the full names of the modules in the package of `module`."""
     parent = module.rpartition('.')[0]
     package = process.loader.modules.get(parent)
     return [

@@ -116,7 +116,7 @@ class RealProcess:
             host.real_look.begin()
 
     def _read(self, stream: str, reader: int) -> None:
-        decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a letter of two bytes may come in two pieces
+        decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a character of two bytes may arrive in two parts
         try:
             while chunk := _chunk(reader):
                 self._room.acquire()
@@ -156,18 +156,18 @@ class RealProcess:
             with suppress(ProcessLookupError):
                 os.killpg(self.pid, signum)
         else:
-            self._child.terminate()  # all that Windows has
+            self._child.terminate()  # Windows has no other signal
 
     def kill(self) -> None:
         """Kill it without reporting its end."""
         self.on_output = self.on_exit = None
-        self._room.release(4 * MOST_WAITING)  # nobody takes more: its threads come to their end
+        self._room.release(4 * MOST_WAITING)  # nothing reads more output, so its threads end
         self.send_signal(Signals.SIGKILL)
         self._waiter.join()
 
 
 def _terminal() -> tuple[int, int]:
-    """Both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
+    """Return both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
     import pty
     import termios
 

@@ -142,8 +142,8 @@ SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
 
 
 def machine_roots() -> list[list[str]]:
-    """(folder, short name), with the more specific ones first: if two are the same folder, the first one counts."""
-    import tempfile  # late: only a recording needs it
+    """Return (folder, short name), with the more specific ones first: if two are the same folder, the first one counts."""
+    import tempfile  # imported here, because only a recording needs it
 
     packages = [sysconfig.get_path('purelib'), sysconfig.get_path('platlib'), site.getusersitepackages()]
     found = [
@@ -154,7 +154,7 @@ def machine_roots() -> list[list[str]]:
         (sys.prefix, '@sys.prefix'),
         (sys.base_prefix, '@sys.base_prefix'),
     ]
-    with suppress(FileNotFoundError):  # the folder was removed meanwhile
+    with suppress(FileNotFoundError):  # the folder was removed in the meantime
         found.append((os.getcwd(), '@cwd'))
     return [*with_real_paths(found), *with_real_paths([(os.path.expanduser('~'), '@home')])]
 

@@ -50,7 +50,7 @@ def _suggestion(error: BaseException) -> str:
 def _names_of(error: Any) -> list[str]:
     try:
         return dir(error.obj)
-    except Exception:  # a student's __dir__ may do anything
+    except Exception:  # a student's __dir__ may raise any exception
         return []
 
 
@@ -208,7 +208,7 @@ def _lines_of_python(error: BaseException) -> list[str]:
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:
-    """Frames that are not the engine's."""
+    """Return the frames that are not the engine's."""
     return [frame for frame in traceback.extract_tb(error.__traceback__) if not is_engine(frame.filename)]
 
 

@@ -182,7 +182,7 @@ class Messages:
             raise UnusableInput('to_pandas() needs pandas', help='pip install pandas') from None
         messages = self.messages(topic)
         if isinstance(messages, NoMessages):
-            messages[0]  # says which topics there are
+            messages[0]  # lists the existing topics
         cls = self._class(self.topics[topic].type)
         paths = fields or tuple(path for path, kind in cls.wire_type() if ']' not in kind and path in leaf_paths(cls))
         gets = [getter(cls, path) for path in paths]
@@ -191,7 +191,7 @@ class Messages:
 
 
 def seconds(time_ns: int | None) -> float | None:
-    """Nanoseconds as seconds."""
+    """Return the nanoseconds as seconds."""
     return None if time_ns is None else time_ns / 1e9
 
 

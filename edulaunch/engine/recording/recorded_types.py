@@ -36,7 +36,7 @@ class RecordedTypes(TextRegistry):
         return self._message(spec) if isinstance(spec, MessageSpec) else super()._make(spec)
 
     def _message(self, spec: MessageSpec) -> type[Message]:
-        self.checks.entries(spec.type)  # raises for a type without end
+        self.checks.entries(spec.type)  # raises an error for a type that contains itself
         readers = [(field.name, self._reader(field)) for field in spec.fields]
 
         def from_wire(wire: Any) -> Any:

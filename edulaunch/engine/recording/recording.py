@@ -131,7 +131,7 @@ class Recording(Messages, Views):
     def launch(self) -> LaunchRecord:
         """What was launched, its declared arguments, and launch's return code."""
         fields = {**self._content['launch']}
-        for words in ('warnings', 'help'):  # of recordings of old: they are found anew
+        for words in ('warnings', 'help'):  # older recordings lack them, so they are computed again
             fields.pop(words, None)
         fields['declared'] = [DeclaredArgument(*row) for row in fields.get('declared', ())]
         fields['unread'] = [UnreadArgument(*row) for row in fields.get('unread', ())]
@@ -186,7 +186,7 @@ class Recording(Messages, Views):
         found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
         rows = [row for row, values in enumerate(self.parameter_rows) if values[1] == node]
         hosted = [row for row in rows if self.owners and self.owners['parameters'][row] in (self.hosted or ())]
-        for row in hosted or rows:  # another node of the same name does not speak for a hosted one
+        for row in hosted or rows:  # another node of the same name does not represent a hosted node
             _, _, parameter, value, origin = self.parameter_rows[row]
             if value is None:
                 found.pop(parameter, None)

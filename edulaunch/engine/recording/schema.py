@@ -60,12 +60,12 @@ def wire(value: Any) -> bool:
 
 
 def truth(value: Any) -> bool:
-    """True or False."""
+    """Return True or False."""
     return type(value) is bool
 
 
 def anything(value: Any) -> bool:
-    """Any plain data: a parameter's value."""
+    """Return any plain data: a parameter's value."""
     return True
 
 

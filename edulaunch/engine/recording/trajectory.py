@@ -34,7 +34,7 @@ def moving_things(recording: Messages) -> dict[str, str]:
 
 
 def read_trajectory(recording: Messages, name: str) -> Trajectory:
-    """See `Recording.trajectory`."""
+    """Do the same as `Recording.trajectory`."""
     import numpy as np
 
     things = moving_things(recording)

@@ -129,7 +129,7 @@ class RealTime:
         sim = self.sim
         if self._paused:
             if not sim.is_suspended:
-                sim.run(sim.now_ns)  # what was just started may show that it waits
+                sim.run(sim.now_ns)  # a process that has just started may report that it waits
             return None
         next_ns = sim.next_time_ns()
         if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._pace:

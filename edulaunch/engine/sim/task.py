@@ -88,7 +88,7 @@ class Task(Parking):
             pass
         except BaseException as error:
             if isinstance(error, GreenletExit) or not hasattr(self, '_timer'):
-                return  # the simulation was thrown away with the task in it: nobody is there to be told, nor all of it
+                return  # the simulation was deleted together with the task, so nothing can receive a report
             self.exception = error
         self.finished = True
         self._parked = False
@@ -137,13 +137,13 @@ class AmbientTask(Task):
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """As :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
+        """Do the same as :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
         sim = self.sim
         while not self._woken:
             next_ns = sim.next_time_ns()
             is_over = deadline_ns is not None and (next_ns is None or next_ns > deadline_ns)
             if next_ns != sim.now_ns and threading.active_count() != self._threads:
-                self._threads = threading.active_count()  # some were started, or have ended: let them come in before time passes
+                self._threads = threading.active_count()  # some tasks have started or ended: let them run before time passes
                 if self.real_threads is not None:
                     self.real_threads.let_begin()
                 continue
@@ -164,7 +164,7 @@ class AmbientTask(Task):
         return True
 
     def wake(self) -> None:
-        """As :meth:`Task.wake`; perhaps from another thread."""
+        """Do the same as :meth:`Task.wake`; perhaps from another thread."""
         super().wake()
         if self.real_threads is not None:
             self.real_threads.ring()

@@ -168,11 +168,11 @@ class TransformBuffer:
         return list(self._frames)
 
     def all_frames_as_yaml(self) -> str:
-        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_yaml`."""
+        """Implement :func:`edulaunch.engine.tf.dumps.all_frames_as_yaml`."""
         return dumps.all_frames_as_yaml(self._frames)
 
     def all_frames_as_string(self) -> str:
-        """See :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
+        """Implement :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
         return dumps.all_frames_as_string(self._frames)
 
     def all_frames_as_dot(self, now_ns: int = 0) -> str:

@@ -6,17 +6,17 @@ from collections.abc import Mapping
 
 from edulaunch.engine.tf.history import History
 
-SHORTEST_SPAN_S = 0.0001  # tf2 takes no span as shorter when it computes a rate
+SHORTEST_SPAN_S = 0.0001  # tf2 uses this as the shortest time span when it computes a rate
 
 
 def seconds(time_ns: int) -> float:
-    """Nanoseconds as float seconds, rounded the way tf2 does it (whole seconds apart from the fraction)."""
+    """Return the nanoseconds as float seconds, rounded the way tf2 does it (whole seconds apart from the fraction)."""
     whole, rest = divmod(time_ns, 1_000_000_000)
     return whole + rest * 1e-9
 
 
 def seconds_text(time_ns: int) -> str:
-    """Seconds with six decimals, as in tf2's messages."""
+    """Return the seconds with six decimals, as in tf2's messages."""
     return f'{seconds(time_ns):.6f}'
 
 

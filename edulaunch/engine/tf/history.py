@@ -96,7 +96,7 @@ class History:
         return found[0] if found else None
 
     def sample(self, time_ns: int) -> tuple[Transform, str] | None:
-        """(:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
+        """Return (:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
         pose = self.pose_at(time_ns)
         if pose is None:
             return None
@@ -119,7 +119,7 @@ def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | No
     :param histories: none of them empty.
     """
     poses: list[Transform] = []
-    newer = 0  # kept from frame to frame: those of one robot are mostly sent together
+    newer = 0  # stored between frames, because a robot mostly sends its frames together
     for history in histories:
         stamps = history.stamps
         if history.static or time_ns == stamps[-1] or not time_ns:

@@ -45,7 +45,7 @@ class Path:
         return True
 
     def at(self, time_ns: int) -> tuple[int, Transform] | None:
-        """(time, target_from_source at that time), 0 being the latest common time; None when something would have to be
+        """Return (time, target_from_source at that time), 0 being the latest common time; None when something would have to be
         extrapolated.
         """
         stamp_ns = time_ns or self.latest_common_time()
@@ -78,7 +78,7 @@ def find_path(frames: Mapping[str, History | None], target: str, source: str) ->
             return None
         up.append(history)
         frame = history.parents[-1]
-        if frame in place:  # a loop: the exact walk reports it
+        if frame in place:  # the frames form a loop, which the exact search reports
             return None
         place[frame] = len(up)
     down: list[History] = []

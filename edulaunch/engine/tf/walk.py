@@ -17,7 +17,7 @@ Histories = Mapping[str, 'History | None']
 
 
 def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int, Transform]:
-    """(stamp, target_from_source); time 0 is the latest common time.
+    """Return (stamp, target_from_source); time 0 is the latest common time.
 
     :raises TransformFailure: with tf2's text.
     """
@@ -89,7 +89,7 @@ def _ancestors(frames: Histories, frame: str, time_ns: int) -> list[str]:
 
 
 def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
-    """(reached_from_start, frame reached, history that had no sample at that time or None)."""
+    """Return (reached_from_start, frame reached, history that had no sample at that time or None)."""
     pose = IDENTITY
     steps = 0
     while frame not in stops and (history := frames[frame]) is not None:
@@ -104,7 +104,7 @@ def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) 
 
 
 def _newest_upward(frames: Histories, frame: str, stops: tuple[str, ...]) -> list[tuple[int, str]]:
-    """(newest stamp, newest parent) of each frame upward, until a stop has become the parent."""
+    """Return (newest stamp, newest parent) of each frame upward, until a stop has become the parent."""
     found: list[tuple[int, str]] = []
     while (history := frames[frame]) is not None and history.stamps:
         frame = history.parents[-1]

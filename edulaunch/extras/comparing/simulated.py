@@ -86,7 +86,7 @@ class LateHost(Host):
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Process | RealProcess:
-        """See `Host.start`."""
+        """Implement `Host.start`."""
         if self.known_command(spec, index) is not None:
             return super().start(spec, on_output, on_exit, index=index)
         program = RealProgram(self, spec, on_output, on_exit)
@@ -95,7 +95,7 @@ class LateHost(Host):
         return started
 
     def begin(self, process: Process) -> None:
-        """See `Host.begin`."""
+        """Implement `Host.begin`."""
         delay_ns = round(self.delays_s.get(process.name, 0.0) * 1e9)
         if delay_ns:
             self.sim.schedule(self.sim.now_ns + delay_ns, process.lifecycle.task.start)
@@ -114,7 +114,7 @@ class EndsRecorder(Recorder):
         self.gone_s: dict[int, float] = {}
 
     def endpoint_removed(self, kind: str, endpoint: Any) -> None:
-        """See `Recorder.endpoint_removed`."""
+        """Implement `Recorder.endpoint_removed`."""
         super().endpoint_removed(kind, endpoint)
         self.gone_s[endpoint.index] = (self.sim.now_ns - self.sim.start_ns) / 1e9
 

@@ -91,7 +91,7 @@ class Conversation:
         if self._waiting_bytes <= MOST_WAITING or not self._waiting:
             self._waiting.append(message)
 
-    # -- what the client hears
+    # -- messages to the client
 
     def turn(self) -> list[Message]:
         """Return what has happened since the last turn."""
@@ -216,7 +216,7 @@ class Conversation:
     def _is_watched(self, name: str) -> bool:
         return self._watched is None or name in self._watched
 
-    # -- what the client says
+    # -- messages from the client
 
     def take(self, message: Message) -> None:
         """Do what the client asks for. The answer to what is not possible is an error message.

@@ -71,7 +71,7 @@ class LiveFeed:
             answer(f'{call[0].service_name} did not answer within {ANSWER_NS // 10**9} s')
         return []
 
-    # -- what there is
+    # -- channels and services
 
     def version(self) -> object:
         return self._graph.changes
@@ -177,7 +177,7 @@ class LiveFeed:
         self._early = {}
         number = client.send(wire)
         early, self._early = self._early, None
-        if number in early:  # some answer at once
+        if number in early:  # some services reply immediately
             answer(encode(cls.Response, early[number]))
         else:
             self._calls[client, number] = self.now_ns() + ANSWER_NS, answer

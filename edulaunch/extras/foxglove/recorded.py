@@ -76,7 +76,7 @@ class RecordingFeed:
         self.advance()
         seek_ns = request.seek_ns
         if seek_ns is None and request.plays and self._state == said.ENDED:
-            seek_ns = self._start_ns  # once more from the beginning
+            seek_ns = self._start_ns  # start again from the beginning
         if seek_ns is not None:
             self._at_ns = min(max(seek_ns - self._start_ns, 0), self._length_ns)
         self._speed = request.speed
@@ -87,7 +87,7 @@ class RecordingFeed:
         did_seek = seek_ns is not None
         return said.playback(self._state, self.now_ns(), self._speed, did_seek, request.request), did_seek
 
-    # -- what there is
+    # -- channels and services
 
     def version(self) -> object:
         return bisect_right(self._changes, self._at_ns)
@@ -102,7 +102,7 @@ class RecordingFeed:
         return found
 
     def services(self) -> list[Topic]:
-        """No service answers in a recording."""
+        """Raise an error, because no service replies in a recording."""
         return []
 
     def graph(self) -> Graph:
@@ -160,7 +160,7 @@ class RecordingFeed:
         found = {f'{node}.{name}': value for _, node, name, value, _ in rows}
         return {name: value for name, value in sorted(found.items()) if value is not None}
 
-    # -- what cannot be
+    # -- unsupported requests
 
     def set(self, values: Sequence[tuple[str, Value, str | None]], answer: Callable[[str], object]) -> None:
         answer(NO_CHANGES)

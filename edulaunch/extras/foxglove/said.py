@@ -61,7 +61,7 @@ def playback(state: int, now_ns: int, speed: float, did_seek: bool = False, requ
 
 
 def parameters(values: Mapping[str, Any], request: str | None = None) -> str:
-    """Values of parameters by name."""
+    """Return the values of parameters by name."""
     rows = [_parameter(name, value) for name, value in values.items()]
     return op('parameterValues', parameters=rows, **({} if request is None else {'id': request}))
 

@@ -74,7 +74,7 @@ class Client(Guarded, WebSocketHandler):
             self.close(1013, str(error)[:100])
         except ValueError as error:
             self.close(1008, str(error)[:100] or TOO_MUCH)
-        except Exception:  # a mistake of ours: the other clients go on
+        except Exception:  # an error in edulaunch: the other clients continue
             traceback.print_exc()
             self.close(1011, 'edulaunch made a mistake')
 

@@ -144,7 +144,7 @@ class NativeProcess(RealProcess):
     run: NativeRun
 
     def send_signal(self, signum: int) -> None:
-        """See `RealProcess.send_signal`."""
+        """Implement `RealProcess.send_signal`."""
         self.run.signalled_s = min(self.run.signalled_s, time.time())
         super().send_signal(signum)
 

@@ -54,7 +54,7 @@ class NativeSession(Session):
         self.sim.schedule(self.sim.now_ns + LOOK_EVERY_NS, self._look)
 
     def close(self) -> None:
-        """See `Session.close`."""
+        """Implement `Session.close`."""
         if self._bridge is not None:
             self._bridge.close()
         super().close()

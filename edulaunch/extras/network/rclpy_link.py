@@ -67,7 +67,7 @@ class RclpyLink:
         self._sockets: list[socket.socket] = []
 
     def open(self, settings: Settings) -> None:
-        """See `Link.open`."""
+        """Implement `Link.open`."""
         try:
             environment = needed()
         except UnusableInput as error:
@@ -112,13 +112,13 @@ class RclpyLink:
         self._out.put(wire.frame(kind, handle, number, data), is_urgent=kind in URGENT)
 
     def add_node(self, namespace: str, name: str) -> int:
-        """See `Link.add_node`."""
+        """Implement `Link.add_node`."""
         self._count += 1
         self._say(wire.NODE, self._count, 0, json.dumps([namespace, name]).encode())
         return self._count
 
     def remove_node(self, handle: int) -> None:
-        """See `Link.remove_node`."""
+        """Implement `Link.remove_node`."""
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
@@ -136,20 +136,20 @@ class RclpyLink:
         return self._count
 
     def remove(self, handle: int) -> None:
-        """See `Link.remove`."""
+        """Implement `Link.remove`."""
         del self._kinds[handle]
         self._say(wire.REMOVE, handle)
 
     def publish(self, handle: int, cdr: bytes) -> None:
-        """See `Link.publish`."""
+        """Implement `Link.publish`."""
         self._say(wire.PUBLISH, handle, 0, cdr)
 
     def request(self, handle: int, number: int, cdr: bytes) -> None:
-        """See `Link.request`."""
+        """Implement `Link.request`."""
         self._say(wire.ASK, handle, number, cdr)
 
     def reply(self, handle: int, who: bytes, cdr: bytes) -> None:
-        """See `Link.reply`."""
+        """Implement `Link.reply`."""
         self._say(wire.ANSWER, handle, int.from_bytes(who, 'little'), cdr)
 
     def flush(self) -> None:
@@ -162,7 +162,7 @@ class RclpyLink:
             self._out.clear()  # it has died, which `take` reports
 
     def take(self) -> Sequence[Event]:
-        """See `Link.take`."""
+        """Implement `Link.take`."""
         taken = 0
         while taken < AT_ONCE:
             try:
@@ -231,15 +231,15 @@ class RclpyLink:
         self._remote = RemoteGraph(tuple(nodes.values()), tuple(self._known.values()))
 
     def graph(self) -> RemoteGraph:
-        """See `Link.graph`."""
+        """Implement `Link.graph`."""
         return self._remote
 
     def fileno(self) -> int:
-        """See `Link.fileno`."""
+        """Implement `Link.fileno`."""
         return self._socket.fileno()
 
     def close(self) -> None:
-        """See `Link.close`."""
+        """Implement `Link.close`."""
         child, self._child = self._child, None
         for each in self._sockets:
             each.close()

@@ -111,7 +111,7 @@ class StyleTestItem(pytest.Item):
 def uses_launch_pytest(source: bytes) -> bool:
     """Return whether a test file imports launch_pytest, or has tests with launch fixtures from a conftest.py.
 
-    A file that only contains other test files as strings does not count, nor does every mark `launch`.
+    A file that only contains other test files as strings does not count, and a mark `launch` alone is not enough.
     """
     marked = b'mark.launch(' in source and 'launch_pytest' in sys.modules
     if b'launch_pytest' not in source and not marked:

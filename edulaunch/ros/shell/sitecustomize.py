@@ -43,7 +43,7 @@ class _Sourcing:
     """A finder at one end of `sys.meta_path` that knows no module itself."""
 
     def __init__(self, names=None):
-        self._names = names  # None: any, for the finder that is asked last
+        self._names = names  # None for all modules, for the last finder
 
     def find_spec(self, name, path=None, target=None):
         if path is not None or self._names is not None and name not in self._names:

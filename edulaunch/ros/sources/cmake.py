@@ -135,7 +135,7 @@ class _CMakeLists:
         unknown: list[str] = []
         words = expand(command, self.variables, unknown.append)
         if unknown and command.name in ('set', 'list', 'file'):
-            self.variables.pop((words or [''])[0], None)  # what is made of an unknown value is unknown
+            self.variables.pop((words or [''])[0], None)  # a value computed from an unknown value is unknown
             return
         if unknown:
             self.contents.unread = self.contents.unread or f'${{{unknown[0]}}}'
@@ -161,7 +161,7 @@ class _CMakeLists:
                 self.variables[words[0]] = [value]
                 self._follow(body)
 
-    # commands; each gets its line and its expanded words
+    # commands; each receives its line and its expanded words
 
     def _project(self, line: int, words: list[str]) -> None:
         self.variables['PROJECT_NAME'] = words[:1]

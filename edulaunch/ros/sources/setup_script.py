@@ -60,7 +60,7 @@ def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
 
 
 def _surely(node: ast.AST) -> Sequence[ast.AST]:
-    """Those parts of a node that are evaluated in any case."""
+    """Return those parts of a node that are evaluated in any case."""
     if isinstance(node, (ast.If, ast.While, ast.IfExp)):
         return [node.test]
     if isinstance(node, (ast.For, ast.comprehension)):
@@ -93,7 +93,7 @@ class _SetupScript:
         self.folder = manifest.folder
         self.file = self.script = os.path.join(manifest.folder, 'setup.py')
         self.line = self.call = 0
-        self.places: dict[str, tuple[str, int]] = {}  # of options that other files give
+        self.places: dict[str, tuple[str, int]] = {}  # for options that other files define
         self.contents = Contents()
 
     def read(self) -> Contents:
@@ -107,9 +107,7 @@ class _SetupScript:
             (f'share/{self.package}/package.xml', 'package.xml'),
             (f'{_MARKERS}/{self.package}', 'package.xml'),
         ):
-            self.contents.files.setdefault(
-                needed, os.path.join(self.folder, source)
-            )  # colcon adds both when a setup.py forgets them
+            self.contents.files.setdefault(needed, os.path.join(self.folder, source))  # colcon adds both if setup.py lacks them
         return self.contents
 
     def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
@@ -244,7 +242,7 @@ class _SetupScript:
         return given if isinstance(given, dict) else {}
 
     def _console_scripts(self, groups: dict[Any, Any]) -> Iterator[tuple[str, str, str]]:
-        """(executable, module, function) of each console script."""
+        """Yield (executable, module, function) of each console script."""
         for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(groups.get(kind))):
             if not isinstance(line, str) or not line.strip():
                 continue

@@ -113,7 +113,7 @@ class SourcePackage:
         if name.endswith('.py') and 'generate_test_description' in read_text(path):
             return False
         if name == 'launch.py' and 'LaunchDescription' not in read_text(path):
-            return False  # a module that is called so
+            return False  # a module with this name
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
         return (
@@ -174,7 +174,7 @@ def module_file(package: SourcePackage, module: str) -> str | None:
 
 
 def modules_of(package: SourcePackage) -> dict[str, str]:
-    """Full names of the package's installed modules, with their files."""
+    """Return the full names of the package's installed modules, with their files."""
     found = {}
     for top, place in package.contents.python_modules.items():
         for path in package.python_files:
@@ -187,7 +187,7 @@ def modules_of(package: SourcePackage) -> dict[str, str]:
 
 
 def defined_names(tree: ast.Module) -> list[str]:
-    """Names that a module defines or imports at its top level, those under `if` and `try` too."""
+    """Return the names that a module defines or imports at its top level, those under `if` and `try` too."""
     names = []
     for node in ast.walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):

@@ -71,7 +71,7 @@ class StaticPython:
             return method(node)
         except _Returned:
             raise
-        except Exception:  # whatever a wrong program would raise here, its value stays unknown
+        except Exception:  # any error in the program here only makes its value unknown
             return self._unknown(node)
 
     def _unknown(self, node: ast.AST) -> Unknown:

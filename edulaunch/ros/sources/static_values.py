@@ -53,19 +53,19 @@ class PathText(str):
         return self.joinpath(part)
 
     def joinpath(self, *parts: str) -> PathText:
-        """As of `Path`."""
+        """Do the same as the method of `Path`."""
         return self.below(self.folder, self, *parts)
 
     def glob(self, pattern: str) -> list[PathText]:
-        """As of `Path`, sorted."""
+        """Do the same as the method of `Path`, sorted."""
         return self._listed(pattern)
 
     def rglob(self, pattern: str) -> list[PathText]:
-        """As of `Path`, sorted."""
+        """Do the same as the method of `Path`, sorted."""
         return self._listed(os.path.join('**', pattern))
 
     def iterdir(self) -> list[PathText]:
-        """As of `Path`, sorted."""
+        """Do the same as the method of `Path`, sorted."""
         return self._listed('*')
 
     def _listed(self, pattern: str) -> list[PathText]:
@@ -75,27 +75,27 @@ class PathText(str):
         return [self.joinpath(name) for name in found]
 
     def is_file(self) -> bool:
-        """As of `Path`."""
+        """Do the same as the method of `Path`."""
         return os.path.isfile(os.path.join(self.folder, self))
 
     def is_dir(self) -> bool:
-        """As of `Path`."""
+        """Do the same as the method of `Path`."""
         return os.path.isdir(os.path.join(self.folder, self))
 
     def exists(self) -> bool:
-        """As of `Path`."""
+        """Do the same as the method of `Path`."""
         return os.path.exists(os.path.join(self.folder, self))
 
     def relative_to(self, other: str) -> PathText:
-        """As of `Path`, for a folder above."""
+        """Do the same as the method of `Path`, for a folder above."""
         return self.below(self.folder, os.path.relpath(self, other))
 
     def as_posix(self) -> str:
-        """As of `Path`."""
+        """Do the same as the method of `Path`."""
         return str(self)
 
     def resolve(self) -> PathText:
-        """As of `Path`; links are left alone."""
+        """Do the same as the method of `Path`; links are left alone."""
         return self.below(self.folder, os.path.normpath(os.path.join(self.folder, self)))
 
     absolute = resolve

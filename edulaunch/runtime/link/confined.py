@@ -60,7 +60,7 @@ class HostedProgram:
         self.host.peer.send(Kind.HEARD, dump([self.pid, is_recorded]))
 
     def send_signal(self, signum: int) -> None:
-        """See `Process.send_signal`."""
+        """Implement `Process.send_signal`."""
         if self.returncode is None:
             self.host.peer.call(Kind.SIGNAL, [self.pid, int(signum)])
 
@@ -162,7 +162,7 @@ class ConfinedHost(Host):
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
-        """See `Host.start`."""
+        """Implement `Host.start`."""
         known = self.known_command(spec, index)
         program = None if known is None else known.program
         if known is None or program is None or not is_hosted(program):

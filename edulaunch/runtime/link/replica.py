@@ -91,17 +91,17 @@ class Replica:
     # Changes here are sent to the other peer
 
     def node_added(self, node: NodeEntry) -> None:
-        """See `Tracer`."""
+        """Implement `Tracer`."""
         if not self.is_repeating:
             self.peer.tell(Kind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
 
     def node_removed(self, node: NodeEntry) -> None:
-        """See `Tracer`."""
+        """Implement `Tracer`."""
         if not self.is_repeating:
             self.peer.tell(Kind.NODE_GONE, END.pack(node.index))
 
     def endpoint_added(self, kind: str, end: Any) -> None:
-        """See `Tracer`."""
+        """Implement `Tracer`."""
         if self.is_repeating:
             return
         self._ours[end.index] = end
@@ -111,7 +111,7 @@ class Replica:
             end.on_life.append(lambda: self.peer.tell(Kind.ALIVE, END.pack(end.index)))
 
     def endpoint_removed(self, kind: str, end: Any) -> None:
-        """See `Tracer`."""
+        """Implement `Tracer`."""
         self._known.pop(end.index, None)
         if not self.is_repeating:
             del self._ours[end.index]

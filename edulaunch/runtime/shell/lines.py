@@ -219,7 +219,7 @@ class _NullSink(_Text):
     """Discards output without a reader."""
 
     def write(self, text: str) -> None:
-        """Discard it."""
+        """Discard the text."""
 
 
 _NULL_SINK = _NullSink()

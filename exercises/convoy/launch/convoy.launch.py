@@ -7,7 +7,7 @@ front of it. follower.launch.py starts the parts of one follower and has the arg
 convoy/follower.py, is complete. No follower starts before the simulator has started. There are three gaps: one in
 follower.launch.py, two here.
 
-Grade it: edugrade exercises/convoy        A hint: edugrade exercises/convoy --hint 1
+Grade it with `edugrade exercises/convoy`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription

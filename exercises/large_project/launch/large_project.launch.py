@@ -6,7 +6,7 @@ A large launch file can be short if it includes small ones and sets only their d
 world.launch.py, follower.launch.py and mimic.launch.py beside this file, and the parameters of the worlds in
 ../config/turtlesim.yaml. Then fill the three gaps: two here, and one in the parameter file.
 
-Grade it: edugrade exercises/large_project        A hint: edugrade exercises/large_project --hint 1
+Grade it with `edugrade exercises/large_project`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription

@@ -4,7 +4,7 @@
 
 There are two mistakes: one here, one in config/sea.yaml. The file sea.launch.py is right: read it first.
 
-Grade it: edugrade exercises/two_seas        A hint: edugrade exercises/two_seas --hint 1
+Grade it with `edugrade exercises/two_seas`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription

@@ -5,7 +5,7 @@
 There are two mistakes in two_turtles/broadcaster.py; this file is right. `ros2 run tf2_tools view_frames` shows the first one.
 `ros2 run tf2_ros tf2_echo world turtle1`, compared with `ros2 topic echo /turtle1/pose`, shows the other one.
 
-Grade it: edugrade exercises/two_turtles        A hint: edugrade exercises/two_turtles --hint 1
+Grade it with `edugrade exercises/two_turtles`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess

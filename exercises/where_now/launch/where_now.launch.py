@@ -4,7 +4,7 @@
 
 Two lines of where_now/where.py are wrong; this file is right.
 
-Grade it: edugrade exercises/where_now        A hint: edugrade exercises/where_now --hint 1
+Grade it with `edugrade exercises/where_now`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess

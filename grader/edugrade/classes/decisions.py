@@ -150,7 +150,7 @@ def _time(text: str, place: str) -> datetime:
 
 
 def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:
-    """Head and rows of a CSV file with commas or semicolons.
+    """Return the first row and the other rows of a CSV file with commas or semicolons.
 
     :raises UnusableInput: when it cannot be read.
     """

@@ -96,7 +96,7 @@ class Finding(NamedTuple):
 
 
 def examine(limits: Limits | None = None) -> Iterator[Finding]:
-    """Attempt everything once, in a confined run."""
+    """Try each forbidden action once, in a confined run."""
     with tempfile.TemporaryDirectory(prefix='edugrade-doctor-') as folder, socket.socket() as server:
         server.bind(('127.0.0.1', 0))
         server.listen()

@@ -30,7 +30,7 @@ from .verify import find_submission
 
 TOKENS, WINDOW = 9, 4  # tokens in a fingerprint, fingerprints of which the smallest is kept
 MOST_TOKENS = 50_000
-# Texts and comments are measured: what never ends must not be looked through again and again.
+# Strings and comments have a maximum length, so that an endless one is not searched repeatedly.
 _TOKEN = re.compile(
     r'(?P<skip>\s+|#[^\n]*|<!--.{0,2000}?-->)'
     r'|(?P<text>(?:\b[rRbBfFuU]{1,2})?(?:"""(?:[^\\]|\\.){0,5000}?"""|\'\'\'(?:[^\\]|\\.){0,5000}?\'\'\'|"(?:[^"\\\n]|\\.){0,300}"|\'(?:[^\'\\\n]|\\.){0,300}\'))'
@@ -66,7 +66,7 @@ def fingerprints(text: str) -> Code:
 
 
 def _tokens(text: str) -> Sequence[tuple[str, int]]:
-    """(normalised token, its line) for each token."""
+    """Return (normalised token, its line) for each token."""
     known = {
         name.strip() for found in _IMPORT.findall(text) for part in found.split(',') for name in part.strip('() ').split(' as ')
     }
@@ -251,7 +251,7 @@ def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], 
         try:
             with cpu_limit(LONGEST_READING_S):
                 texts = _codes(submission)
-        except TooLong:  # a text that was made to be slow
+        except TooLong:  # a text that was written to be slow to compare
             lost.append(str(result['path']))
             continue
         works.append(Work(result['student'], result['path'], texts, tuple(map(str, result.get('graph') or ()))))

@@ -65,7 +65,7 @@ def require_default(
     argument = require_argument(run, name, default or '...')
     seen = written_text(argument.default or '')
     bare = [scenario for scenario in run if name in run.scenario(scenario).defaults]
-    is_given = any(name in names for _, names in run.bare.values())  # the runs without it were other runs
+    is_given = any(name in names for _, names in run.bare.values())  # the runs without this argument were different runs
     is_shown = shows is not None and bare and not is_literal(argument.default or '') and not is_given
     if default is not None and not is_same_value(seen, default) and not is_shown:
         raise Mismatch(
@@ -83,7 +83,7 @@ def require_default(
         try:
             shows(run.only(bare))
         except Failure as failure:
-            if failure.share:  # nearly right: that costs its own points
+            if failure.share:  # a value that is nearly right loses only its own points
                 return argument
             raise Failure(
                 f'without {name}:=..., the launch file does not use the default value: {failure.rationale}',

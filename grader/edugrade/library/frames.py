@@ -155,5 +155,5 @@ def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | Non
 
 
 def numbers(values: tuple[float, ...]) -> str:
-    """Coordinates, as a person writes them."""
+    """Return coordinates as a person writes them."""
     return '(' + ', '.join(f'{value + 0.0:.2f}' for value in values) + ')'

@@ -83,7 +83,7 @@ def receipt(made: Work | Report) -> dict[str, Any]:
 
 
 FORMAT = 2
-LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
+LONGEST_DIGEST_S = 5.0  # usually it takes a hundredth of this
 
 
 def document(report: Report) -> dict[str, Any]:
@@ -164,7 +164,7 @@ def digest_of(outcome: Outcome) -> str | None:
         AttributeError,
         LookupError,
         RecursionError,
-    ):  # what a hostile recording may do to its reader
+    ):  # a hostile recording can make its reader raise these
         return None
 
 

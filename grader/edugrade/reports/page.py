@@ -158,7 +158,7 @@ def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
 
 COLOURS_OF_SMALL = 32
 REPLAY = 'For a replay of these runs: edugrade {} --seed {} --html report.html'
-LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
+LONGEST_DRAWING_S = 10.0  # usually it takes 0.2 s
 
 
 def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
@@ -198,7 +198,7 @@ def _picture(recording: Recording, is_small: bool) -> Markup | None:
             data = base64.b64encode(png).decode('ascii')
         except ValueError:  # this view has nothing to show
             continue
-        except Exception as error:  # such as a loop of frames: the rest of the page must not fail
+        except Exception as error:  # an error such as a loop of frames must not break the rest of the page
             return _not_drawn('picture', error)
         image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
         return element('figure', image, element('figcaption', picture.caption))

@@ -147,7 +147,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
 def _module(path: str, data: bytes) -> ModuleType:
     """Run the file of a rubric. An exception becomes a message with the line of the rubric."""
     spec = spec_from_loader(f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}', None)
-    assert spec is not None  # only a loader that declines gives None
+    assert spec is not None  # None means that the loader cannot load the file
     module = module_from_spec(spec)
     module.__file__ = path
     try:

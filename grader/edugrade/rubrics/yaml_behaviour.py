@@ -17,7 +17,7 @@ from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
 LEAST_LINES, LONGEST_COMMAND = 3, 100
-FOUND_AFTER_S = 0.5  # a recorder that polls has discovered a topic by then
+FOUND_AFTER_S = 0.5  # by then, a polling recorder has discovered a topic
 SENT_WITH_S = 0.05  # largest time between a message and the line that counts it
 
 

@@ -44,7 +44,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     if missing:
         raise problem(root, f'the rubric lacks {" and ".join(missing)}')
     runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')] if 'runs' in parts else []
-    _choose(runs, Random(0))  # a mistake is found now, and not when the first submission is graded
+    _choose(runs, Random(0))  # this finds a mistake now, and not when the first submission is graded
     names = [scenario.name for scenario in _choose(runs, Random(0))]
     checks: dict[str, Check] = {}
     for node in _items(parts['checks'], problem, 'checks'):

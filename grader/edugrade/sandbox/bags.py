@@ -49,7 +49,7 @@ def _topics(folder: str, end_ns: int, published: Published) -> dict[str, list[in
         return _counted(_messages(folder), end_ns, published)
     except MemoryError:
         raise
-    except Exception:  # hostile bytes may upset a reader in any way; each of them means the same
+    except Exception:  # hostile bytes can make the reader raise any exception; all of them mean the same
         return {}
 
 

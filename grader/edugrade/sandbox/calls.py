@@ -80,7 +80,7 @@ def _numbers(table: str, column: int) -> dict[str, int]:
 
 
 def allowed(column: int, has_view: bool = False) -> dict[str, int]:
-    """Numbers of the calls that a run may make with any arguments, by name.
+    """Return the numbers of the calls that a run may make with any arguments, by name.
 
     :param column: 0 for x86-64, 1 for 64-bit ARM.
     :param has_view: whether it sees no files but its own that could be changed.
@@ -89,7 +89,7 @@ def allowed(column: int, has_view: bool = False) -> dict[str, int]:
 
 
 def looked_at(column: int) -> dict[str, int]:
-    """Numbers of the calls that a run may make with some arguments, by name."""
+    """Return the numbers of the calls that a run may make with some arguments, by name."""
     return _numbers(_LOOKED_AT, column)
 
 

@@ -44,11 +44,11 @@ def warm_up() -> None:
 
     tempfile.tempdir = None  # each run has its own
     gc.collect()
-    gc.freeze()  # the runs share what is loaded
+    gc.freeze()  # the runs share the loaded modules
 
 
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
-    """Be the confined peer, in a process that was just forked: be confined, lower the limits, launch.
+    """Run the confined peer in a forked process: enter the sandbox, lower the limits, and launch.
 
     :param link: to the trusted peer.
     :param words: a pipe for what confines this peer, and for the last words.
@@ -63,18 +63,18 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     limit_resources(job['limits'])
     send(words, b'C', json.dumps(state).encode())
     if job['sandbox'] == 'require' and any(text != 'held' for layer, text in state.items() if layer != 'view'):
-        os._exit(0)  # the runner says why
+        os._exit(0)  # the runner reports the reason
     repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, words)
     limit_single_calls(2.5 * job['turn_s'])
     reserve = bytearray(RESERVE_BYTES)
     try:
         letter, content = attempt(job, socket.socket(fileno=end))
-    except MemoryError:  # also one that came up while another failure was being put into words
+    except MemoryError:  # also a failure that occurred while another one was being described
         reserve.clear()
         letter, content = b'S', b'{"reason": "memory"}'
     if hasattr(signal, 'setitimer'):
-        signal.setitimer(signal.ITIMER_REAL, 0.0)  # the answer is not interrupted by another one
+        signal.setitimer(signal.ITIMER_REAL, 0.0)  # a second alarm must not interrupt the answer
     send(words, letter, content)
     os._exit(0)
 
@@ -147,7 +147,7 @@ def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
 
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
-    """File and line of the innermost frame that is the student's, if any."""
+    """Return the file and line of the innermost frame that is the student's, if any."""
     folder = os.path.realpath(job['folder']) + os.sep  # files of a package are run through links
     while frame is not None:
         file = os.path.realpath(frame.f_code.co_filename)
@@ -178,9 +178,9 @@ def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
     except MemoryError:
-        raise  # to main, which has words for it
+        raise  # main reports it
     except SystemError as error:
-        bytearray(2 * RESERVE_BYTES)  # CPython stumbles when memory runs out in its middle: then this is a MemoryError
+        bytearray(2 * RESERVE_BYTES)  # CPython can raise this error when memory runs out, so treat it as a MemoryError
         return _broke(error)
     except BaseException as error:
         return _broke(error)

@@ -97,7 +97,7 @@ class Confinement:
         if notes is not None:
             try:
                 listener = seccomp.restrict_with_listener(listened)
-            except OSError:  # an old kernel, or somebody listens to the grader: then calls are refused without a name
+            except OSError:  # on an old kernel, or under a tracer, calls are refused without a name
                 pass
             else:
                 socket.send_fds(notes, [b'L'], [listener])
@@ -125,7 +125,7 @@ def _drop_capabilities(keep_reading: bool) -> int:
         if not kept >> capability & 1:
             try:
                 prctl(PR_CAPBSET_DROP, capability)
-            except OSError:  # beyond the last one, or no root: then there is none to drop
+            except OSError:  # no more capabilities exist, or the process is not root
                 break
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
     current = (ctypes.c_uint32 * 6)()

@@ -21,10 +21,10 @@ from .remove_tree import remove_tree
 from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 
 LOOK_S = 0.05
-GLANCE_S = 0.01  # threads are made fast: in the time between two looks, thousands
+GLANCE_S = 0.01  # a program can start thousands of threads between two measurements
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
 MANY_DESCRIPTORS = 64  # of a process: with fewer, it has little memory in buffers
-SOCKET_BYTES = 212_992  # in the buffer of one, where the system does not tell; a run cannot make it larger
+SOCKET_BYTES = 212_992  # bytes in the buffer of one socket if the system does not report them; a run cannot enlarge it
 
 
 def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[socket.socket], NoReturn]) -> NoReturn:
@@ -54,7 +54,7 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
     try:
         link.sendall(json.dumps({'pid': pid, 'guard': os.getpid()}).encode() + b'\n')
         result = _Watch(link, notes, pid, home, memory_bytes, refused).until_it_ends()
-    except OSError:  # the runner is gone
+    except OSError:  # the runner has ended
         pass
     finally:
         end_all(pid)
@@ -84,7 +84,7 @@ class _Watch:
         self._refused = refused
         self._listener = -1
         self._started = [pid]
-        self._ends = select.poll()  # not `select`, which knows no numbers above 1023
+        self._ends = select.poll()  # not `select`, which does not support descriptors above 1023
         for end in (link, notes):
             self._ends.register(end, select.POLLIN)
         with suppress(OSError, AttributeError):
@@ -194,7 +194,7 @@ def _threads(pids: list[int]) -> int:
 
 
 def _buffers(pids: list[int]) -> int:
-    """Bytes that the sockets of processes may hold. They belong to no process, so no figure of one includes them."""
+    """Return the bytes that the sockets of processes may hold. They belong to no process, so no figure of one includes them."""
     sockets: set[str] = set()
     for pid in pids:
         with suppress(OSError):
@@ -214,7 +214,7 @@ def _socket_bytes() -> int:
 
 
 def _memory(pids: list[int], source: str) -> int:
-    """Bytes that processes use: `statm` is quick and counts what they share for each, `smaps_rollup` does not."""
+    """Return the bytes that processes use: `statm` is quick and counts what they share for each, `smaps_rollup` does not."""
     total = 0
     for pid in pids:
         with suppress(OSError, ValueError, IndexError, StopIteration), open(f'/proc/{pid}/{source}') as file:

@@ -20,7 +20,7 @@ PR_SET_SECCOMP, MODE_FILTER = 22, 2
 SECCOMP, SET_MODE_FILTER, NEW_LISTENER = (317, 277), 1, 8
 ALLOW, ERRNO, KILL, NOTIFY = 0x7FFF0000, 0x00050000, 0x80000000, 0x7FC00000
 LOAD, EQUAL, GREATER_OR_EQUAL, ANY_BIT, AND, RETURN = 0x20, 0x15, 0x35, 0x45, 0x54, 0x06  # of the packet filter's machine
-NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16  # where they stand in what the filter looks at
+NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16  # offsets of these fields in the data of the filter
 X32 = 0x40000000  # calls of another kind on x86-64
 NAMESPACES = 0x7E020080  # the flags of clone() that make new ones
 ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}  # column of `calls.py`, number that the kernel gives it
@@ -62,12 +62,12 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
     return {
         'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
         'clone3': [_instruction(RETURN, ERRNO | errno.ENOSYS)],  # the C library then takes clone, whose flags can be looked at
-        'prlimit64': [_argument(0), *_one_of([0], refuse)],  # of no other process
+        'prlimit64': [_argument(0), *_one_of([0], refuse)],  # only for this process
         'prctl': [_argument(0), *_one_of(OPTIONS, refuse)],
         'ioctl': [_argument(1), *_one_of(REQUESTS, refuse)],
         'setsockopt': [_argument(2), *_one_of(SOCKET_OPTIONS, refuse)],
         'fcntl': [_argument(1), *_one_of(COMMANDS, refuse)],
-        # Of datagrams each could have an address of its own, which leads to any socket in the file system.
+        # Each datagram can have its own address, which can name any socket in the file system.
         'socketpair': [
             *(_argument(0), _instruction(EQUAL, UNIX, 1), refuse),
             *(_argument(1), _instruction(AND, KIND_OF_SOCKET), *_one_of([STREAM, SEQPACKET], refuse)),

@@ -45,8 +45,8 @@ def main() -> NoReturn:
     try:
         child.warm_up()
     except Exception:
-        os._exit(1)  # the grader starts another one, and gives no mark when that fails as well
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards tell what is to be told; the system forgets them
+        os._exit(1)  # the grader starts another one, and gives no mark if that one fails, too
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards report errors themselves; the system removes them from its table
     while True:
         header, descriptors, _, _ = socket.recv_fds(control, LENGTH_BYTES, 3)
         if len(header) < LENGTH_BYTES:
@@ -136,12 +136,12 @@ def _peer(
         try:
             child.run(job, link, words, confine)
         finally:
-            os._exit(1)  # the submission was not read, or what failed could not be said
+            os._exit(1)  # the submission was not read, or the failure could not be reported
 
     peer = trusted_peer.TrustedPeer(job, channel, confined)
     notes.close()
     if job['sandbox'] != 'off':
-        confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other peer is what is told
+        confinement.put_on([], job['home'])  # it reads no file of the student; the report describes the sandbox of the other peer
     confinement.let_go()
     child.limit_resources(job['limits'])
     return peer

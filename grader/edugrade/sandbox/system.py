@@ -24,7 +24,7 @@ def syscall(number: int, *arguments: Any) -> int:
 
 
 def prctl(option: int, value: int = 0, more: Any = 0) -> int:
-    """prctl(2). Raises OSError as the kernel says."""
+    """Call prctl(2). Raise OSError with the error of the kernel."""
     if not IS_LINUX:
         raise OSError('only Linux has prctl')
     return _checked(

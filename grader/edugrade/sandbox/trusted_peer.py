@@ -87,7 +87,7 @@ class TrustedPeer:
             recording = Recording(content).to_bytes()
         except MemoryError:
             raise
-        except Exception as error:  # only what the other peer told of itself can be of the wrong kind
+        except Exception as error:  # only values that the other peer sent can have the wrong type
             self._on_fatal(error)
         provenance = trusted.recorder.provenance.as_data()
         found = self._bags_after_interrupt(trusted) if self._job['is_interrupted'] else []

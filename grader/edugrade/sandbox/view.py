@@ -69,7 +69,7 @@ class _Tree:
         rest = [part for part in place.split('/') if part]
         while rest:
             if any(path == bound or path.startswith(bound + '/') for bound in self._bound):
-                return  # with a place above it, and with whatever links lead on: they lead to places that are shown, or to none
+                return  # together with parent places and links, which lead to visible places or nowhere
             part = rest.pop(0)
             path = os.path.normpath(os.path.join(path, part))
             if os.path.islink(path) and links < MOST_LINKS:

@@ -4,7 +4,7 @@
 
 There are two mistakes in setup.py. config/news.yaml sets the word and the period of hello.
 
-Grade it: edugrade exercises/news_desk        A hint: edugrade exercises/news_desk --hint 1
+Grade it with `edugrade exercises/news_desk`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -6,7 +6,7 @@ This file is right; two lines of two_channels/counter.py are wrong. Lesson 0 sho
 a second. After each message, the counter should log how many it has received so far, on both channels together:
 "messages: 1", "messages: 2".
 
-Grade it: edugrade exercises/two_channels        A hint: edugrade exercises/two_channels --hint 1
+Grade it with `edugrade exercises/two_channels`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

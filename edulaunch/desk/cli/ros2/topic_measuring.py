@@ -14,7 +14,7 @@ REPORT_EVERY_NS = 1_000_000_000
 
 
 class Measure(Protocol):
-    """Takes messages and creates reports."""
+    """Collects messages and creates reports from them."""
 
     def take(self, message: Any, now_ns: int) -> None:
         """Take one message (serialized if the measure wants raw bytes)."""

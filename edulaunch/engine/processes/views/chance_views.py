@@ -75,7 +75,7 @@ class NumpyView(ModuleType):
 
 
 def make_numpy(view: ModuleType, process: Process) -> ModuleType:
-    """See `NumpyView`."""
+    """Return a :class:`NumpyView` of the module."""
     import numpy
 
     made = NumpyView()

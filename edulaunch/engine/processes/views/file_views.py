@@ -192,7 +192,7 @@ PATH = _make_path()
 
 
 def make_path(view: ModuleType, process: Process) -> ModuleType:
-    """See `PATH`."""
+    """Return the functions that accept paths, `PATH`."""
     return PATH
 
 

@@ -175,7 +175,7 @@ class SysView(ModuleType):
 
 
 def make_sys(view: ModuleType, process: Process) -> ModuleType:
-    """See `SysView`."""
+    """Return a :class:`SysView` of the module."""
     return SysView(process)
 
 

@@ -70,7 +70,7 @@ class TurtleView(ModuleType):
 
 
 def make_turtle(view: ModuleType, process: Process) -> ModuleType:
-    """See `TurtleView`."""
+    """Return a :class:`TurtleView` of the module."""
     return TurtleView()
 
 

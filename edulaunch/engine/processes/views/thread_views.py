@@ -161,7 +161,7 @@ class Thread:
         return self._started and self._task is not None and not self._task.finished
 
     def isDaemon(self) -> bool:
-        """Old spelling of `daemon`."""
+        """Return the old spelling of `daemon`."""
         return self.daemon
 
     def setDaemon(self, daemonic: bool) -> None:
@@ -169,7 +169,7 @@ class Thread:
         self.daemon = daemonic
 
     def getName(self) -> str:
-        """Old spelling of `name`."""
+        """Return the old spelling of `name`."""
         return self.name
 
     def setName(self, name: str) -> None:

@@ -85,7 +85,7 @@ class _RealInstances(type):
 
 
 def make_datetime(view: ModuleType, process: Process) -> ModuleType:
-    """Local time is UTC, so that a run does not depend on the machine's time zone."""
+    """Return the time in UTC as local time, so that a run does not depend on the machine's time zone."""
     sim = process.sim
 
     def now() -> real_datetime.datetime:
@@ -114,7 +114,7 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def fromtimestamp(cls, timestamp: float, tz: real_datetime.tzinfo | None = None) -> Any:
-            """Local time is UTC."""
+            """Return the time in UTC."""
             made = super().fromtimestamp(timestamp, tz or real_datetime.timezone.utc)
             return made if tz is not None else made.replace(tzinfo=None)
 

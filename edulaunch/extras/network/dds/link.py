@@ -89,7 +89,7 @@ class CycloneLink:
             end.setblocking(False)
 
     def open(self, settings: Settings) -> None:
-        """See `Link.open`."""
+        """Implement `Link.open`."""
         join(settings)
         self._domain = settings.domain
         try:
@@ -100,14 +100,14 @@ class CycloneLink:
         self._discovery = Discovery(self._participant, self._news)
 
     def add_node(self, namespace: str, name: str) -> int:
-        """See `Link.add_node`."""
+        """Implement `Link.add_node`."""
         self._count += 1
         self._nodes[self._count] = namespace, name
         self._is_announced = False
         return self._count
 
     def remove_node(self, handle: int) -> None:
-        """See `Link.remove_node`."""
+        """Implement `Link.remove_node`."""
         del self._nodes[handle]
         self._is_announced = False
 
@@ -127,7 +127,7 @@ class CycloneLink:
         return handle
 
     def remove(self, handle: int) -> None:
-        """See `Link.remove`."""
+        """Implement `Link.remove`."""
         _stop(self._ends.pop(handle))
         self._is_announced = False
 
@@ -164,16 +164,16 @@ class CycloneLink:
     # Outgoing messages
 
     def publish(self, handle: int, cdr: bytes) -> None:
-        """See `Link.publish`."""
+        """Implement `Link.publish`."""
         self._write(self._ends[handle], cdr)
 
     def request(self, handle: int, number: int, cdr: bytes) -> None:
-        """See `Link.request`."""
+        """Implement `Link.request`."""
         end = self._ends[handle]
         self._write(end, cdr[:HEADER] + end.id + number.to_bytes(8, 'little', signed=True) + cdr[HEADER:])
 
     def reply(self, handle: int, who: bytes, cdr: bytes) -> None:
-        """See `Link.reply`."""
+        """Implement `Link.reply`."""
         self._write(self._ends[handle], cdr[:HEADER] + who + cdr[HEADER:])
 
     def _write(self, end: End, cdr: bytes) -> None:
@@ -217,7 +217,7 @@ class CycloneLink:
             return  # a wake-up is already pending, or the reader is closed
 
     def take(self) -> Sequence[Event]:
-        """See `Link.take`."""
+        """Implement `Link.take`."""
         with suppress(BlockingIOError):
             self._wake_end.recv(4096)
         if self._has_news:
@@ -282,11 +282,11 @@ class CycloneLink:
                     self._begin(handle, end)
 
     def fileno(self) -> int:
-        """See `Link.fileno`."""
+        """Implement `Link.fileno`."""
         return self._wake_end.fileno()
 
     def close(self) -> None:
-        """See `Link.close`."""
+        """Implement `Link.close`."""
         if self._participant is not None:
             self._participant.__del__()  # cyclonedds has no other way; this also closes its entities
             self._participant = None

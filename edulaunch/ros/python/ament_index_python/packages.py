@@ -47,7 +47,7 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
     """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
-    import pathlib  # 4 ms, which no start need wait for
+    import pathlib  # imported here, because it takes 4 ms
 
     of_program = current_process().loader.modules.get('pathlib', pathlib)
     path: Path = of_program.Path(_share(package_name, 'path' if print_warning else None))

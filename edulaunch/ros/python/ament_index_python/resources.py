@@ -47,7 +47,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
-    """Names of all resources of a type, with the first prefix that has each."""
+    """Return the names of all resources of a type, with the first prefix that has each."""
     _check(resource_type, None)
     found: dict[str, str] = {}
     if resource_type == 'packages':
@@ -60,7 +60,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 
 def get_resource_types() -> set[str]:
-    """Names of all types of resources."""
+    """Return the names of all types of resources."""
     folders = [os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in _prefixes()]
     return {entry.name for folder in folders for entry in _entries(folder) if entry.is_dir() and not entry.name.startswith('.')}
 
@@ -87,4 +87,4 @@ def _entries(folder: str) -> Iterator[os.DirEntry[str]]:
         with os.scandir(folder) as entries:
             yield from sorted(entries, key=lambda entry: entry.name)
     except OSError:
-        return  # most prefixes have no resource of most types
+        return  # most prefixes lack most types of resources

@@ -114,6 +114,6 @@ def _inside(entities: Any, conditional: bool, look: Look) -> list[Finding]:
         return _findings(entities, conditional, look)
     found = look.findings[only]
     if found is None:
-        look.findings[only] = []  # while it is searched: it may include itself
+        look.findings[only] = []  # set during the search, because the file may include itself
         found = look.findings[only] = _first_ones(_findings(entities, False, look))
     return list(found)

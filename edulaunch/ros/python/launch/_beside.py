@@ -95,7 +95,7 @@ def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has
         return False
     except BaseException:
         if task.done() and not task.cancelled():
-            task.exception()  # who ends the program tells it; asyncio need not tell it again
+            task.exception()  # the function that ends the program reports it, so asyncio need not report it again
         raise
     return True
 

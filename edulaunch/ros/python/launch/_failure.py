@@ -57,7 +57,7 @@ def launch_facts(error: BaseException) -> dict[str, Any]:
     cause = root_cause(error)
     action = getattr(error, 'edulaunch_entity', None)
     known = facts_of(cause)
-    if not known:  # kept, because it may be asked again after the run, when nobody knows the packages of this process
+    if not known:  # stored, because it may be needed after the run, when the packages of this process are unknown
         known = cause.edulaunch_facts = _found_in_frames(cause)  # type: ignore[attr-defined]
     return {**known, **({'action': action} if action else {})}
 
@@ -142,7 +142,7 @@ def _class_that_was_made(error: BaseException) -> dict[str, Any]:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)
         if code is not None:
             found += [name for name in code.co_varnames[1 : code.co_argcount + code.co_kwonlyargcount] if name not in found]
-            if not code.co_flags & 0x08:  # without **kwargs nothing is passed on
+            if not code.co_flags & 0x08:  # without **kwargs it passes no arguments on
                 break
     return {'class': type(made).__name__, 'keywords': found}
 

@@ -30,5 +30,5 @@ class Condition(StableRepr):
         return repr(self)
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """True or False, now."""
+        """Return the value of the condition at this moment."""
         return self._predicate(context) if self._predicate is not None else False

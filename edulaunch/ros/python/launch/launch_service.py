@@ -95,7 +95,7 @@ class LaunchService:
 
     task: ReadOnly[asyncio.Task[Any] | None] = ReadOnly('The task that runs the service, else None.')
 
-    # -- from outside
+    # -- called by other threads and by users
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
         """Execute a description: now if the service runs, else when it does. May be called from any thread."""
@@ -139,7 +139,7 @@ class LaunchService:
                     return run_beside_threads(loop, task, self.__started_threads)
                 except KeyboardInterrupt:
                     if task.done():
-                        task.exception()  # it is this one: nobody else needs to hear of it
+                        task.exception()  # this is the running loop, so no other thread needs a signal
                         raise
                     self.__on_sigint(signal.SIGINT)
         finally:

@@ -110,7 +110,7 @@ class ParameterArguments:
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
     def in_force(self, node: Origin | None) -> list[Given]:
-        """Everything that is given to this node's parameters, the last for each is the one that counts.
+        """Return everything that is given to this node's parameters, the last for each is the one that counts.
 
         :param node: where the launch file made the node.
         """
@@ -123,10 +123,10 @@ class ParameterArguments:
         return in_force(found, self._full_name)
 
     def origins(self, node: Origin | None) -> ParameterOrigins:
-        """Parameter name -> where its value was written, for values that do not come from a parameter file.
+        """Return the parameter name -> where its value was written, for values that do not come from a parameter file.
 
         :param node: where the launch file made the node.
         """
-        if self._origins is None:  # a plan, and a program that is started again, asks once more
+        if self._origins is None:  # a plan and a restarted program ask again
             self._origins = ParameterOrigins(lambda: self.in_force(node))
         return self._origins

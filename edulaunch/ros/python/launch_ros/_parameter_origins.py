@@ -127,7 +127,7 @@ class GlobalParameter(tuple[str, Any]):
 
 
 def place_text(file: str, line: int) -> str:
-    """'robot.launch.py line 12'."""
+    """Return 'robot.launch.py line 12'."""
     return f'{os.path.basename(file)} line {line}'
 
 
@@ -173,7 +173,7 @@ def given_by_launch_file(
 
 
 def argument_in(value: Any) -> str | None:
-    """'launch argument x', when a launch configuration decides the value."""
+    """Return 'launch argument x', when a launch configuration decides the value."""
     value = getattr(value, 'written', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):
         if isinstance(part, LaunchConfiguration):

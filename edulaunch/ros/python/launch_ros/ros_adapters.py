@@ -104,7 +104,7 @@ def get_ros_node(context: LaunchContext) -> Node:
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
-    if context.is_shutdown:  # it was announced before this began, and would never be heard here
+    if context.is_shutdown:  # it was announced before this subscription existed, so no message would arrive here
         return None
     from launch.event_handlers.on_shutdown import OnShutdown
 

@@ -74,7 +74,7 @@ class ActiveIoHandler(IoHandler):
         stream: str = 'stderr',
         **options: Any,
     ) -> None:
-        """As :meth:`waitFor`.
+        """Do the same as :meth:`waitFor`.
 
         :raises AssertionError: when the output has not come in time.
         """

@@ -25,7 +25,7 @@ class TestRun:
     :ivar pre_shutdown_tests, post_shutdown_tests: to run while it is up, and afterwards.
     """
 
-    __test__ = False  # pytest is not to take this class for a test case
+    __test__ = False  # pytest must not collect this class as a test case
 
     def __init__(self, name: str, module: ModuleType, describe: Callable[..., Any], parameters: Mapping[str, Any]) -> None:
         self.name = name

@@ -21,7 +21,7 @@ class TestResult(unittest.TestResult):
     :ivar testTimes: seconds by test, in the order in which they were run.
     """
 
-    __test__ = False  # pytest is not to take this class for a test case
+    __test__ = False  # pytest must not collect this class as a test case
 
     def __init__(self, write: Callable[[str], object]) -> None:
         super().__init__()
@@ -100,7 +100,7 @@ class TestResult(unittest.TestResult):
         """Ignore real time, which is not needed here."""
 
     def problems(self) -> list[tuple[str, str, str]]:
-        """(what, which test, text) of everything that went wrong."""
+        """Return (what, which test, text) of everything that went wrong."""
         return [
             *(('ERROR', title(test), text) for test, text in self.errors),
             *(('FAIL', title(test), text) for test, text in self.failures),

@@ -69,11 +69,11 @@ class WaitForTopics:
         return list(self._messages[topic_name])
 
     def topics_received(self) -> set[str]:
-        """Topics that had a message."""
+        """Return the topics that had a message."""
         return {topic for topic, messages in self._messages.items() if messages}
 
     def topics_not_received(self) -> set[str]:
-        """Topics that had none yet."""
+        """Return the topics that had none yet."""
         return set(self._messages) - self.topics_received()
 
     def shutdown(self) -> None:

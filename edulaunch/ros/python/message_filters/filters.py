@@ -70,7 +70,7 @@ class Subscriber(SimpleFilter):
         return self.topic
 
     def __getattr__(self, key: str) -> Any:
-        """Everything else is asked of the subscription."""
+        """Return an attribute of the subscription."""
         if key == 'sub':
             raise AttributeError(key)
         return getattr(self.sub, key)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def components_of(index: Index, package: str) -> dict[str, str]:
-    """Names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of what makes each."""
+    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of what makes each."""
     try:
         with open(os.path.join(index.share(package) or '', 'components.txt'), encoding='utf-8') as file:
             pairs = [line.partition(' = ') for line in file.read().splitlines()]
@@ -31,7 +31,7 @@ def components_of(index: Index, package: str) -> dict[str, str]:
 
 
 def packages_with_components(index: Index) -> list[str]:
-    """Names of the packages that have some, sorted."""
+    """Return the names of the packages that have some, sorted."""
     return [package for package in index.packages() if components_of(index, package)]
 
 

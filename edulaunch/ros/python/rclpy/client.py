@@ -40,7 +40,7 @@ class Asker(Entity):
         return {'name': name, 'kind': kind}
 
     def node_name(self) -> str:
-        """Full name of the node that it belongs to."""
+        """Return the full name of the node that it belongs to."""
         return self.asked()[0].node.fully_qualified_name
 
     def note_deadlock(self) -> None:
@@ -52,7 +52,7 @@ class Asker(Entity):
             note_wait('call', self)
 
     def await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
-        """Look each 0.25 s whether a server is there, as rclpy; a wait that becomes long is noted until it ends well."""
+        """Check every 0.25 s whether a server exists, as rclpy does. A long wait is recorded until it succeeds."""
         while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
 
     def _watch_wait(self, is_ready: Callable[[], bool]) -> None:
@@ -131,7 +131,7 @@ class Client(ServiceEnd, Asker):
         return future.result()
 
     def asked(self) -> tuple[ServiceClient, str, str]:
-        """Its endpoint, service name and kind."""
+        """Return its endpoint, service name and kind."""
         return self.endpoint, self.endpoint.service_name, 'service'
 
     def call_async(self, request: Any) -> Future:

@@ -93,7 +93,7 @@ class JumpHandle:
         if pre_callback is not None and not callable(pre_callback):
             raise ValueError('pre_callback must be callable if given')
         if post_callback is not None and not callable(post_callback):
-            raise ValueError('One of pre_callback or post_callback must be callable')  # not its own words, in ROS 2, too
+            raise ValueError('One of pre_callback or post_callback must be callable')  # ROS 2 prints the same message
         self.threshold = threshold
         self.pre_callback = pre_callback
         self.post_callback = post_callback
@@ -241,7 +241,7 @@ class ROSClock(Clock):
 
     def _jump(self, change: ClockChange, override_ns: int | None) -> None:
         before = self.now_ns()
-        # As in rcl a change of the source is told without how far time jumped.
+        # As in rcl, a change of the source is reported without the size of the time jump.
         delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
         handles = [handle for handle in self.jump_handles if handle.threshold.reached(change, delta)]
         for handle in handles:

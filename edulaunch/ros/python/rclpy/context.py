@@ -96,7 +96,7 @@ class Context:
         contexts = process_state().contexts
         if self in contexts:
             contexts.remove(self)
-        if not contexts:  # as rcl ends its logging then: a later node of the same name begins anew
+        if not contexts:  # rcl ends its logging then, so a later node of the same name starts again
             from rclpy.impl.logging_state import logging_state
 
             logging_state().rosout.clear()
@@ -111,7 +111,7 @@ class Context:
     def on_shutdown(self, callback: Callable[[], object]) -> None:
         """Call `callback()` when the context ends, at once when it has ended. Raises TypeError when it is not callable."""
         if not callable(callback):
-            raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's text has its hole, too
+            raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's message has the same gap
         if self.used and not self.alive:
             callback()
         else:

@@ -48,7 +48,7 @@ class CountInfo(NamedTuple):
 
 
 QoSOfferedDeadlineMissedInfo = QoSRequestedDeadlineMissedInfo = QoSLivelinessLostInfo = CountInfo
-QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # of what does not happen here
+QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # for events that do not occur in the simulation
 
 
 class QoSLivelinessChangedInfo(NamedTuple):

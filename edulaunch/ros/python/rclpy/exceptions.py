@@ -59,7 +59,7 @@ class InvalidServiceNameException(NameValidationException):
 
 
 class ParameterException(Exception):
-    """Base of what goes wrong with parameters; the text ends with the names concerned."""
+    """Base class of errors about parameters. The message ends with the names of the parameters."""
 
     def __init__(self, error_msg: str, parameters: Any) -> None:
         super().__init__(f'{error_msg}: {parameters}')

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
-_root_logger = RcutilsLogger()  # what programs use as the root logger, for want of a public name
+_root_logger = RcutilsLogger()  # programs use this as the root logger, because there is no public name
 
 
 def get_logger(name: str) -> RcutilsLogger:

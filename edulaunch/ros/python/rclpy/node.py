@@ -208,7 +208,7 @@ _finish_node_class()
 
 
 def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Only asked for when the node leaves, or at the end of the record."""
+    """Yield facts about the node when it is destroyed, or at the end of the recording."""
     from rclpy.impl.facts import odd_facts
 
     yield from odd_facts(node._rclpy)

@@ -184,7 +184,7 @@ def _property(name: str) -> property:
         else:
             assert isinstance(value, bool if name == 'avoid_ros_namespace_conventions' else int)
         setattr(self, slot, value)
-        if is_depth and getattr(self, '_avoid_ros_namespace_conventions', None) is not None:  # else it is being made
+        if is_depth and getattr(self, '_avoid_ros_namespace_conventions', None) is not None:  # otherwise it is being created
             _warn_of_zero(self)
 
     return property(getter, setter)

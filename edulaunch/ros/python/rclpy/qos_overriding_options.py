@@ -69,7 +69,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
     profile = QoSProfile(**{slot[1:]: getattr(qos, slot) for slot in QoSProfile.__slots__})
     for kind in options.policy_kinds:
         if side == 'subscription' and kind is QoSPolicyKind.LIFESPAN:
-            continue  # it is the publisher's own: DDS knows none of subscriptions
+            continue  # only publishers have this policy in DDS
         policy = kind.name.lower()
         name = f'qos_overrides.{topic_name}.{side}{suffix}.{policy}'
         descriptor = ParameterDescriptor(description=f'{policy} for {whose}', read_only=True)

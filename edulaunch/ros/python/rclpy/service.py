@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Service(ServiceEnd, Entity):
-    """Made by `Node.create_service`. The callback gets (request, response) and returns the response."""
+    """A service of a node, created by `Node.create_service`. The callback gets (request, response) and returns the response."""
 
     category = SERVICE
     endpoint: ServiceServer

@@ -154,7 +154,7 @@ def _accepts(callback: Any, count: int) -> bool:
         signature(callback).bind(*[None] * count)
     except TypeError:
         return False
-    except ValueError:  # a built-in function that does not tell
+    except ValueError:  # a built-in function without a signature
         return count == 1
     return True
 

@@ -42,7 +42,7 @@ class Future:
     # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
     _done = False
     _cancelled = False
-    ended = False  # one of the two
+    ended = False  # either a future or a task
     _result: Any = None
     _exception: BaseException | None = None
     _unfetched: _UnfetchedException | None = None
@@ -293,7 +293,7 @@ _COROUTINE_FLAG = 0x80
 
 
 def is_coroutine_function(function: Any) -> bool:
-    """Return whether calling it makes a coroutine (`async def`), seen through methods and `functools.partial`."""
+    """Return whether a call creates a coroutine (`async def`), also for methods and `functools.partial`."""
     while isinstance(function, partial):
         function = function.func
     code = getattr(function, '__code__', None)

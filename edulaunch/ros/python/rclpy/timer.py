@@ -157,12 +157,12 @@ class Timer(TimedEntity):
         return self._canceled
 
     def time_until_next_call(self) -> int | None:
-        """Nanoseconds until the next call is due, negative when it is overdue, None while cancelled."""
+        """Return the nanoseconds until the next call is due, negative when it is overdue, None while cancelled."""
         self._check()
         return None if self._canceled else self._next_ns - self._clock.now_ns()
 
     def time_since_last_call(self) -> int:
-        """Nanoseconds since the last call (since creation before the first)."""
+        """Return the nanoseconds since the last call (since creation before the first)."""
         self._check()
         return self._clock.now_ns() - self._last_ns
 

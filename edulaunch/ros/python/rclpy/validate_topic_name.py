@@ -8,7 +8,7 @@ from rclpy.impl.refusals import check_is_text
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """True; raises InvalidTopicNameException or InvalidServiceNameException for a name that breaks the rules."""
+    """Return True; raises InvalidTopicNameException or InvalidServiceNameException for a name that breaks the rules."""
     check_is_text(name, 'topic_name')
     problem = topic_name_problem(name)
     if problem is None:

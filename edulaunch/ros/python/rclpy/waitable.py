@@ -75,17 +75,17 @@ class Waitable(Entity):
         return None
 
     async def execute(self, taken_data: Any) -> None:
-        """Act on what was taken; for subclasses."""
+        """Process the data that was taken; subclasses implement it."""
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many entities of each kind belong to it."""
         return NumberOfEntities()
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Called before each wait, for subclasses."""
+        """Prepare a wait; the executor calls it before each wait, and subclasses implement it."""
 
     def add_future(self, future: Future) -> None:
-        """Remember a future."""
+        """Store a future."""
         self._futures.append(future)
 
     def remove_future(self, future: Future) -> None:

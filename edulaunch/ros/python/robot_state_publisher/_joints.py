@@ -50,7 +50,7 @@ class Joint(NamedTuple):
         return self.kind in MOVING
 
     def transform(self, position: float) -> tuple[tuple[float, float, float], Quaternion]:
-        """Translation and rotation from the parent link to the child link."""
+        """Return the translation and rotation from the parent link to the child link."""
         if self.kind == 'prismatic':
             slid = rotated(self.turn, tuple(position * part for part in self.axis))
             x, y, z = (start + part for start, part in zip(self.origin, slid, strict=True))

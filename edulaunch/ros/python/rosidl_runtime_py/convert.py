@@ -36,7 +36,7 @@ def message_to_csv(msg: Any, truncate_length: int | None = None, no_arr: bool = 
 
 
 def get_message_slot_types(msg: Any) -> OrderedDict[str, Any]:
-    """Field name -> entry of `SLOT_TYPES`."""
+    """Return the entry of `SLOT_TYPES` of each field name."""
     return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
 
 

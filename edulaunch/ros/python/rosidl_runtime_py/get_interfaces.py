@@ -14,7 +14,7 @@ def get_interface_packages() -> list[str]:
 
 
 def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Package name -> its interfaces as 'msg/Name', 'srv/Name' ...
+    """Return the interfaces of each package as 'msg/Name', 'srv/Name' ...
 
     :param package_names: which packages; all of them by default.
     :raises LookupError: for a package that has none.
@@ -23,17 +23,17 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
 
 
 def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """As :func:`get_interfaces`, messages only."""
+    """Do the same as :func:`get_interfaces`, messages only."""
     return _of_kinds(package_names, ('msg',))
 
 
 def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """As :func:`get_interfaces`, services only."""
+    """Do the same as :func:`get_interfaces`, services only."""
     return _of_kinds(package_names, ('srv',))
 
 
 def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """As :func:`get_interfaces`, actions only."""
+    """Do the same as :func:`get_interfaces`, actions only."""
     return _of_kinds(package_names, ('action',))
 
 

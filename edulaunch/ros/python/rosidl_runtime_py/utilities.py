@@ -40,7 +40,7 @@ def get_interface(identifier: str) -> Any:
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """'pkg/msg/Name' as the type of a field. Whether there is one is not looked at.
+    """Return 'pkg/msg/Name' as the type of a field. Whether there is one is not looked at.
 
     :raises ValueError: when the name has another form.
     """

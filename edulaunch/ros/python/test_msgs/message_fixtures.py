@@ -19,7 +19,7 @@ _NAMES = (*_ALIKE, *_OF_EACH_CORNER, *_COUNTS, 'Arrays', 'Builtins', 'MultiNeste
 
 
 def get_test_msg(message_name: str) -> list[Any]:
-    """Some messages of a type of `test_msgs`: empty, small, largest and smallest values.
+    """Return some messages of a type of `test_msgs`: empty, small, largest and smallest values.
 
     :raises NotImplementedError: for a type that there is not.
     """
@@ -75,5 +75,5 @@ def _scalar(type_text: str, corner: int) -> Any:
     return (0, 1, most, least)[corner]
 
 
-for _name in _NAMES:  # get_msg_basic_types() and its like
+for _name in _NAMES:  # defines get_msg_basic_types() and similar functions
     globals()['get_msg_' + re.sub('(?<=[a-z])([A-Z])', r'_\1', _name).lower()] = partial(get_test_msg, _name)

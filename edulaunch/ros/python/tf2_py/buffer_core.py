@@ -25,7 +25,7 @@ def report(rejections: tuple[Rejection, ...]) -> None:
 
 
 def nanoseconds(value: Any, name: str = 'time') -> int:
-    """Integer nanoseconds of an rclpy or builtin_interfaces time or duration.
+    """Return the integer nanoseconds of an rclpy or builtin_interfaces time or duration.
 
     :raises TypeError: for anything else, numbers included.
     """
@@ -89,7 +89,7 @@ def exception_of(failure: TransformFailure) -> TransformException:
 
 
 def wire_of(transform: Any) -> tuple[Any, ...]:
-    """(sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or its look-alike.
+    """Return (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or its look-alike.
 
     :raises TypeError: the translation is not a Vector3; a rotation that is not a Quaternion is a warning
         only.
@@ -182,14 +182,14 @@ class BufferCore:
         return message(target_frame, source_frame, stamp_ns, pose)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """(1 or 0, the reason when it is 0)."""
+        """Return (1 or 0, the reason when it is 0)."""
         possible, reason = self._tf.can_transform(target_frame, source_frame, nanoseconds(time))
         return int(possible), reason
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
-        """(1 or 0, the reason when it is 0)."""
+        """Return (1 or 0, the reason when it is 0)."""
         possible, reason = self._tf.can_transform_full(
             target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
         )
@@ -216,7 +216,7 @@ class BufferCore:
         time: Any,  # noqa: N802
         averaging_interval: Any,
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Linear (m/s) and angular (rad/s) velocity of the tracking frame seen from the observation frame.
+        """Return the linear (m/s) and angular (rad/s) velocity of the tracking frame seen from the observation frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """

@@ -59,14 +59,14 @@ class FailedLookups:
         process.fact(KIND, (self._number, target, source), {**data, **student_line()})
 
     def found(self, target: str, source: str) -> None:
-        """Now there is an answer: all is well."""
+        """Forget the failure, because the lookup has succeeded."""
         if (target, source) in self.pairs:
             self.pairs.remove((target, source))
             current_process().fact_over(KIND, (self._number, target, source))
 
 
 def of_next_buffer() -> FailedLookups:
-    """Those of a new buffer of the running program."""
+    """Return the hints of a new buffer in the running program."""
     state = current_process().state
     state['tf2_ros.buffers'] = number = state.get('tf2_ros.buffers', 0) + 1
     return FailedLookups(number)
@@ -103,7 +103,7 @@ class Buffer(BufferCore, BufferInterface):
         return response
 
     def time_jump_callback(self, time_jump: Any) -> None:
-        """Empty the buffer: its stamps mean nothing any more."""
+        """Empty the buffer, because its stamps are no longer valid after a jump of the clock."""
         from rclpy.logging import get_logger
 
         get_logger('tf2_buffer').warning('Detected jump back in time. Clearing tf buffer.')

@@ -52,11 +52,11 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def destroy(self) -> None:
-        """Leave the server's action; nothing can be asked afterwards."""
+        """Destroy the action client; no lookup is possible afterwards."""
         self.action_client.destroy()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """As :meth:`tf2_ros.Buffer.lookup_transform`.
+        """Do the same as :meth:`tf2_ros.Buffer.lookup_transform`.
 
         :raises TimeoutException: there is no server, or it did not answer in time.
         """
@@ -78,7 +78,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """As :meth:`tf2_ros.Buffer.lookup_transform_full`."""
+        """Do the same as :meth:`tf2_ros.Buffer.lookup_transform_full`."""
         goal = LookupTransform.Goal(
             target_frame=target_frame,
             target_time=_time_message(target_time),

@@ -89,11 +89,11 @@ class ConvertRegistration:
         return _find('from_msg', key)
 
     def get_to_msg(self, key: Key) -> Callable[..., Any]:
-        """See :meth:`add_to_msg`."""
+        """Return the function that :meth:`add_to_msg` has registered."""
         return _find('to_msg', key)
 
     def get_convert(self, key: Key) -> Callable[..., Any]:
-        """See :meth:`add_convert`."""
+        """Return the function that :meth:`add_convert` has registered."""
         return _find('convert', key)
 
 

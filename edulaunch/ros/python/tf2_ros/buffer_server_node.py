@@ -45,7 +45,7 @@ class BufferServer(CppNode):
         self.create_timer(CHECK_S, self.check)
 
     def take(self, handle: Any) -> None:
-        """A new goal: answered at once when it can be, or when it does not want to wait."""
+        """Accept a new goal. Reply immediately if the transform is known or the goal has no timeout."""
         now_ns = self.get_clock().now().nanoseconds
         timeout_ns = Duration.from_msg(handle.request.timeout).nanoseconds
         result = self.look_up(handle.request)

@@ -19,7 +19,7 @@ from_msg_msg = to_msg_msg
 
 
 def transform_points(point_cloud: Any, transform: Transform) -> Any:
-    """Points (an array of N rows of x, y and z in metres), turned and then moved."""
+    """Return the points (an array of N rows of x, y and z in metres), turned and then moved."""
     import numpy as np
 
     q, move = transform.rotation, transform.translation

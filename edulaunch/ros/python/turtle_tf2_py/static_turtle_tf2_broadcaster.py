@@ -15,7 +15,7 @@ from edulaunch.ros.running import spin
 
 
 def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
-    """Quaternion (x, y, z, w) of turning about the fixed axes x, then y, then z; angles in radians."""
+    """Return the quaternion (x, y, z, w) of turning about the fixed axes x, then y, then z; angles in radians."""
     sr, cr = sin(roll / 2.0), cos(roll / 2.0)
     sp, cp = sin(pitch / 2.0), cos(pitch / 2.0)
     sy, cy = sin(yaw / 2.0), cos(yaw / 2.0)

@@ -117,7 +117,7 @@ class MimicNode(CppNode):
         self._commands.publish(twist)
 
 
-KEY_PERIOD_S = 0.5  # given text, which nobody types, is read at this rate, so that a command has time to act
+KEY_PERIOD_S = 0.5  # prepared input is read at this rate, so that a command has time to act
 ESCAPE = '\x1b'
 # linear and angular of the arrows up, down, right, left
 ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}
@@ -153,7 +153,7 @@ class TeleopTurtle(CppNode):
         if self._timer is not None:
             rclpy.spin(self)
             return
-        import termios  # not everywhere is a terminal
+        import termios  # there may be no terminal
         import tty
 
         before = termios.tcgetattr(self._keyboard)

@@ -45,7 +45,7 @@ class RotateAbsoluteServer:
         self._server.destroy()
 
     def cancel_if_asked(self) -> None:
-        """Before an update: end the goal as canceled, and the motion, when its client asked for that."""
+        """End the goal as cancelled and stop the motion if its client has asked for that; called before each update."""
         if self.goal.is_cancel_requested:
             self._log.info('Rotation goal canceled')
             self.goal.canceled()
@@ -53,7 +53,7 @@ class RotateAbsoluteServer:
             self._turtle.stop()
 
     def report(self) -> None:
-        """After an update: publish the feedback, and the success when the turtle is there."""
+        """Publish the feedback, and the success once the turtle has arrived; called after each update."""
         if self.goal is None:
             return
         numbers = self._numbers

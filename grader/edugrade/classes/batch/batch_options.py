@@ -37,7 +37,7 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     )
     parser.add_argument('--junit', metavar='FILE', help='also write all results as JUnit XML')
     add_common(parser)
-    parser.set_defaults(sandbox='require')  # the work of others
+    parser.set_defaults(sandbox='require')  # skip submissions of other students
     return parser.parse_args(words)
 
 

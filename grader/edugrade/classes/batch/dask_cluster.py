@@ -25,7 +25,7 @@ from .store import Store
 from .warm import ask_warm
 from .work import Options, keep, keep_document, keep_page, refusal
 
-TRIES = 3  # of a submission under which workers die: then it is nobody's mark
+TRIES = 3  # attempts at a submission whose workers die; after that it gets no mark
 PATIENCE_S = 600.0  # for one submission, on top of its own limits
 LARGEST_FILE = 2_000_000
 
@@ -63,14 +63,14 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
                 entry = entries.pop(future)
                 try:
                     _keep(store, entry, future.result(), options)
-                except Exception as error:  # whatever a worker died of: its fault, or ours, and no mark
+                except Exception as error:  # for any cause of death the submission gets no mark
                     words = f'the grader broke: {type(error).__name__}: {error}'
                     keep(store, entry, refusal(BROKEN_GRADER, words, REPORT_IT))
                 advance()
 
 
 def parcel(work: Work, options: Options) -> Parcel:
-    """Everything that grading a submission needs, as plain data."""
+    """Return everything that grading a submission needs, as plain data."""
     submission = work.submission
     name = submission.package.name if submission.package else submission.name
     return {
@@ -92,7 +92,7 @@ def parcel(work: Work, options: Options) -> Parcel:
 
 
 def _workspaces(work: Work, options: Options) -> list[str]:
-    """Folders with more packages than the one that is graded."""
+    """Return the folders with more packages than the one that is graded."""
     own = work.submission.package
     return [
         os.path.abspath(each) for each in (*options.workspaces, *work.submission.workspaces) if own is None or each != own.path
@@ -115,7 +115,7 @@ def _files(folder: str) -> dict[str, bytes]:
 
 
 def grade_parcel(given: Parcel) -> dict[str, Any]:
-    """On the worker: unpack, and let the grader of this worker grade it."""
+    """Unpack a submission on the worker, and grade it with the grader of this worker."""
     if given['version'] != __version__:
         raise UnusableInput(f'this worker has edulaunch {__version__}, and not {given["version"]}')
     with tempfile.TemporaryDirectory(prefix='edugrade-parcel-', ignore_cleanup_errors=True) as temporary:

@@ -16,7 +16,7 @@ from ...worker import TooLong, cpu_limit
 from .names import ARCHIVES, Student, namer, plain_name
 from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
 
-DEEPEST = 8  # folders below the one that is given
+DEEPEST = 8  # folders below the given one
 MOST_NESTED = 2  # archives in archives
 MOST_OF_ONE = 50  # submissions of one student
 LONGEST_UNPACKING_S = 20.0

@@ -35,7 +35,7 @@ class Store:
 
     def __init__(self, folder: str) -> None:
         self.folder = folder
-        self.unkept: set[str] = set()  # whose new results could not be written
+        self.unkept: set[str] = set()  # submissions whose new results could not be written
         self._times: dict[str, float] = {}
 
     @property
@@ -66,7 +66,7 @@ class Store:
                         os.unlink(os.path.join(place, name))
             yield
         except UnusableInput:
-            if is_new and set(os.listdir(self.folder)) <= {LOCK, UNPACKED}:  # nothing was graded: nothing is left behind
+            if is_new and set(os.listdir(self.folder)) <= {LOCK, UNPACKED}:  # nothing was graded, so remove the folder
                 remove_tree(self.folder)
             raise
         except BlockingIOError:
@@ -92,7 +92,7 @@ class Store:
         :raises UnusableInput: when it cannot be written.
         """
         path = self.path(entry)
-        with suppress(OSError):  # it is said when the file is written
+        with suppress(OSError):  # the error is reported when the file is written
             os.makedirs(os.path.dirname(path), exist_ok=True)
         about = {'student': entry.student, 'student_id': entry.id or None, 'path': entry.path, 'origin': entry.origin or None}
         write_whole(path, json_text({**about, **content}))

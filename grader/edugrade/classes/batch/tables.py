@@ -84,7 +84,7 @@ def one_line(text: str) -> str:
 
 
 def first_problem(found: Result) -> str | None:
-    """In one line, why it was not graded, or why the first check that was run did not pass."""
+    """Return in one line why the submission was not graded, or why its first failed check did not pass."""
     broken = next((check for check in found.get('checks', ()) if check['status'] not in ('passed', 'not_run')), None)
     words = found.get('refused') or (broken and broken['reason'])
     return one_line(words) if words else None

@@ -77,7 +77,7 @@ class WarmProcess:
         self._process.wait()
         for end in (self._process.stdin, self._process.stdout):
             assert end is not None
-            with suppress(OSError):  # what was not written any more
+            with suppress(OSError):  # results that were not written
                 end.close()
 
 
@@ -100,7 +100,7 @@ def ask_warm(request: Request, patience_s: float) -> Answer:
 def main() -> None:
     """Answer each line of the standard input until it ends."""
     answers = os.fdopen(os.dup(1), 'wb')
-    os.dup2(2, 1)  # what is printed is no answer
+    os.dup2(2, 1)  # printed output is not part of the reply
     grader: WarmGrader | None = None
     limits = None
     for line in sys.stdin.buffer:

@@ -81,7 +81,7 @@ def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iter
             strange = error
         except UnusableInput as error:
             keep(store, entry, refusal(UNUSABLE_INPUT, error.message, error.help))
-        except Exception as error:  # a fault of ours with one of them
+        except Exception as error:  # a fault of the grader with one submission
             keep(store, entry, refusal(BROKEN_GRADER, *words_of(error)))
     if strange is not None and not known:
         raise strange
@@ -130,7 +130,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
 
             keep_page(store.path(entry, '.html', options.html), page([report], [], is_small=not options.replays))
         found = document(report)
-    except Exception as error:  # a fault of ours with one of them, which costs no other its mark
+    except Exception as error:  # a fault of the grader with one submission must not affect the others
         found = refusal(BROKEN_GRADER, *words_of(error))
     store.took(entry, sum(outcome.real_s for outcome in report.outcomes))
     keep_document(store, entry, found, options)

@@ -85,7 +85,7 @@ def build(exercise: str, out: str, wheel: str | None = None, secret: str | None 
     :raises UnusableInput: when there is no such rubric, wheel or secret.
     """
     name, rubric = find_rubric(exercise, exercise)
-    rubric.scenarios(0)  # a mistake in it is found now
+    rubric.scenarios(0)  # this finds a mistake in the rubric now
     source = 'edulaunch==' + __version__ if wheel is None else f'/autograder/source/{os.path.basename(wheel)}'
     rubric_file = f'rubrics/{name}{os.path.splitext(rubric.file)[1]}'
     config = {'exercise': name, 'rubric': rubric_file, 'limit_s': limit_s, 'edulaunch': __version__}

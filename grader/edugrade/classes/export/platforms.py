@@ -84,7 +84,7 @@ LARGEST_BYTES = 20_000_000
 
 
 def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
-    """Head and rows.
+    """Return the first row and the other rows.
 
     :raises UnusableInput: when it cannot be read.
     """

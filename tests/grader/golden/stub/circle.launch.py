@@ -6,7 +6,7 @@ The node param_circle.py of the package part3_beyond_basics sends velocities for
 `radius` is the radius in metres, 0.5 when nobody sets it. There is no robot yet to obey it, and nothing
 outside can choose the radius. Fill the three gaps.
 
-Grade it: edugrade exercises/circle.launch.py        A hint: edugrade exercises/circle.launch.py --hint 1
+Grade it with `edugrade exercises/circle.launch.py`. Add `--hint 1` for a hint.
 """
 from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -148,11 +148,11 @@ class ProcessWatch(BaseEventHandler):
         context.emit_event_sync(ProcessExited(returncode=returncode, **self._details))
         try:
             self._start_again_or_finish(context)
-        except TypeError as error:  # a delay or a number of retries that is no number
+        except TypeError as error:  # a delay or a number of retries that is not a number
             self._finish(error)
 
     def start_again(self, context: LaunchContext) -> None:
-        """See `ExecuteLocal.start_again`."""
+        """Implement `ExecuteLocal.start_again`."""
         if context.is_shutdown or self._is_asked_to_end or self._run is None:
             return
         if not self._run.complete.done():
@@ -222,7 +222,7 @@ class ProcessWatch(BaseEventHandler):
     def _concerns(self, event: Event) -> bool:
         if isinstance(event, ProcessTargetedEvent):
             return event.process_matcher(self._action)
-        # Not any event of the action: who waits for ExecutionComplete lets it be emitted and handled, once for each process.
+        # Not every event of the action: with a handler for ExecutionComplete, launch emits it once for each process.
         return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:
@@ -239,7 +239,7 @@ class ProcessWatch(BaseEventHandler):
         elif isinstance(event, ShutdownProcess):
             return self._shut_down(context, send_sigint=True)
         elif isinstance(event, Shutdown):
-            # After ctrl-c in a terminal the terminal has sent SIGINT to the process already.
+            # After Ctrl-C in a terminal, the terminal itself has already sent SIGINT to the process.
             return self._shut_down(context, send_sigint=not event.due_to_sigint or context.noninteractive)
         elif isinstance(event, ProcessStarted) and self._ends_on_start is not None:
             return self._shut_down(context, send_sigint=self._ends_on_start)

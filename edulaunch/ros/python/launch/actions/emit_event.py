@@ -28,5 +28,5 @@ class EmitEvent(Action):
     event: ReadOnly[Event] = ReadOnly('The event.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Emit it."""
+        """Emit the event."""
         context.emit_event_sync(self.__event)

@@ -45,5 +45,5 @@ class OpaqueFunction(Action):
         """Call it."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
-            iter(entities)  # A single entity is the usual mistake; found here, the error knows this action's line.
+            iter(entities)  # A single entity is a common mistake. Checked here, the error has the line of this action.
         return entities

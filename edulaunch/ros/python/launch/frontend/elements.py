@@ -175,7 +175,7 @@ def _choices(entity: Entity, parser: ParserProtocol, name: str) -> list[str]:
 
 
 def _output(entity: Entity, parser: ParserProtocol, name: str) -> Any:
-    # A plain text stays one: the action can tell at once whether it knows such an output.
+    # A plain string stays a string, so the action can check immediately whether it knows this output.
     return parser.parse_if_substitutions(entity.get_attr(name))
 
 

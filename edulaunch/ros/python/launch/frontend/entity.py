@@ -63,14 +63,14 @@ class Entity(ABC):
         """
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
-        """Those of the `attributes`, then those of the `children` that the element has; all count as asked for.
+        """Return those of the `attributes`, then those of the `children` that the element has; all count as asked for.
 
         (edulaunch only.) Much quicker than asking for each, where the format overrides it.
         """
         return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """(first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
+        """Return (first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
 
         (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
         and no entities need be made of them.

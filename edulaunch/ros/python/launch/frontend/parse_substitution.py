@@ -162,7 +162,7 @@ class UnexpectedCharacters(UnexpectedInput):
     """The grammar does not allow a character at its place; the message shows it with a caret."""
 
     def first_line(self, text: str) -> str:
-        """Names the character and its place, and shows both."""
+        """Return the message about an unexpected character, with its place."""
         found = text[self.pos_in_stream]
         place = f'at line {self.line} col {self.column}'
         return f"No terminal matches '{found}' in the current parser context, {place}\n\n{_pointing_at(text, self.pos_in_stream)}"
@@ -244,7 +244,7 @@ def _literal(text: str) -> TextSubstitution:
 
 
 def _built(template: Template) -> tuple[Substitution, ...]:
-    # A text of nothing is still a value: the empty one.
+    # An empty string is a value, too.
     return tuple([_piece(piece) for piece in template]) or (_literal(''),)
 
 

@@ -216,7 +216,7 @@ class LaunchLogger(logging.Logger):
         self._is_output = name.endswith(('-stdout', '-stderr'))
 
     def findCaller(self, stack_info: bool = False, stacklevel: int = 1) -> tuple[str, int, str, str | None]:
-        """No format of launch shows the caller; looking for it would cost more than the rest."""
+        """Return placeholders: no format of launch shows the caller, and a search for it would be slow."""
         return '(unknown file)', 0, '(unknown function)', None
 
     def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:

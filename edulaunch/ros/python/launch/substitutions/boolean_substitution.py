@@ -40,7 +40,7 @@ class NotSubstitution(Substitution):
         return f'NotSubstitution({describe_all(self.__value)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
+        """Return 'true' or 'false'."""
         return _text(not truth(context, self.__value))
 
 
@@ -57,7 +57,7 @@ class _Combined(Substitution):
         return f'{type(self).__name__}({" ".join(describe_all(operand) for operand in self._operands)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
+        """Return 'true' or 'false'."""
         # A list, so that every operand is evaluated and checked.
         return _text(type(self)._combine([truth(context, operand) for operand in self._operands]))
 

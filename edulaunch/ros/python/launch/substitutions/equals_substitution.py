@@ -38,7 +38,7 @@ class EqualsSubstitution(Substitution):
         return f'{type(self).__name__}({describe_all(self.__left)} {describe_all(self.__right)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
+        """Return 'true' or 'false'."""
         return str(self._evaluate(context)).lower()
 
     def _evaluate(self, context: LaunchContext) -> bool:

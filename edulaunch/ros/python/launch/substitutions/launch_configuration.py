@@ -40,7 +40,7 @@ class LaunchConfiguration(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """Return the value of the launch configuration, else the default."""
         name = perform_substitutions(context, self.__variable_name)
-        names_read = getattr(context, '_names_read', None)  # not there in contexts that unit tests make for themselves
+        names_read = getattr(context, '_names_read', None)  # missing in contexts that unit tests create
         if names_read is not None:
             names_read[name] = True
         configurations = context.launch_configurations

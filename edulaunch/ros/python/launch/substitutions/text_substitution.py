@@ -36,5 +36,5 @@ class TextSubstitution(Substitution):
 
 
 def describe_all(substitutions: Iterable[Substitution]) -> str:
-    """Several substitutions that are joined: `'a' + LaunchConfig('b')`."""
+    """Return several substitutions that are joined: `'a' + LaunchConfig('b')`."""
     return ' + '.join([substitution.describe() for substitution in substitutions])

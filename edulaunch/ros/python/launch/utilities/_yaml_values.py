@@ -49,4 +49,4 @@ def _check_size(text: str) -> None:
     try:
         read(text)
     except yaml.YAMLError:
-        return  # told by who loads it
+        return  # the function that loads the file reports the error

@@ -76,7 +76,7 @@ def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
 
 async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any) -> None:
     logger = launch.logging.get_logger(node.process_description.final_name)
-    imagined = running_process().state.get('launch.change_state')  # a plan's, where no node is running
+    imagined = running_process().state.get('launch.change_state')  # in a plan, no node is running
     is_done = await _ask(context, node, event) if imagined is None else imagined(context, node, event.transition_id)
     if is_done is None:
         logger.warning(f"Abandoning wait for the '{node.node_name}/change_state' service response, due to shutdown.")

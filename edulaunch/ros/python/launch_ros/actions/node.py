@@ -156,7 +156,7 @@ class Node(ExecuteProcess):
         return arguments
 
     def missing_parameter_files(self) -> list[str]:
-        """Files that were given and are not there, once the action was executed."""
+        """Return the files that were given and are not there, once the action was executed."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.missing_files
 

@@ -34,7 +34,7 @@ class SetParameter(Action):
 
     @property
     def value(self) -> Any:
-        """The value, to be evaluated."""
+        """The value of the parameter; it may contain substitutions."""
         return next(iter(self.__param_dict.values()))
 
     def execute(self, context: LaunchContext) -> None:

@@ -44,7 +44,7 @@ def _evaluate(context: LaunchContext, item: Any) -> Any:
 
 
 def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) -> dict[str, EvaluatedParameterValue]:
-    """Names and values of one normalized dict."""
+    """Return the names and values of one normalized dict."""
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)

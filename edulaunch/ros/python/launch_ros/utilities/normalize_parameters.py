@@ -33,7 +33,7 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
 
 
 def _normalize(item: Any) -> Any:
-    if isinstance(item, (dict, Mapping)):  # a dict is known sooner than a Mapping
+    if isinstance(item, (dict, Mapping)):  # checking for a dict is faster than for a Mapping
         return normalize_parameter_dict(item)
     return item if isinstance(item, (ParameterFile, Parameter)) else ParameterFile(item)
 

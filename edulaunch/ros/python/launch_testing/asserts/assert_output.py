@@ -49,7 +49,7 @@ def assertInStream(
 
 
 def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """As :func:`assertInStream`, for the standard output.
+    """Do the same as :func:`assertInStream`, for the standard output.
 
     :param options: its `output_filter`, `strict_proc_matching` and `strip_ansi_escape_sequences`.
     """
@@ -57,12 +57,12 @@ def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, c
 
 
 def assertInStderr(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """As :func:`assertInStdout`, for the standard error, where nodes log."""
+    """Do the same as :func:`assertInStdout`, for the standard error, where nodes log."""
     assertInStream(proc_output, expected_output, process, cmd_args, stream='stderr', **options)
 
 
 def text_of(proc_output: IoHandler, action: Any, stream: str) -> str:
-    """Everything that a process has written to 'stdout' or 'stderr'."""
+    """Return everything that a process has written to 'stdout' or 'stderr'."""
     if stream not in STREAMS:
         raise ValueError(f"stream must be 'stdout' or 'stderr', got {stream!r}")
     wanted = stream == 'stdout'

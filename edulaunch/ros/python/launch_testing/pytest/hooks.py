@@ -25,7 +25,7 @@ MARKS = {
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Launch arguments, packages and seed for launch tests."""
+    """Add the options for the launch arguments, packages and seed of launch tests."""
     group = parser.getgroup('launch tests', 'launch tests in simulated time')
     group.addoption('--launch-args', action='append', nargs='*', default=[], metavar='name:=value', help='launch arguments')
     group.addoption(

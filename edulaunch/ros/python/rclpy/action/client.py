@@ -159,7 +159,7 @@ class ActionClient(Asker, Waitable):
             answer = ClientGoalHandle(self, self._goal_ids.pop(sequence), answer)
             if answer.accepted:
                 self._goal_handles[bytes(answer.goal_id.uuid)] = answer
-        elif kind == 'result':  # the goal is over for its client: no feedback any more
+        elif kind == 'result':  # the goal has ended for its client, so it receives no more feedback
             self._feedback_callbacks.pop(self._asked_results.pop(sequence), None)
         future = self._pending.pop((kind, sequence), None)
         if future is not None:

@@ -142,7 +142,7 @@ class ServerGoalHandle:
 
 
 def goal_info(goal: ServerGoalHandle) -> Any:
-    """Its id and stamp as action_msgs/GoalInfo."""
+    """Return its id and stamp as action_msgs/GoalInfo."""
     from action_msgs.msg import GoalInfo
 
     return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)

@@ -88,7 +88,7 @@ class Executor(Waiting):
             try:
                 check_own_names(node, TO_SPIN)
             except (TypeError, AttributeError) as error:
-                self.create_task(_fail, error)  # who spins is told
+                self.create_task(_fail, error)  # the spinning executor is woken
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -251,7 +251,7 @@ class Executor(Waiting):
         if type(self).spin_once is Executor.spin_once and type(self)._spin_once_impl is Executor._spin_once_impl:
             self._spin(-1, lambda: not context.alive, (-1, never), once=False)
             return
-        while context.alive and not self._is_shutdown:  # an executor of one's own
+        while context.alive and not self._is_shutdown:  # an executor that the program created
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:

@@ -171,7 +171,7 @@ def odd_facts(core: NodeCore) -> Facts:
 
 def _undeclared(core: NodeCore) -> Facts:
     store = getattr(core, 'parameters', None)
-    if store is None:  # the constructor did not come so far
+    if store is None:  # the constructor failed before this point
         return
     for name, override in core.overrides.items():
         if name not in core.declared and not name.startswith(GIVEN_BY_ROS):
@@ -180,7 +180,7 @@ def _undeclared(core: NodeCore) -> Facts:
 
 
 def _passed_over(core: NodeCore) -> Facts:
-    """Parameter files all of whose keys name other nodes."""
+    """Yield the parameter files all of whose keys name other nodes."""
     keys: dict[str, dict[str, str]] = {}
     for parsed in core.arguments:
         for pattern, given in parsed.parameters.items():

@@ -50,7 +50,7 @@ def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
 
 
 def _enter(held: Any) -> None:
-    if not hasattr(type(held), '__enter__'):  # in the words of Python 3.11 and later, whichever runs
+    if not hasattr(type(held), '__enter__'):  # with the message of Python 3.11 and later, in every version
         raise TypeError(f"'{type(held).__name__}' object does not support the context manager protocol")
 
 

@@ -60,13 +60,13 @@ class NodeProtocol(Protocol):
     """A node, for the services and watches that it has itself."""
 
     def get_name(self) -> str:
-        """Its name."""
+        """Return its name."""
 
     def get_fully_qualified_name(self) -> str:
-        """Its name with its namespace."""
+        """Return its name with its namespace."""
 
     def get_logger(self) -> Any:
-        """Its logger."""
+        """Return its logger."""
 
     @property
     def create_service(self) -> Callable[..., Any]:

@@ -78,7 +78,7 @@ class Waiting:
         self._waiting: list[SimTask] = []
         self.spinner: SimTask | None = None
         self._is_shutdown = False
-        self._work: Any = None  # the wait that goes on: a generator
+        self._work: Any = None  # the current wait, which is a generator
         self._key: Any = None
         self._turns = 0
         self._seen_ns = 0
@@ -133,7 +133,7 @@ class Waiting:
                     if timer.due_ns < due and _may_begin(timer):
                         due = timer.due_ns
         task = current_task()
-        self._waiting.append(task)  # before the look: another thread's wake either finds it there, or is seen
+        self._waiting.append(task)  # set before the check, so that a wake from another thread is never lost
         try:
             if not self._woken and self._context.alive and not self._is_shutdown:
                 task.park(due if due < NEVER_NS else None)

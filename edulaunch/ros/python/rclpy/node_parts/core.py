@@ -70,7 +70,7 @@ class NodeCore:
         self.executor: ExecutorProtocol | None = None
         self.destroyed = False
         self.was_spun = False
-        self.declared: set[str] = set()  # every parameter that ever was
+        self.declared: set[str] = set()  # every parameter that was ever declared
         self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
         self.publishers: list[Any] = []
         self.subscriptions: list[Any] = []
@@ -121,7 +121,7 @@ class NodeCore:
         return expanded if only_expand else remapped_name(self.rules, kind, expanded, self.name, self.namespace)
 
     def given_parameters(self) -> dict[str, Override]:
-        """Parameter values from command lines and files, for this node; later sources overwrite earlier ones."""
+        """Return the parameter values from command lines and files, for this node; later sources overwrite earlier ones."""
         found: dict[str, Override] = {}
         origins = self.process.spec.parameter_origins
         for parsed in reversed(self.arguments):

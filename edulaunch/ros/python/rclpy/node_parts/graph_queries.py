@@ -69,11 +69,11 @@ class NodeGraphQueries:
         return [node.fully_qualified_name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """(name, namespace) of all nodes."""
+        """Return (name, namespace) of all nodes."""
         return [(node.name, node.namespace) for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
-        """(name, namespace, enclave) of all nodes; the enclave is always '/'."""
+        """Return (name, namespace, enclave) of all nodes; the enclave is always '/'."""
         return [(node.name, node.namespace, '/') for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def count_publishers(self, topic_name: str) -> int:
@@ -116,7 +116,7 @@ class NodeGraphQueries:
 
 
 def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
-    """(name, sorted types) of endpoints, sorted by name."""
+    """Return (name, sorted types) of endpoints, sorted by name."""
     found: dict[str, set[str]] = {}
     for endpoint in endpoints:
         found.setdefault(getattr(endpoint, attribute), set()).add(endpoint.type_name)

@@ -113,7 +113,7 @@ class ParameterStore:
                 return _result(reason)
         for callback in self.on_callbacks:
             result = callback(parameters)
-            if getattr(result, 'successful', None) is None:  # most often a forgotten return
+            if getattr(result, 'successful', None) is None:  # usually caused by a forgotten return
                 note_no_result(callback)
                 warn('Callback returned an invalid type, it should return SetParameterResult.', stacklevel=student_level())
                 return _result('Callback returned an invalid type')

@@ -106,7 +106,7 @@ class NodeParameters:
         return parameter
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Several parameters. Raises TypeError unless all names are strings."""
+        """Return several parameters. Raises TypeError unless all names are strings."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
         return [self.get_parameter(name) for name in names]
@@ -152,7 +152,7 @@ class NodeParameters:
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
-        """Names of parameters under any of `prefixes` (all when empty), at most `depth` dots below it (0: any)."""
+        """Return the names of parameters under any of `prefixes` (all when empty), at most `depth` dots below it (0: any)."""
         from rcl_interfaces.msg import ListParametersResult
 
         if not isinstance(prefixes, list):

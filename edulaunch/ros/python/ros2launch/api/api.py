@@ -65,7 +65,7 @@ def is_launch_file(path: str) -> bool:
 
 
 def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
-    """(name, value) of each `name:=value`; of several with one name the last counts.
+    """Return (name, value) of each `name:=value`; of several with one name the last counts.
 
     :raises RuntimeError: for a string of another form.
     """
@@ -98,7 +98,7 @@ def print_a_launch_file(*, launch_file_path: str) -> None:
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
     """Write the launch arguments: what `ros2 launch -s` shows."""
     description = load_launch_file(launch_file_path)
-    _print(HEADING)  # first: an included file that cannot be read is complained of below it
+    _print(HEADING)  # first, because an error about an included file appears below it
     _print(arguments_text(description).removeprefix(HEADING + '\n'))
 
 

@@ -21,5 +21,5 @@ def matches_name(name: str) -> ProcessMatcher:
 
 
 def matches_executable(executable: str) -> ProcessMatcher:
-    """Processes whose program's path ends with this."""
+    """Return the processes whose program's path ends with this."""
     return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)
