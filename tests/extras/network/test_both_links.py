@@ -135,7 +135,8 @@ def test_packets_that_are_none_do_no_harm(places: Places, make: Callable[[], Any
     late.subscription('/chatter')
     places.until(lambda: late.heard, lambda: mouth.publish(('late',)))
     places.until(lambda: sorted(late.nodes()) == ['/here', '/late', '/there'])
-    assert not [text for place in places.made for text in place.said]
+    late_ones = 'its clock or the network is slow'  # on a busy computer messages are
+    assert not [text for place in places.made for text in place.said if late_ones not in text]
 
 
 @pytest.mark.parametrize('make', [default_link, RclpyLink])
