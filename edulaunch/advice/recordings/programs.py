@@ -167,7 +167,7 @@ def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
     confidence='asked',
 )
 def output_hidden(recording: Recording) -> Iterator[Finding]:
-    """Of nodes that launch has started, and of which nothing at all is seen: neither printed nor logged. Not of one that has a
+    """Report nodes that launch has started and whose output is not shown: neither printed nor logged. A node that has a
     window of its own.
     """
     launched = {process.name: process for process in recording.processes if process.origin is not None and process.package}

@@ -117,5 +117,5 @@ class ServiceClient(ServiceEnd):
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:
-        """Leave the service; replies that are still to come are dropped."""
+        """Remove the client from the service, and drop later replies."""
         self.graph.remove_end(self)

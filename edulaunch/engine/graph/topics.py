@@ -132,7 +132,7 @@ class Subscription(Endpoint):
         self.may_expire = False
 
     def drop_expired(self) -> None:
-        """Forget the waiting messages whose publisher's lifespan is over."""
+        """Drop the waiting messages that are older than the lifespan of their publisher."""
         if self.graph.sim.keep_up is not None:
             self.graph.sim.keep_up()
         current = [sample for sample in self.queue if sample[2].is_current(sample[1])]
@@ -152,7 +152,7 @@ class Subscription(Endpoint):
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:
-        """Leave the topic; what waits in the queue is gone."""
+        """Remove the subscription from the topic, and drop the messages in its queue."""
         for publisher in list(self.publishers):
             disconnect(publisher, self)
         self.queue.clear()

@@ -38,7 +38,7 @@ def expand_prefixes(path: str) -> list[str]:
 
 
 class Prefix:
-    """One install prefix."""
+    """A prefix into which packages are installed."""
 
     def __init__(self, path: str) -> None:
         self.path = path

@@ -18,7 +18,7 @@ class NothingToDraw(EdulaunchError, ValueError):
 
 
 def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
-    """Return the error for a name that is not there: what there is, and which one was probably meant.
+    """Return the error for an unknown name. It lists the known names, and the one that was probably meant.
 
     :param text: what is not there, in words that end with the name.
     """

@@ -29,7 +29,7 @@ class Beside(Protocol):
 
 
 class Recorder(Tracer):
-    """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
+    """A tracer that records all events, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
     :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
     :ivar lines: file and line of the student's code that made each publisher, subscription, service or client, by its index.
@@ -72,7 +72,7 @@ class Recorder(Tracer):
         return self.sim.now_ns - self.sim.start_ns
 
     def stop(self) -> None:
-        """Keep nothing that comes later: what is unwound at the end of a run is not part of it."""
+        """Stop recording, because the clean-up at the end of a run is not part of it."""
         if self.on:
             self.on = False
             self._duration_ns = self._now()
@@ -142,7 +142,7 @@ class Recorder(Tracer):
         return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
 
     def forget_before(self, at_ns: int, kept: int) -> None:
-        """Forget what is older than a simulated time, but the last `kept` messages of each topic, and what they come from.
+        """Delete records before a simulated time, but keep the last `kept` messages of each topic and their origin.
 
         What is alive stays, and the last value of each parameter.
         """

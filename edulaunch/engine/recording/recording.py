@@ -90,7 +90,7 @@ class Recording(Messages, Views):
 
     @classmethod
     def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
-        """Return a recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
+        """Return a recording from the bytes of :meth:`to_bytes`. Raise RecordingError if they are not a recording."""
         recording = cls(file_format.decode(data, name))
         recording._unread = name
         return recording
@@ -246,7 +246,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def facts(self) -> list[Fact]:
-        """Odd things that programs did, each with how often, in order of their first time: what advice is made of."""
+        """Unusual actions of programs with their counts, in order of first occurrence. Advice is based on them."""
         rows = self._content.get('facts') or ()
         return [Fact(time / 1e9, process, kind, data, times, last / 1e9) for time, process, kind, data, times, last in rows]
 
@@ -266,7 +266,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def advice(self) -> list[Any]:
-        """What the rules of :mod:`edulaunch.advice` find in this run, as its Findings, the worst first."""
+        """The findings of the rules of :mod:`edulaunch.advice` in this run, the worst first."""
         found: list[Any] = view('judge')(self)
         return found
 

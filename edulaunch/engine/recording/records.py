@@ -43,7 +43,7 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """What was launched and how that went. `error` is launch's own text when a description failed, with its place;
+    """What was launched, and the result of the launch. `error` is launch's own text when a description failed, with its place;
     `error_type`, `error_cause` and `error_facts` are what is behind it, as data.
     """
 

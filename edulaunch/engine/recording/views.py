@@ -90,7 +90,7 @@ class Views:
         return view('parameter_table')(self, node, every=every)
 
     def replay(self, other: Any = None) -> Any:
-        """Return everything of the run over time, with a slider; see :class:`edulaunch.desk.view.replay.Replay`.
+        """Return a replay of the whole run with a slider; see :class:`edulaunch.desk.view.replay.Replay`.
 
         :param other: another recording, which the tab *Plot* draws over this one.
         """

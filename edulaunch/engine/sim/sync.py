@@ -111,7 +111,7 @@ class RLock:
 
 
 class Condition:
-    """As `threading.Condition`."""
+    """A condition variable that works like `threading.Condition`."""
 
     def __init__(self, lock: Lock | RLock | None = None) -> None:
         self._lock: Any = lock if lock is not None else RLock()

@@ -49,7 +49,7 @@ class History:
         return self.stamps[self.first] if self.stamps else 0
 
     def replace(self, parent: str, pose: Transform) -> None:
-        """Keep this one sample only (a static transform); it has no stamp."""
+        """Store only this sample, which is a static transform without a stamp."""
         self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
 
     def forget(self) -> None:

@@ -60,7 +60,7 @@ class Documents:
         self._around.clear()
 
     def executed(self, text: Text, findings: list[Finding], values: Values) -> None:
-        """Keep the findings of a saved file's dry run."""
+        """Store the findings of a saved file's dry run."""
         self._executed[text.path] = text.text, findings
         if values:
             self.values[text.path] = values

@@ -92,7 +92,7 @@ class Feed(Protocol):
         """A publisher leaves."""
 
     def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
-        """Ask a service; `answer` is called with its response, or with the text of what went wrong.
+        """Call a service. `answer` is called with its response, or with an error message.
 
         :raises Refused: when that is not possible.
         """

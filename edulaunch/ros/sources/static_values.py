@@ -44,7 +44,7 @@ class PathText(str):
 
     @classmethod
     def below(cls, folder: str, *parts: str) -> PathText:
-        """Return the path of these parts."""
+        """Return the path that consists of these parts."""
         made = cls(os.path.join(*parts) if parts else '.')
         made.folder = folder
         return made

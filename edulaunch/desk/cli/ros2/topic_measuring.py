@@ -17,7 +17,7 @@ class Measure(Protocol):
     """Collects messages and creates reports from them."""
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Take one message (serialized if the measure wants raw bytes)."""
+        """Process one message (serialized if the measure needs raw bytes)."""
 
     def report(self) -> str | None:
         """Return the lines to print, or None."""
@@ -64,7 +64,7 @@ class Reports:
         self._last_ns: int | None = None
 
     def on_message(self, message: Any) -> None:
-        """Take one message."""
+        """Process one message."""
         now = current_task().sim.now_ns
         self._measure.take(message, now)
         if self._last_ns is None:

@@ -47,7 +47,7 @@ class HandlerTable:
         self._groups.setdefault(_key(handler), {})[self._last if append else self._first] = handler
 
     def remove(self, handler: Handler) -> None:
-        """Forget the handler (once, if it was added more often).
+        """Remove the handler (once, if it was added more than once).
 
         :raises ValueError: when it is not there.
         """

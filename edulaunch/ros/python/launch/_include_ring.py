@@ -29,7 +29,7 @@ class Include(NamedTuple):
 
 
 def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> None:
-    """Note that `file` is visited from now on, until the walk leaves the action that includes it.
+    """Record that `file` is visited until the walk leaves the action that includes it.
 
     Outside a walk nothing is recorded, because the end of a file is unknown there. A file may include itself if this ends, for
     example under a condition with an argument that counts down.

@@ -52,7 +52,7 @@ _KEY = 'launch.wrong_return'
 
 
 def note_wrong_return(function: Any) -> None:
-    """Remember the function for :func:`tell_wrong_return`."""
+    """Store the function for :func:`tell_wrong_return`."""
     remembered: list[Any] = process_state(_KEY, list)
     remembered[:] = [function] if isinstance(function, FunctionType) else []
 

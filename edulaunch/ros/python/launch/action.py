@@ -69,11 +69,11 @@ class Action(LaunchDescriptionEntity):
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """:meth:`get_sub_entities` when there is no condition."""
+        """Return :meth:`get_sub_entities` if there is no condition."""
         return self.get_sub_entities() if self.__condition is None else []
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """:meth:`get_sub_entities` when there is a condition."""
+        """Return :meth:`get_sub_entities` if there is a condition."""
         if self.__condition is None:
             return []
         return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
@@ -114,5 +114,5 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Return what the action does; here nothing. For subclasses to override; called by :meth:`visit`."""
+        """Execute the action; :meth:`visit` calls this method. Subclasses override it, because here it does nothing."""
         return None

@@ -184,13 +184,13 @@ class LaunchContext:
         self.__completion_futures.append(completion_future)
 
     def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:
-        """Ask this handler about later events: before all others, or with `append` after them."""
+        """Register a handler for later events: before all other handlers, or after them with `append`."""
         self.__handlers.add(event_handler, append=append)
         if self.observer is not None:
             self.observer.registered(event_handler)
 
     def unregister_event_handler(self, event_handler: Handler) -> None:
-        """Forget a handler.
+        """Unregister a handler.
 
         :raises ValueError: when it is not registered.
         """

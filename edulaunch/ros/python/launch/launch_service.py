@@ -109,7 +109,7 @@ class LaunchService:
             self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
 
     def shutdown(self, force_sync: bool = False) -> Awaitable[None] | None:
-        """Ask the service to end; nothing happens when it does not run. May be called from any thread.
+        """Ask the service to end; do nothing if it does not run. Any thread may call this method.
 
         :returns: something to await, or to make a task of, when called in the thread that runs the service (unless
             `force_sync`), else None.
@@ -147,7 +147,7 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """As :meth:`run`. On a loop that knows no simulated time (a notebook's) the simulation runs in place."""
+        """Do the same as :meth:`run`. On a loop without simulated time, such as a notebook's, the simulation runs in place."""
         import asyncio
 
         from edulaunch.engine.sim.aio import SimulatedEventLoop

@@ -65,7 +65,7 @@ class GeneratedFile:
         weakref.finalize(self, _remove, self.path, self._inode)
 
     def remove(self) -> None:
-        """Take it from the disk, if it is there."""
+        """Delete the file, if it exists."""
         if self._inode is not None:
             _remove(self.path, self._inode)
             self._inode = None
@@ -90,7 +90,7 @@ class GeneratedParameters(GeneratedFile):
 
     @property
     def text(self) -> str:
-        """As YAML writes it."""
+        """The value in YAML."""
         import yaml
 
         dumper: Any = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)

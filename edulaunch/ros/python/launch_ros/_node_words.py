@@ -49,7 +49,7 @@ class _SpecificArgument(LocalSubstitution):
         self._key = key
 
     def perform(self, context: LaunchContext) -> str:
-        """As the base class, without compiling an expression."""
+        """Do the same as the base class, without compiling an expression."""
         arguments: dict[str, str] = context.local('ros_specific_arguments')
         return arguments[self._key]
 

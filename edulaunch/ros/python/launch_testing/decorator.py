@@ -22,7 +22,7 @@ def post_shutdown_test() -> Callable[[type], type]:
 
 
 def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable[[T], T]:
-    """Say how many simulated seconds after the start `ReadyToTest` must have been reached.
+    """Set the maximum time until `ReadyToTest`, in simulated seconds after the start.
 
     :param timeout: seconds; without this decorator 15.
     """

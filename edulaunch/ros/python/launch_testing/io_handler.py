@@ -20,13 +20,13 @@ class IoHandler(_ByProcess[list[ProcessIO]]):
         self._sequence: list[ProcessIO] = []
 
     def append(self, process_io: ProcessIO) -> None:
-        """Note a piece of output, and wake who waits for some."""
+        """Record a part of the output, and wake the tasks that wait for output."""
         self._sequence.append(process_io)
         self._recorded.setdefault(process_io.action, []).append(process_io)
         self._tell()
 
     def track(self, action: Any) -> None:
-        """Note that a process has started; it may never write anything."""
+        """Record that a process has started, because it may never write anything."""
         self._recorded.setdefault(action, [])
 
     def __iter__(self) -> Iterator[ProcessIO]:

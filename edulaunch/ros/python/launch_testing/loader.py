@@ -103,7 +103,7 @@ def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[Read
 
 
 def give(tests: Sequence[unittest.TestCase], attributes: Mapping[str, Any], values: Mapping[str, Any]) -> None:
-    """Give tests attributes, and their methods the arguments whose names they have."""
+    """Set attributes on tests, and pass their methods the arguments that they name."""
     for test in tests:
         vars(test).update(attributes)
         for name in (test.id().rpartition('.')[2], 'setUp', 'tearDown'):

@@ -16,7 +16,7 @@ class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
     """The last event of each process: ProcessExited, or ProcessStarted while it runs."""
 
     def append(self, process_info: RunningProcessEvent) -> None:
-        """Note an event, and wake who waits for one."""
+        """Record an event, and wake the tasks that wait for one."""
         self._recorded[process_info.action] = process_info
         self._tell()
 

@@ -12,7 +12,7 @@ from .message_pump import MessagePump
 
 
 class WaitForTopics:
-    """Waits until a message has come on every one of some topics: `with WaitForTopics([('chatter', String)]): ...`.
+    """Wait until each of some topics has had a message: `with WaitForTopics([('chatter', String)]): ...`.
 
     :param topic_tuples: (topic, message class), or (topic, message class, QoS profile).
     :param timeout: simulated seconds to wait.

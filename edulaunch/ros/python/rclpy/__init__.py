@@ -114,7 +114,7 @@ def create_node(
     automatically_declare_parameters_from_overrides: bool = False,
     enable_logger_service: bool = False,
 ) -> Node:
-    """Make a node; the arguments are those of :class:`rclpy.node.Node`."""
+    """Create a node; the arguments are those of :class:`rclpy.node.Node`."""
     from rclpy.node import Node
 
     return Node(

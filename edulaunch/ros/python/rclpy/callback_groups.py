@@ -51,12 +51,12 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Take the group's only turn, if it is free."""
+        """Reserve the group for one callback, if it is free."""
         if self.busy_with is not None:
             return False
         self.busy_with = entity
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Give the turn back."""
+        """Free the group for the next callback."""
         self.busy_with = None

@@ -44,7 +44,7 @@ class Asker(Entity):
         return self.asked()[0].node.fully_qualified_name
 
     def note_deadlock(self) -> None:
-        """Note when the code that runs now will wait for an answer that cannot come meanwhile."""
+        """Record a deadlock if the current code waits for a response that cannot arrive during this wait."""
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
             from rclpy.impl.facts import note_wait
@@ -92,7 +92,7 @@ def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
 
 
 class Client(ServiceEnd, Asker):
-    """Made by `Node.create_client`."""
+    """A client of a service, created by `Node.create_client`."""
 
     category = CLIENT
     endpoint: ServiceClient
@@ -185,14 +185,14 @@ class Client(ServiceEnd, Asker):
         return self._pending_requests[sequence_number]
 
     def remove_pending_request(self, future: Future) -> None:
-        """Forget a request: its reply, if one comes, is dropped."""
+        """Remove a request, and drop a later reply to it."""
         for sequence, pending in self._pending_requests.items():
             if pending is future:
                 del self._pending_requests[sequence]
                 break
 
     def service_is_ready(self) -> bool:
-        """Return whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server exists at the moment. Raises InvalidHandle when destroyed, RCLError after shutdown."""
         check_endpoint(self.endpoint, self.context, 'failed to check service availability: rcl node')
         current_task().poll()
         return self.endpoint.server_is_ready()
@@ -204,7 +204,7 @@ class Client(ServiceEnd, Asker):
         return self.service_is_ready()
 
     def destroy(self) -> None:
-        """Leave the service. `Node.destroy_client` is the better way."""
+        """Destroy the client. Prefer `Node.destroy_client`."""
         self.destroyed = True
         self.endpoint.destroy()
 

@@ -207,7 +207,7 @@ class Clock:
         return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
-        """Wait for a length of time; as :meth:`sleep_until`."""
+        """Wait for a duration, as :meth:`sleep_until` does."""
         return self.sleep_until(self.now() + rel_time, context)
 
 

@@ -132,7 +132,7 @@ class Context:
         self._nodes.append(node)
 
     def untrack_node(self, node: NodeProtocol) -> None:
-        """Forget a node."""
+        """Stop tracking a node."""
         if node in self._nodes:
             self._nodes.remove(node)
 

@@ -57,7 +57,7 @@ class Duration:
     __hash__ = None  # type: ignore[assignment]
 
     def to_msg(self) -> DurationMessage:
-        """As builtin_interfaces/Duration."""
+        """Return the duration as builtin_interfaces/Duration."""
         from builtin_interfaces.msg import Duration as DurationMessage
 
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)

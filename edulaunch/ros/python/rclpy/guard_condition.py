@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class GuardCondition(Entity):
-    """Made by `Node.create_guard_condition`; `trigger()` lets the executor call the callback once."""
+    """A guard condition, created by `Node.create_guard_condition`; `trigger()` lets the executor call the callback once."""
 
     category = GUARD
 

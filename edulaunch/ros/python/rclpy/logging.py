@@ -33,7 +33,7 @@ def shutdown() -> None:
 
 
 def clear_config() -> None:
-    """Forget all levels."""
+    """Reset the levels of all loggers."""
     state = logging_state()
     for name in list(state.levels):
         state.set_level(name, 0)

@@ -108,7 +108,7 @@ class Parameter:
         return message
 
     def to_parameter_msg(self) -> ParameterMsg:
-        """As rcl_interfaces/Parameter."""
+        """Return the parameter as rcl_interfaces/Parameter."""
         from rcl_interfaces.msg import Parameter as ParameterMsg
 
         return ParameterMsg(name=self._name, value=self.get_parameter_value())

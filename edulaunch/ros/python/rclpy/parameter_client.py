@@ -56,11 +56,11 @@ class AsyncParameterClient:
         return self._list, self._set, self._get, self._get_types, self._describe, self._set_atomically
 
     def services_are_ready(self) -> bool:
-        """Return whether all six services are there."""
+        """Return whether all six services exist."""
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Wait for the services, looking each 0.25 s; whether they are there."""
+        """Check for the services every 0.25 s until the timeout, and return whether they exist."""
         while_looking(self.node.context, self.services_are_ready, timeout_sec)
         return self.services_are_ready()
 
@@ -74,11 +74,11 @@ class AsyncParameterClient:
     def list_parameters(
         self, prefixes: list[str] | None = None, depth: int | None = None, callback: Done | None = None
     ) -> Future:
-        """Ask for the names of the parameters under `prefixes`."""
+        """Request the names of the parameters under `prefixes`."""
         return self._call(self._list, callback, prefixes=prefixes or [], depth=depth or 0)
 
     def get_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for values."""
+        """Request the values of parameters."""
         return self._call(self._get, callback, names=names)
 
     def set_parameters(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
@@ -86,11 +86,11 @@ class AsyncParameterClient:
         return self._call(self._set, callback, parameters=_messages(parameters))
 
     def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for descriptors."""
+        """Request the descriptors of parameters."""
         return self._call(self._describe, callback, names=names)
 
     def get_parameter_types(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for types."""
+        """Request the types of parameters."""
         return self._call(self._get_types, callback, names=names)
 
     def set_parameters_atomically(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
@@ -98,7 +98,7 @@ class AsyncParameterClient:
         return self._call(self._set_atomically, callback, parameters=_messages(parameters))
 
     def delete_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Take values back, where the other node allows that."""
+        """Delete parameters, if the other node allows it."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
     def on_parameter_event(

@@ -21,7 +21,7 @@ FOR_EVER = Duration(seconds=-1)
 
 
 class Publisher(TopicEnd):
-    """Made by `Node.create_publisher`. Messages are copied when they are published."""
+    """A publisher of a topic, created by `Node.create_publisher`. Messages are copied when they are published."""
 
     endpoint: GraphPublisher
 
@@ -104,7 +104,7 @@ class Publisher(TopicEnd):
         return True
 
     def destroy(self) -> None:
-        """Leave the topic. `Node.destroy_publisher` is the better way."""
+        """Destroy the publisher. Prefer `Node.destroy_publisher`."""
         for handler in self.event_handlers:
             handler.destroy()
         self.endpoint.destroy()

@@ -98,7 +98,7 @@ class SignalHandlerGuardCondition:
         self.context = context
 
     def destroy(self) -> None:
-        """Forget it."""
+        """Remove it."""
 
 
 __getattr__ = passed_on(__name__)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Subscription(TopicEnd, Entity):
-    """Made by `Node.create_subscription`. Each message is a new object of its own."""
+    """A subscription to a topic, created by `Node.create_subscription`. Each message is a new object."""
 
     category = SUBSCRIPTION
     endpoint: GraphSubscription

@@ -181,7 +181,7 @@ class Timer(TimedEntity):
 
 
 class Rate:
-    """`sleep()` waits for a call of a timer since the last sleep, so some other thread must spin. Made by `Node.create_rate`."""
+    """A rate, created by `Node.create_rate`. `sleep()` waits for the next call of its timer, so another thread must spin."""
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
         self._clock = timer.clock

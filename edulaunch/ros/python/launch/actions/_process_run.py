@@ -81,7 +81,7 @@ class OutputLines:
         return ''.join(self._pieces or ())
 
     def write(self, data: bytes) -> None:
-        """Take the next piece. Bytes that are not UTF-8 are replaced."""
+        """Append the next part of the output. Invalid UTF-8 is replaced."""
         text = data.decode('utf-8', errors='replace')
         if self._pieces is not None:
             self._pieces.append(text)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class DeclareLaunchArgument(Action):
-    """Say that the launch file has an argument: `ros2 launch ... name:=value`, or `launch_arguments` of an
+    """Declare a launch argument: `ros2 launch ... name:=value`, or `launch_arguments` of an
     include.
 
     Its value is the launch configuration of that name. One that is set already stays; else it gets the

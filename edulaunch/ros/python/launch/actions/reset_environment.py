@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class ResetEnvironment(Action):
-    """Give all environment variables the values they had when the launch began."""
+    """Restore the environment variables to their values at the start of the launch."""
 
     def execute(self, context: LaunchContext) -> None:
         """Set the variables to what they were when the launch began."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class ResetLaunchConfigurations(Action):
-    """Forget all launch configurations, then set the given ones.
+    """Delete all launch configurations, and then set the given ones.
 
     :param launch_configurations: name -> value, both strings or substitutions, which are evaluated before the configurations are
         removed.
@@ -34,7 +34,7 @@ class ResetLaunchConfigurations(Action):
     )
 
     def execute(self, context: LaunchContext) -> None:
-        """Forget, then set."""
+        """Delete all launch configurations, and then set the given ones."""
         kept = {
             perform_substitutions(context, normalize_to_list_of_substitutions(name)): perform_substitutions(
                 context, normalize_to_list_of_substitutions(value)

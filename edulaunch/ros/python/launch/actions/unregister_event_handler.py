@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class UnregisterEventHandler(Action):
-    """Forget an event handler.
+    """Unregister an event handler.
 
     :raises ValueError: when executed while the handler is not registered.
     """
@@ -25,5 +25,5 @@ class UnregisterEventHandler(Action):
     event_handler: ReadOnly[BaseEventHandler] = ReadOnly('The handler.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Forget it."""
+        """Unregister the handler."""
         context.unregister_event_handler(self.__event_handler)

@@ -23,5 +23,5 @@ class UnsetEnvironmentVariable(Action):
     name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove it."""
+        """Unset the variable."""
         context.environment.pop(perform_substitutions(context, self.__name), None)

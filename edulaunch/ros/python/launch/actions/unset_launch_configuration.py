@@ -23,5 +23,5 @@ class UnsetLaunchConfiguration(Action):
     name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Forget it."""
+        """Remove the launch configuration."""
         context.launch_configurations.pop(perform_substitutions(context, self.__name), None)

@@ -106,7 +106,7 @@ class Executable:
 
     @property
     def final_cmd(self) -> list[str] | None:
-        """The words of the command line; None before :meth:`prepare`.
+        """The arguments of the command line, or None before :meth:`prepare`.
 
         Announce the files that the command names: launch writes generated files at their first use.
         """

@@ -234,7 +234,7 @@ def parse_if_substitutions(value: Any) -> Any:
 
 
 def replace_escaped_characters(data: str) -> str:
-    """Take each backslash away and keep the character after it."""
+    """Remove each backslash, but keep the character after it."""
     return _ESCAPE.sub(r'\1', data) if '\\' in data else data
 
 

@@ -125,7 +125,7 @@ class Parser:
 
     @classmethod
     def load_with(cls, file: str | os.PathLike[str] | TextIO, root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
-        """For subclasses, to write their :meth:`load` with. (edulaunch only.)
+        """Load a file with a function of the subclass, as part of its :meth:`load`. (edulaunch only.)
 
         :param root_of: creates the root element from the content of the file; its errors get their place in the file.
         """

@@ -106,7 +106,7 @@ def _add(logger: logging.Logger, handler: Any, formatter: logging.Formatter) -> 
 
 
 def log_launch_config(*, logger: logging.Logger | None = None) -> None:
-    """Say where the log files are (if there are any) and which level is logged."""
+    """Log the place of the log files, if they exist, and the log level."""
     logger = logging_state().root if logger is None else logger
     config = logging_state().config
     if config.file_handlers:
@@ -115,5 +115,5 @@ def log_launch_config(*, logger: logging.Logger | None = None) -> None:
 
 
 def reset() -> None:
-    """Forget all loggers, handlers and settings of the running process."""
+    """Delete all loggers, handlers and settings of the running process."""
     logging_state().reset()

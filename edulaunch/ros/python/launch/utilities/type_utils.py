@@ -218,7 +218,7 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
 def perform_typed_substitution(
     context: LaunchContext, value: NormalizedValueType, data_type: AllowedTypesType
 ) -> AllowedValueType:
-    """Evaluate what :func:`normalize_typed_substitution` returned.
+    """Evaluate the result of :func:`normalize_typed_substitution`.
 
     :raises TypeError: when a literal has not the type.
     :raises ValueError: when the text of a substitution cannot be converted, or a list differs in type.

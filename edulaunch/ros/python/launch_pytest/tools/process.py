@@ -95,7 +95,7 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     def wait_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
-        """As the coroutine, for tests that are plain functions."""
+        """Do the same as the coroutine, for tests that are plain functions."""
         return _wait_sync(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     async def check(
@@ -108,7 +108,7 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     def check_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """As the coroutine, for tests that are plain functions."""
+        """Do the same as the coroutine, for tests that are plain functions."""
         if not wait_sync(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
@@ -126,7 +126,7 @@ def _for_event(handler: Callable[..., Any], argument: str, has_come: Callable[[E
         return await _wait(launch_context, *look(process_action), timeout)
 
     def wait_sync(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:
-        """As the coroutine, for tests that are plain functions."""
+        """Do the same as the coroutine, for tests that are plain functions."""
         return _wait_sync(launch_context, *look(process_action), timeout)
 
     return wait, wait_sync

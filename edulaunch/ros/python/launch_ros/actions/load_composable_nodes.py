@@ -89,7 +89,7 @@ class LoadComposableNodes(Action):
         return self.__composable_node_descriptions
 
     def execute(self, context: LaunchContext) -> None:
-        """Build the requests now, while the scope is there, and send them when the container answers."""
+        """Build the requests now, while the scope exists, and send them when the container replies."""
         self.__final_target_container_name = self.__container_name(context)
         requests = [get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions]
         wanted = [request for request in requests if request is not None]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetParameter(Action):
-    """Give a parameter to every node that is started later in this scope; a node's own parameters come after
+    """Set a parameter for every node that is started later in this scope; a node's own parameters come after
     it.
 
     As in ROS, a list of values is passed on in a form that the node reads as a string.

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetParametersFromFile(Action):
-    """Give a parameter file to every node that is started later in this scope.
+    """Set a parameter file for every node that is started later in this scope.
 
     :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
     """

@@ -35,7 +35,7 @@ class ExecutableInPackage(FindPackagePrefix):
         return normalize_to_list_of_substitutions(self.__executable)
 
     def describe(self) -> str:
-        """As `ros2 launch -s` shows it."""
+        """Return the text that `ros2 launch -s` shows."""
         package = ' + '.join(sub.describe() for sub in self.package)
         executable = ' + '.join(sub.describe() for sub in self.executable)
         return f'ExecInPkg(pkg={package}, exec={executable})'

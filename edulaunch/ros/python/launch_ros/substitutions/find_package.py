@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class FindPackage(Substitution):
-    """Base of the substitutions below; subclasses give :meth:`find`."""
+    """Base class of the substitutions below; subclasses define :meth:`find`."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -37,7 +37,7 @@ class FindPackage(Substitution):
         raise NotImplementedError('find() is for subclasses of FindPackage')
 
     def describe(self) -> str:
-        """As `ros2 launch -s` shows it."""
+        """Return the text that `ros2 launch -s` shows."""
         package = ' + '.join(sub.describe() for sub in self.package)
         return f'{type(self).__name__}(pkg={package})'
 

@@ -29,7 +29,7 @@ class Parameter(Substitution):
     default: ReadOnly[list[Substitution] | None] = ReadOnly('The default.')
 
     def describe(self) -> str:
-        """As `ros2 launch -s` shows it."""
+        """Return the text that `ros2 launch -s` shows."""
         name = ' + '.join(sub.describe() for sub in self.name)
         return f'Parameter({name})'
 

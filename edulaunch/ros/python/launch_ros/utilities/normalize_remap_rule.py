@@ -27,5 +27,5 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
 
 
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterable[RemapRule]:
-    """:func:`normalize_remap_rule` of each, one by one."""
+    """Normalize each rule with :func:`normalize_remap_rule`."""
     return (normalize_remap_rule(rule) for rule in remap_rules)

@@ -35,7 +35,7 @@ def assertExitCodes(
     *,
     strict_proc_matching: bool = True,
 ) -> None:
-    """Claim that a process, or every one, ended with one of these codes.
+    """Assert that a process, or every process, ended with one of these codes.
 
     A process that SIGINT ended has the return code -2, which is not EXIT_SIGINT (130, what a shell makes of it).
 

@@ -27,7 +27,7 @@ def assertInStream(
     strip_ansi_escape_sequences: bool = True,
     stream: str = 'stderr',
 ) -> None:
-    """Claim that a process has written something to a stream.
+    """Assert that a process has written something to a stream.
 
     :param expected_output: a string, a compiled regular expression, or a list of them in this order.
     :param process: an action, or part of a launch name; None means any process.

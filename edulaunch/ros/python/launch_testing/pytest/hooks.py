@@ -44,7 +44,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """Take a file with a launch test; leave any other to pytest."""
+    """Collect a file with a launch test, and leave other files to pytest."""
     if not is_launch_test(module_path.read_bytes()):
         return None
     module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=module_path)

@@ -61,7 +61,7 @@ class ClientGoalHandle:
         return int(self._status)
 
     def cancel_goal(self) -> Any:
-        """Ask the server to cancel, and wait for its answer. Some other thread must spin."""
+        """Ask the server to cancel, and wait for its response. Another thread must spin."""
         return self._action_client._wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future:
@@ -240,7 +240,7 @@ class ActionClient(Asker, Waitable):
         return future
 
     def server_is_ready(self) -> bool:
-        """Return whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server exists at the moment. Raises InvalidHandle when destroyed, RCLError after shutdown."""
         check_endpoint(self._goal_client, self._node.context, 'Failed to check if action server is available: rcl node')
         current_task().poll()
         return self._server_is_ready()
@@ -254,7 +254,7 @@ class ActionClient(Asker, Waitable):
         return self.server_is_ready()
 
     def destroy(self) -> None:
-        """Leave the action."""
+        """Remove the endpoints of the action from the graph."""
         if self.destroyed:
             return
         self._node.remove_waitable(self)

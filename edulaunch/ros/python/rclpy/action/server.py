@@ -127,19 +127,19 @@ class ActionServer(Waitable):
         return self._goals
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Say what to do with accepted goals; None executes them."""
+        """Set the callback for accepted goals; None executes them."""
         self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Say which goals to accept; None accepts all."""
+        """Set the callback that accepts or rejects goals; None accepts all."""
         self._goal_callback = goal_callback or default_goal_callback
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
-        """Say which requests to cancel to accept; None rejects all."""
+        """Set the callback that accepts or rejects cancel requests; None rejects all."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
     def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
-        """Say how goals are worked on. Raises TypeError unless it is callable."""
+        """Set the callback that executes goals. Raise TypeError if it is not callable."""
         if not callable(execute_callback):
             raise TypeError('Failed to register goal execution callback: not callable')
         self._execute_callback = execute_callback

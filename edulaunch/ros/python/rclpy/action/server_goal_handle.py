@@ -137,7 +137,7 @@ class ServerGoalHandle:
         self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
-        """Forget the goal."""
+        """Delete the goal."""
         self._destroyed = True
 
 

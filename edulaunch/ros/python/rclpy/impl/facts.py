@@ -137,7 +137,7 @@ def note_long_wait(endpoint: Any, name: str, kind: str) -> None:
 
 
 def note_server_came(endpoint: Any, name: str) -> None:
-    """The server that a client has waited for is there after all."""
+    """Record that the server appeared for which a client waited."""
     current_process().fact_over('server awaited', (endpoint.node.index, name))
 
 

@@ -101,7 +101,7 @@ class LoggingState:
         self._effective: dict[str, int] = {}
 
     def configure(self, arguments: RosArguments) -> None:
-        """Take over `--log-level` and the switches of a command line."""
+        """Apply `--log-level` and the logging options of a command line."""
         for name, level in arguments.log_levels.items():
             self.set_level(name, level)
         self.console = arguments.outputs.get('stdout', True)

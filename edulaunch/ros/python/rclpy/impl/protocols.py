@@ -82,7 +82,7 @@ class NodeProtocol(Protocol):
 
     @property
     def destroy_subscription(self) -> Callable[..., bool]:
-        """Take a subscription away."""
+        """Destroy a subscription."""
 
     @property
     def has_parameter(self) -> Callable[..., bool]:
@@ -98,7 +98,7 @@ class NodeProtocol(Protocol):
 
     @property
     def add_on_set_parameters_callback(self) -> Callable[..., None]:
-        """Ask a function before parameters change."""
+        """Register a function that accepts or rejects changes of parameters."""
 
     @property
     def describe_parameters(self) -> Callable[..., list[Any]]:
@@ -122,4 +122,4 @@ class NodeProtocol(Protocol):
 
     @property
     def remove_on_set_parameters_callback(self) -> Callable[..., None]:
-        """Ask the function no longer."""
+        """Unregister the function."""

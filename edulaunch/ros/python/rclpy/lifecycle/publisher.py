@@ -10,7 +10,7 @@ from rclpy.publisher import Publisher
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher):
-    """Made by `LifecycleNode.create_lifecycle_publisher`. Messages published while the node is not active are dropped."""
+    """A publisher of a lifecycle node. It drops messages that are published while the node is not active."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleManagedEntity.__init__(self)

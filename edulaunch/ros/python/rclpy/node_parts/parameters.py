@@ -72,7 +72,7 @@ class NodeParameters:
         return [core.parameters.values[parameter.name] for parameter, _ in prepared]
 
     def undeclare_parameter(self, name: str) -> None:
-        """Take a declaration back.
+        """Undeclare a parameter.
 
         :raises ParameterNotDeclaredException, ParameterImmutableException: when it is undeclared, or read-only.
         """
@@ -190,7 +190,7 @@ class NodeParameters:
     def set_descriptor(
         self, name: str, descriptor: ParameterDescriptor, alternative_value: ParameterValue | None = None
     ) -> ParameterValue:
-        """Give a parameter another descriptor; `alternative_value` takes the place of a value that it does not allow.
+        """Set the descriptor of a parameter; `alternative_value` replaces a value that the descriptor does not allow.
 
         :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
         """
