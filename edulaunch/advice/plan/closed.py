@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import shutil
+import socket
 import sys
 from collections.abc import Callable
 from contextlib import suppress
@@ -37,10 +39,19 @@ CHANGES = {
 """Functions of `os` that change files, and what a note says of each."""
 TWO_PATHS = ('link', 'rename', 'renames', 'replace', 'symlink')
 STARTS = frozenset(('os.exec', 'os.fork', 'os.posix_spawn', 'os.startfile', 'os.system', 'subprocess.Popen'))
+SPAWNS = tuple(f'spawn{ending}' for ending in ('l', 'le', 'lp', 'lpe', 'v', 've', 'vp', 'vpe'))
+NETWORK = frozenset(('socket.connect', 'socket.sendto'))
+OF_C = re.compile(
+    r'chmod|creat|exec\w+|fopen|v?fork|kill|link|mkdir|open(64|at)?|popen|posix_spawnp?|remove|rename|rmdir|symlink|syscall|system'
+    r'|truncate|unlink|write'
+)
+"""Functions of the C library that start or change something. `ctypes` reports the search for a function, and not its call."""
 TEMPORARY = frozenset(('tempfile.mkdtemp', 'tempfile.mkstemp'))
 EVENTS = {
     **{f'os.{name}': text for name, text in CHANGES.items()},
     **dict.fromkeys(STARTS, 'start {}'),
+    **dict.fromkeys(NETWORK, 'connect to {}'),
+    'ctypes.dlsym': 'call the function {} of the C library',
     'open': 'write {}',
     'sqlite3.connect': 'write {}',
 }
@@ -81,6 +92,17 @@ class Closed:
         for name in CHANGES:
             if hasattr(view, name):
                 setattr(view, name, PlainFunction(self._unchanged(process, name, getattr(view, name))))
+        for name in filter(lambda name: hasattr(view, name), SPAWNS):
+            setattr(view, name, PlainFunction(self._not_spawned(name)))
+
+    def _not_spawned(self, name: str) -> Callable[..., int]:
+        def spawn(mode: int, file: Any, *arguments: Any) -> int:
+            words = arguments[0] if name.startswith('spawnv') else arguments[: -1 if name.endswith('e') else None]
+            self.note(f'run the command {" ".join(map(os.fsdecode, words))}')
+            return 0 if mode == os.P_WAIT else os.getpid()
+
+        spawn.__name__ = name
+        return spawn
 
     def _opener(self, process: Process, real_open: Callable[..., Any]) -> Callable[..., Any]:
         def open_apart(file: Any, mode: str = 'r', *arguments: Any, **options: Any) -> Any:
@@ -139,11 +161,14 @@ class Closed:
 
         :raises PermissionError: when that changes something.
         """
-        what = arguments[0] if arguments else ''
-        path = os.path.abspath(os.fsdecode(what)) if isinstance(what, (str, bytes, os.PathLike)) else str(what)
+        what = arguments[1 if event in NETWORK or event == 'ctypes.dlsym' else 0] if arguments else ''
+        is_path = event not in STARTS and event != 'ctypes.dlsym' and isinstance(what, (str, bytes, os.PathLike))
+        path = os.path.abspath(os.fsdecode(what)) if is_path else _address(what)
         if event in TEMPORARY:
             if not os.path.lexists(path):  # else `tempfile` tries the next name
                 self._temporary.append(path)
+        elif event == 'socket.connect' and arguments[0].type == socket.SOCK_DGRAM:
+            return  # this sends nothing; programs find the address of this computer so
         elif event in ('open', 'os.remove') and _finds_temporary_folder():
             return
         elif event in STARTS or not self._may_change(path) or not all(map(self._may_change, _second_path(event, arguments))):
@@ -172,6 +197,12 @@ def _second_path(event: str, arguments: tuple[Any, ...]) -> list[str]:
     return [os.path.abspath(os.fsdecode(one)) for one in arguments[1:2] if is_pair and isinstance(one, (str, bytes, os.PathLike))]
 
 
+def _address(what: Any) -> str:
+    """An address of a socket as people write it; anything else as text."""
+    is_pair = isinstance(what, tuple) and len(what) >= 2
+    return f'{what[0]}:{what[1]}' if is_pair else os.fsdecode(what) if isinstance(what, bytes) else str(what)
+
+
 def _command(arguments: tuple[Any, ...]) -> str:
     """Return the command in the arguments of an audit event."""
     words = arguments[1] if len(arguments) > 1 and arguments[1] else arguments[:1]
@@ -181,7 +212,7 @@ def _command(arguments: tuple[Any, ...]) -> str:
 def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     if event not in EVENTS and event not in TEMPORARY:
         return
-    if event == 'open' and not _writes(arguments):
+    if (event == 'open' and not _writes(arguments)) or (event == 'ctypes.dlsym' and not OF_C.fullmatch(str(arguments[1]))):
         return
     task = running_task()
     closed = getattr(getattr(getattr(task, 'owner', None), 'host', None), 'closed', None)

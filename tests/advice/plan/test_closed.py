@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from edulaunch.desk.cli.main import main
 from edulaunch.engine.packages import Index
 
 HEAD = """
-import io, os, pathlib, shutil, subprocess, tempfile
+import ctypes, io, os, pathlib, shutil, socket, subprocess, tempfile, urllib.request
 from launch import LaunchDescription
 from launch.actions import LogInfo
 from launch.substitutions import Command
@@ -49,6 +50,8 @@ STARTS = [
     "os.system('touch FOLDER/made')",
     "os.popen('touch FOLDER/made').read()",
     "Command('touch FOLDER/made').perform(None)",
+    "os.spawnlp(os.P_WAIT, 'touch', 'touch', 'FOLDER/made')",
+    "os.spawnve(os.P_NOWAIT, '/usr/bin/touch', ['touch', 'FOLDER/made'], {})",
 ]
 
 
@@ -153,6 +156,36 @@ def test_a_library_that_changes_something_is_stopped(plan: Plan, tmp_path: Path)
     assert 'not done in a dry run' in found['error']['text']
     assert found['not_done'] == [f'write {tmp_path}/made.npy']
     assert not (tmp_path / 'made.npy').exists()
+
+
+OUTSIDE = [
+    ("ctypes.CDLL(None).system(b'touch FOLDER/made')", 'call the function system of the C library'),
+    ("ctypes.CDLL(None).unlink(b'FOLDER/a.launch.py')", 'call the function unlink of the C library'),
+    ("socket.create_connection(('127.0.0.1', PORT), 1)", 'connect to 127.0.0.1:PORT'),
+    ("urllib.request.urlopen('http://127.0.0.1:PORT/', b'data', 1)", 'connect to 127.0.0.1:PORT'),
+    ("with socket.socket(type=socket.SOCK_DGRAM) as way: way.sendto(b'x', ('127.0.0.1', PORT))", 'connect to 127.0.0.1:PORT'),
+]
+
+
+@pytest.mark.parametrize(('line', 'note'), OUTSIDE)
+def test_neither_c_code_nor_a_server_hears_of_a_dry_run(plan: Plan, tmp_path: Path, line: str, note: str) -> None:
+    with socket.create_server(('127.0.0.1', 0)) as server:
+        server.setblocking(False)
+        port = str(server.getsockname()[1])
+        found = plan(f'{line}\nreturn LaunchDescription([])'.replace('PORT', port))
+        with pytest.raises(BlockingIOError):
+            server.accept()
+    assert 'not done in a dry run' in found['error']['text'] and found['not_done'] == [note.replace('PORT', port)]
+    assert [path.name for path in tmp_path.iterdir()] == ['a.launch.py']
+
+
+def test_a_program_may_find_the_address_of_this_computer(plan: Plan) -> None:
+    found = plan("""
+with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+    probe.connect(('127.0.0.1', 80))
+    own = probe.getsockname()[0]
+return LaunchDescription([LogInfo(msg=own), LogInfo(msg=str(ctypes.CDLL(None).abs(-3)))])""")
+    assert (found['error'], logs(found), found.get('not_done')) == (None, ['127.0.0.1', '3'], None)
 
 
 def test_explain_says_what_was_not_done(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

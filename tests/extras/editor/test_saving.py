@@ -35,7 +35,7 @@ def test_a_file_beside_it_with_the_name_of_a_module_is_not_imported(tmp_path: Pa
 def test_the_child_cannot_write_elsewhere_nor_reach_the_network(tmp_path: Path) -> None:
     made = tmp_path / 'made'
     body = f"""    libc = ctypes.CDLL(None, use_errno=True)
-    opened = libc.open({str(made).encode()!r}, os.O_CREAT | os.O_WRONLY, 0o600)
+    opened = libc.creat64({str(made).encode()!r}, 0o600)
     connected = libc.socket(2, 1, 0)
     raise RuntimeError(f'opened {{opened}}, connected {{connected}}')
 """
