@@ -8,10 +8,22 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.desk.cli.main import main
 from edulaunch.desk.view.planned import planned_page
 from tests.browser.desk import Desk
 
 pytestmark = pytest.mark.browser
+TWO = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    name = LaunchConfiguration('name')
+    node = Node(package='turtlesim', executable='turtlesim_node', name=name)
+    return LaunchDescription([DeclareLaunchArgument('name', default_value='a'), node])
+"""
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -42,4 +54,20 @@ def test_nodes_topics_and_frames_of_the_plan(scheme: str, width: int, browser: A
     desk.page.get_by_role('tab', name='Parameters').click()
     desk.page.locator('.params', has_text='background_r').wait_for()
     assert desk.errors == []
+    context.close()
+
+
+@pytest.mark.parametrize(('scheme', 'width'), [('light', 900), ('dark', 1400)])
+def test_two_plans_side_by_side_fit_the_page(scheme: str, width: int, browser: Any, tmp_path: Path, shots: Path) -> None:
+    page, launch = tmp_path / 'two.html', tmp_path / 'two.launch.py'
+    launch.write_text(TWO, encoding='utf-8')
+    assert main(['explain', '--diff', str(launch), 'name:=a', 'name:=b', '--graph', str(page)]) == 0
+    context = browser.new_context(viewport={'width': width, 'height': 860}, color_scheme=scheme)
+    desk = Desk(context.new_page(), ('file:', 'data:'))
+    desk.page.goto(page.as_uri())
+    desk.page.screenshot(path=shots / f'two-plans-{scheme}-{width}.png', full_page=True)
+    assert desk.page.evaluate('() => document.images[0].complete && document.images[0].naturalWidth > 100')
+    assert desk.page.evaluate('() => document.documentElement.scrollWidth') <= width
+    assert desk.page.locator('tr.gone').first.inner_text().startswith('- only in the first')
+    assert '/b' in desk.page.locator('tr.new').first.inner_text() and desk.errors == []
     context.close()

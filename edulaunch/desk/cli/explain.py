@@ -91,13 +91,14 @@ def write_graph(systems: list[System], path: str, services: bool = False) -> Non
     :raises UnusableInput: for another kind of file, and when it cannot be written.
     """
     from edulaunch.advice.explaining.systems import differences, pictured
+    from edulaunch.desk.view.compared import compared_page
+    from edulaunch.desk.view.planned import planned_page
 
-    if not path.endswith(('.png', '.html')) or (len(systems) == 2 and not path.endswith('.png')):
-        kinds = '.png' if len(systems) == 2 else '.png or .html'
-        raise UnusableInput(f'--graph cannot write {path}.', help=f'name a file that ends with {kinds}')
+    if not path.endswith(('.png', '.html')):
+        raise UnusableInput(f'--graph cannot write {path}.', help='name a file that ends with .png or .html')
     if len(systems) == 2:
-        found = differences(*systems)
-        print('\n'.join(f'{one.sign} {one.text}' for one in found) or 'no difference in nodes, topics, parameters and frames')
+        found = [f'{one.sign} {one.text}' for one in differences(*systems)]
+        print('\n'.join(found) or 'no difference in nodes, topics, parameters and frames')
         picture = pictured(systems[0], systems[1], services=services)
     else:
         print('\n'.join(systems[0].lines()))
@@ -106,10 +107,11 @@ def write_graph(systems: list[System], path: str, services: bool = False) -> Non
         if path.endswith('.png'):
             picture.save(path)
         else:
-            from edulaunch.desk.view.planned import planned_page
-
             with open(path, 'w', encoding='utf-8') as file:
-                file.write(planned_page(systems[0]))
+                if len(systems) == 2:
+                    file.write(compared_page(systems[0].title, systems[1].title, found, picture))
+                else:
+                    file.write(planned_page(systems[0]))
     except OSError as error:
         raise UnusableInput(f'cannot write {path}: {error.strerror}') from None
     print(path)

@@ -191,12 +191,13 @@ def diff_arguments(parser: argparse.ArgumentParser) -> None:
     _file_arguments(parser)
     parser.add_argument('other', metavar='OTHER', help='the recording to compare with')
     parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs with their differences')
+    parser.add_argument('--html', metavar='OUT', help='write a page with that picture and the list of differences')
 
 
 def diff(arguments: argparse.Namespace) -> int:
     """Print the differences between two runs. Return 0 if there are no differences, otherwise 1.
 
-    :raises UnusableInput: when the picture cannot be written.
+    :raises UnusableInput: when the picture or page cannot be written.
     """
     from edulaunch.advice.explaining.systems import differences, pictured, run_differences, system_of_run
 
@@ -205,12 +206,18 @@ def diff(arguments: argparse.Namespace) -> int:
     before, after = (system_of_run(run, path) for run, path in zip(runs, paths, strict=True))
     found = [f'{one.sign} {one.text}' for one in differences(before, after)] + run_differences(*runs)
     print('\n'.join(found) or 'no difference')
-    if arguments.png:
-        try:
+    try:
+        if arguments.png:
             pictured(before, after).save(arguments.png)
-        except OSError as error:
-            raise UnusableInput(f'cannot write {arguments.png}: {error.strerror}') from None
-        print(arguments.png)
+            print(arguments.png)
+        if arguments.html:
+            from edulaunch.desk.view.compared import compared_page
+
+            with open(arguments.html, 'w', encoding='utf-8') as file:
+                file.write(compared_page(paths[0], paths[1], found, pictured(before, after)))
+            print(arguments.html)
+    except OSError as error:
+        raise UnusableInput(f'cannot write {error.filename}: {error.strerror}') from None
     return 1 if found else 0
 
 

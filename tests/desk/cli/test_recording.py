@@ -51,6 +51,9 @@ def test_two_recordings_are_compared(file: Path, tmp_path: Path, capsys: pytest.
     out = capsys.readouterr().out
     assert '~ messages on /turtlesim1/turtle1/pose: 124, before 61\n' in out and out.endswith(f'{picture}\n')
     assert Path(picture).read_bytes().startswith(b'\x89PNG')
+    page = tmp_path / 'two.html'
+    assert main(['recording', 'diff', str(file), other, '--html', str(page)]) == 1
+    assert '<td>messages on /turtlesim1/turtle1/pose: 124, before 61</td>' in page.read_text(encoding='utf-8')
     assert main(['recording', 'diff', str(file), other, '--png', str(tmp_path / 'no' / 'x.png')]) == 2
 
 
