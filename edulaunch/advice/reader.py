@@ -81,7 +81,7 @@ def reader_here() -> Reader:
     """Return who started this program."""
     try:
         folder = os.getcwd()
-    except OSError:  # it has been removed
+    except OSError:  # the current folder has been removed
         folder = ''
     reader = reader_of(os.environ, folder)
     shell = getattr(sys.modules.get('IPython'), 'get_ipython', lambda: None)()

@@ -14,7 +14,7 @@ CoreOf = Callable[[Any], Any]
 
 
 def _in_our_rclpy(node: Any) -> Any:
-    from rclpy.node_parts.core import core_of  # late: ROS 2's own rclpy has no such module
+    from rclpy.node_parts.core import core_of  # imported here, because ROS 2's own rclpy has no such module
 
     return core_of(node)
 

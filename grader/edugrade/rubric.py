@@ -61,7 +61,7 @@ LONGEST_S = 3600.0
 
 
 class RubricMistake(Exception):
-    """A rubric is wrong; the text begins with its file and line. It costs no mark: nothing is graded by it."""
+    """A rubric has a mistake. The message begins with its file and line, and nothing is graded with this rubric."""
 
 
 class Rubric:
@@ -100,7 +100,7 @@ class Rubric:
 
     @property
     def sha256(self) -> str:
-        """Of its text."""
+        """The SHA-256 digest of the rubric's text."""
         from hashlib import sha256
 
         return sha256(self.text).hexdigest()

@@ -191,7 +191,7 @@ _GENERATED = ('build', 'install', 'log', '__pycache__')
 LARGEST_TEXT = 1_000_000
 MOST_FILES = 400
 MOST_FOLDERS = 4000
-DEEPEST_TEXT = 30  # folders below the package's
+DEEPEST_TEXT = 30  # levels of folders below the package's folder
 
 
 class PackageFolder(NamedTuple):

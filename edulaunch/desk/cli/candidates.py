@@ -58,7 +58,7 @@ def _split(line: str) -> list[str]:
     try:
         words = shlex.split(line)
     except ValueError:
-        words = line.split()  # a quote is open
+        words = line.split()  # the line has an open quote
     if not words or line[-1:].isspace():
         words.append('')
     return words

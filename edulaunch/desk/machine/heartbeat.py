@@ -54,7 +54,7 @@ class Heartbeat:
                 os.write(self._pipe, (IDLE_SIGN if is_idle else BUSY_SIGN).encode())
             except BlockingIOError:
                 pass
-            except OSError:  # the guardian has ended
+            except OSError:  # ignored, because the guardian has ended
                 return
             time.sleep(BEAT_S)
 

@@ -36,7 +36,7 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 
     :param other: another run, which the page plots over this one.
     """
-    from edulaunch.desk.view.defaults import defaults_of  # late: only a page of a run that has ended needs it
+    from edulaunch.desk.view.defaults import defaults_of  # imported here, because only the page of an ended run needs it
 
     source = RecordingSource(recording)
     timeline = Timeline(source)

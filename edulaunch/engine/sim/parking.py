@@ -45,7 +45,7 @@ class Parking:
         :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
         """
         self._polls = 0
-        self._parked = True  # before the look at `_woken`: a wake, perhaps in another thread, does and looks the other way round
+        self._parked = True  # set before `_woken` is read: a wake, perhaps in another thread, uses the opposite order
         if not self._woken and not self._killed:
             timer = self._timer
             if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:

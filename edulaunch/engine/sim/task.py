@@ -133,7 +133,7 @@ class AmbientTask(Task):
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
-        self.real_threads: ThreadsBeside | None = None  # given to it with its owner
+        self.real_threads: ThreadsBeside | None = None  # set together with its owner
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:

@@ -112,7 +112,7 @@ class TransformBuffer:
         """
         path = self._paths.get((target, source))
         if path is None:
-            if target == source:  # before any look at the names, as in tf2
+            if target == source:  # before the names are checked, as in tf2
                 return time_ns or self._newest(source), IDENTITY
             check_names(self._frames, target, source)
             path = self._remember_path(target, source)

@@ -13,7 +13,7 @@ Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
 IDENTITY: Quaternion = (0.0, 0.0, 0.0, 1.0)
-TINY, HUGE = 1e-100, 1e100  # squared lengths outside of these lose their meaning in floating point
+TINY, HUGE = 1e-100, 1e100  # squared lengths outside these limits overflow or underflow in floating point
 NEGATIVE_NAN = copysign(nan, -1.0)
 
 

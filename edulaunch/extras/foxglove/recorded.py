@@ -97,7 +97,7 @@ class RecordingFeed:
         for name, kind in self._columns:
             try:
                 found.append(Topic(name, kind, self._recording.message_class(kind), self._recording.registry))
-            except RecordingError:  # its type is not known here
+            except RecordingError:  # the type of the topic is unknown here
                 continue
         return found
 

@@ -37,7 +37,7 @@ class Provenance:
 
 
 def attach(recording: Recording, data: Any) -> None:
-    """Give a recording the provenance that `Provenance.as_data` described.
+    """Attach to a recording the provenance from `Provenance.as_data`.
 
     :raises KeyError, TypeError, ValueError: for other data.
     """

@@ -50,7 +50,7 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """Take a message; see above."""
+        """Append a message; see above."""
 
     def clear(self) -> None:
         """Return 0: the queue is always empty."""

@@ -20,7 +20,7 @@ class Sink(Protocol):
     """A destination of output."""
 
     def write(self, text: str) -> object:
-        """Take text."""
+        """Filter the text."""
 
     def close(self) -> object:
         """Handle the end of the input."""
@@ -55,13 +55,13 @@ class Filter:
         self._stop()
 
     def write(self, text: str) -> None:
-        """Take text; an incomplete line waits."""
+        """Filter the text; an incomplete line waits."""
         *lines, self._rest = (self._rest + text).split('\n')
         for line in lines:
             self._take(line)
 
     def close(self) -> None:
-        """Take the last line, and end."""
+        """Filter the last line, and end."""
         if self._rest:
             self._take(self._rest)
         self._end()
@@ -78,7 +78,7 @@ class RealFilter:
         self._sink = sink
 
     def write(self, text: str) -> None:
-        """Keep text."""
+        """Store the text."""
         self._text += text
 
     def close(self) -> None:

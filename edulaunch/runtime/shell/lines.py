@@ -201,7 +201,7 @@ class _Stream:
         self._process.write(self._stream, text)
 
     def close(self) -> None:
-        """Leave it open."""
+        """Do nothing: the stream stays open."""
 
 
 class _Text(_Stream):

@@ -268,7 +268,7 @@ class Task(Future):
         return self._executing
 
     def cancel(self, msg: object = None) -> None:
-        """Ask to stop: a coroutine that waits is ended."""
+        """Cancel the task; a waiting coroutine ends."""
         super().cancel()
         if self._running is not None and not self._executing:
             self._running.close()

@@ -107,7 +107,7 @@ class Time:
     __hash__ = None  # type: ignore[assignment]
 
     def to_msg(self) -> TimeMessage:
-        """As builtin_interfaces/Time."""
+        """Return the time as builtin_interfaces/Time."""
         return _message_of(divmod(self._nanoseconds, S_TO_NS))
 
     @classmethod

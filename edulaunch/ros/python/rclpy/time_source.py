@@ -91,7 +91,7 @@ class TimeSource:
         self._clocks.append(clock)
 
     def clock_callback(self, msg: Any) -> None:
-        """Take a message of /clock."""
+        """Set the clock from a message of /clock."""
         self._last_time = Time.from_msg(msg.clock)
         for clock in self._clocks:
             clock.set_ros_time_override(self._last_time)

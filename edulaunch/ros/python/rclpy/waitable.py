@@ -71,7 +71,7 @@ class Waitable(Entity):
         return True
 
     def take_data(self) -> Any:
-        """Take what there is to do; given to `execute`."""
+        """Take the data that is passed to `execute`."""
         return None
 
     async def execute(self, taken_data: Any) -> None:
@@ -89,7 +89,7 @@ class Waitable(Entity):
         self._futures.append(future)
 
     def remove_future(self, future: Future) -> None:
-        """Forget a future."""
+        """Remove a future."""
         self._futures.remove(future)
 
     def run_callback(self, executor: ExecutorProtocol) -> Any:

@@ -66,7 +66,7 @@ def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
 
 
 def do_transform_pose_stamped(pose: PoseStamped, transform: TransformStamped) -> PoseStamped:
-    """:func:`do_transform_pose` with the transform's header."""
+    """Transform the pose, and use the transform's header."""
     return PoseStamped(header=transform.header, pose=do_transform_pose(pose.pose, transform))
 
 

@@ -190,7 +190,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """:meth:`can_transform` for :meth:`lookup_transform_full`."""
+        """Return whether :meth:`lookup_transform_full` succeeds; the results are those of :meth:`can_transform`."""
         answer = self._wait_for(
             lambda: self.can_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame), timeout
         )
@@ -215,7 +215,7 @@ class Buffer(BufferCore, BufferInterface):
         return answer
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
-        """Return a future that is done, with the transform, as soon as the transform is there; it has no timeout."""
+        """Return a future whose result is the transform as soon as it is available; it has no timeout."""
         future = self._future(
             lambda: self.can_transform_core(target_frame, source_frame, time),
             lambda: self.lookup_transform_core(target_frame, source_frame, time),
@@ -229,19 +229,19 @@ class Buffer(BufferCore, BufferInterface):
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> Future:
-        """:meth:`wait_for_transform_async` for :meth:`lookup_transform_full`."""
+        """Do the same as :meth:`wait_for_transform_async`, for :meth:`lookup_transform_full`."""
         times = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._future(lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times))
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
-        """:meth:`lookup_transform` for coroutines: awaits the transform."""
+        """Do the same as :meth:`lookup_transform` in a coroutine, and await the transform."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     async def lookup_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """:meth:`lookup_transform_full` for coroutines."""
+        """Do the same as :meth:`lookup_transform_full` in a coroutine."""
         await self.wait_for_transform_full_async(target_frame, target_time, source_frame, source_time, fixed_frame)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 

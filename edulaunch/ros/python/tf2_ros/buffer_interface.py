@@ -163,7 +163,7 @@ class BufferInterface:
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """Ask whether a transform can be looked up: a subclass says how. Raises NotImplementedException here."""
+        """Return whether a lookup succeeds. Subclasses implement it; here it raises NotImplementedException."""
         raise NotImplementedException
 
     def can_transform_full(
@@ -175,12 +175,12 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Ask whether :meth:`lookup_transform_full` can: a subclass says how. Raises NotImplementedException here."""
+        """Return whether :meth:`lookup_transform_full` succeeds, for subclasses; raise NotImplementedException here."""
         raise NotImplementedException
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
-    """Give an object a header and return it."""
+    """Set the header of an object, and return the object."""
     from std_msgs.msg import Header
 
     obj.header = Header(frame_id=frame_id, stamp=stamp)

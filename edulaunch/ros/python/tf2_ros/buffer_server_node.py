@@ -72,7 +72,7 @@ class BufferServer(CppNode):
         handle.execute()
 
     def give_result(self, handle: Any) -> Any:
-        """Called back by the action server once :meth:`finish` has decided."""
+        """Return the result of a goal; the action server calls this after :meth:`finish`."""
         result, failed = self.results.pop(bytes(handle.goal_id.uuid))
         if handle.is_cancel_requested:
             handle.canceled()

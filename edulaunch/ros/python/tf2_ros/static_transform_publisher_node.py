@@ -173,7 +173,7 @@ class StaticTransformPublisher(CppNode):
         return message
 
     def announce(self) -> None:
-        """Say what is being published, in four lines of one log message."""
+        """Log the published transform, in one message of four lines."""
         at, turned = self.message.transform.translation, self.message.transform.rotation
         self.get_logger().info(
             'Spinning until stopped - publishing transform\n'

@@ -68,7 +68,7 @@ class Monitor(CppNode):
         return float(now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
 
     def take(self, message: TFMessage, is_static: bool) -> None:
-        """Note the delay of each transform of a message."""
+        """Record the delay of each transform of a message."""
         delays = []
         for transform in message.transforms:
             delays.append(0.0 if is_static else self.age_s(transform.header.stamp))

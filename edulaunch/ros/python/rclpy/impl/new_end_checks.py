@@ -112,6 +112,6 @@ def _problem(core: NodeCore, name: str) -> str | None:
     if problem is None:
         try:
             problem = full_topic_name_problem(expand_name(service, core.name, core.namespace))
-        except ValueError as error:  # an unknown substitution
+        except ValueError as error:  # the substitution is unknown
             return str(error).partition(' is invalid: ')[2]
     return None if problem is None else problem[0]
