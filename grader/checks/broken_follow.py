@@ -10,7 +10,7 @@ from random import Random
 
 from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_copy, require_driver, require_near, require_pursuit
 from edugrade.library.frames import require_frame
 from edugrade.library.identity import nodes_of, process_of
@@ -36,6 +36,7 @@ def scenarios(random: Random) -> list[Scenario]:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(needs=[no_node_dies])

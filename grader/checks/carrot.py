@@ -12,7 +12,7 @@ from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.arguments import require_declared, require_default
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_arrival, require_driver, require_near, still
 from edugrade.library.frames import frames_at_end, numbers, place_in, require_frame, transforms
 from edugrade.library.launched import find_processes, require_process
@@ -68,6 +68,7 @@ def turtles_are_there(run: Evidence) -> None:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(points=2, needs=[no_node_dies])

@@ -10,9 +10,10 @@ from math import cos, hypot, sin
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
+from edugrade.library.following import driven_track
 from edugrade.library.identity import processes_of
-from edugrade.library.movement import length, since, turtle_track
+from edugrade.library.movement import length, since
 from edugrade.library.node_graph import require_started
 
 FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
@@ -39,6 +40,7 @@ def followers(run: Evidence) -> Iterator[tuple[str, int]]:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(points=2, needs=[no_node_dies])
@@ -119,7 +121,7 @@ def each_is_near_its_carrot(run: Evidence) -> None:
     """After 20 s, each follower has driven and is within 0.8 m of its carrot"""
     for scenario, number in followers(run):
         *_, (_, x, y, theta) = run[scenario].series(f'/turtle{number - 1}/pose', 'x', 'y', 'theta')
-        track = turtle_track(run[scenario], f'/turtle{number}/pose')
+        track = driven_track(run, scenario, f'/turtle{number}')
         away = hypot(x - BEHIND_M * cos(theta) - track[-1][1], y - BEHIND_M * sin(theta) - track[-1][2])
         if not away <= NEAR_M or not length(since(track, 2.0)) >= 2.0:
             raise Failure(

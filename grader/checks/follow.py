@@ -9,7 +9,7 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_arrival, require_driver, require_near, require_pursuit
 from edugrade.library.frames import require_frame
 from edugrade.library.launched import refuse_shared_names, require_process
@@ -39,6 +39,7 @@ def turtlesim_is_started(run: Evidence) -> None:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(needs=[no_node_dies])

@@ -8,7 +8,7 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Mismatch, Rubric, Scenario, check
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_arrival, require_copy, require_driver, require_near, still
 from edugrade.library.frames import frames_at_end, place_in, require_frame
 from edugrade.library.launched import require_process
@@ -36,6 +36,7 @@ def scenarios(random: Random) -> list[Scenario]:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(points=1, needs=[no_node_dies])

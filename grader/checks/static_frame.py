@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.arguments import require_default
-from edugrade.library.deaths import refuse_dead
+from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.frames import numbers, require_frame, tilt, transforms, yaw
 
 if TYPE_CHECKING:
@@ -34,6 +34,7 @@ def scenarios(random: Random) -> list[Scenario]:
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
     refuse_dead(run)
+    refuse_gone(run)
 
 
 @check(points=2, needs=[no_node_dies])

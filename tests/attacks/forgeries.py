@@ -237,4 +237,66 @@ FORGERIES: dict[str, Attack] = {
             head='from launch.conditions import IfCondition\nfrom launch.substitutions import EqualsSubstitution\n',
         ),
     ),
+    'fence: worlds for a moment': Attack(
+        'fence',
+        0,
+        launch(
+            "Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='night', "
+            "parameters=[{'background_b': LaunchConfiguration('blue')}])",
+            "Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='day')",
+            SIGNAL.format('turtlesim'),
+            arguments={'blue': '40', 'end': '0.05'},
+            head=SIGNALS,
+        ),
+    ),
+    'silent_listener: listeners for a moment': Attack(
+        'silent_listener',
+        0,
+        launch(
+            TALKER.format('news'),
+            "Node(package='demo_nodes_py', executable='listener', name='radio', remappings=[('chatter', '/news/chatter')])",
+            LISTENER.replace('{!r}, rem', "LaunchConfiguration('house'), rem").format('/news/chatter'),
+            SIGNAL.format('listener'),
+            arguments={'house': 'flat', 'end': '0.05'},
+            head=SIGNALS,
+        ),
+    ),
+    'mast: a joint that is turned once and for all': Attack(
+        'mast',
+        6,
+        launch(
+            "Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': ["
+            '\'<robot name="cart"><link name="base_link"/><link name="mast"/><link name="camera"/><joint name="m" type="fixed">'
+            '<parent link="base_link"/><child link="mast"/><origin xyz="0.1 0 0.2" rpy="0 0 \', LaunchConfiguration(\'angle\'), '
+            '\'"/></joint><joint name="c" type="fixed"><parent link="mast"/><child link="camera"/><origin xyz="0 0 0.3"/></joint>'
+            "</robot>']}])",
+            arguments={'angle': '0.5'},
+        ),
+    ),
+    'careful: a driver that waits for nothing': Attack(
+        'careful',
+        9,
+        launch(
+            SIM,
+            "Node(package='demo_nodes_py', executable='talker')",
+            "TimerAction(period=1.0, actions=[Node(package='turtlesim', executable='draw_square', name='driver')])",
+            "TimerAction(period=LaunchConfiguration('end'), actions=[Shutdown(reason='enough')])",
+            arguments={'end': '5.0'},
+        ),
+    ),
+    'follow: frames that never move': Attack(
+        'follow',
+        4,
+        launch(
+            SIM,
+            "Node(package='turtlesim', executable='draw_square', condition=IfCondition(LaunchConfiguration('move')))",
+            "Node(package='turtle_tf2_py', executable='turtle_tf2_listener', parameters=[{'target_frame': 'turtle1'}])",
+            "Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--x', '5.544', '--y', '5.544', "
+            "'--frame-id', 'world', '--child-frame-id', 'turtle1'])",
+            "Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--x', '4.0', '--y', '2.0', "
+            "'--frame-id', 'world', '--child-frame-id', 'turtle2'])",
+            arguments={'move': 'false'},
+            head='from launch.conditions import IfCondition\n',
+        ),
+    ),
 }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..evidence import Evidence, Failure
 from ..shortened import shortened
 from ..source import Place
+from .identity import processes_of
 from .launched import launched
 
 if TYPE_CHECKING:
@@ -21,6 +22,14 @@ USAGE = re.compile(r'^\s|^usage:|^$')
 BROKEN_FILE = re.compile(r"Couldn't parse params file: '--params-file ([^'\n]+)'\. Error: ([^\n]*)")
 LINE = re.compile(r'\bline (\d{1,6})\b')
 LONGEST_LINE = 300
+ENDLESS = {
+    'turtlesim': ('turtlesim_node', 'draw_square', 'mimic'),
+    'demo_nodes_py': ('talker', 'listener'),
+    'demo_nodes_cpp': ('talker', 'listener'),
+    'turtle_tf2_py': ('turtle_tf2_broadcaster', 'turtle_tf2_listener', 'fixed_frame_tf2_broadcaster'),
+    'tf2_ros': ('static_transform_publisher',),
+}
+"""Programs of edulaunch that never end by themselves, by package."""
 ENDED_BY_LAUNCH = (-2, -15)  # SIGINT and SIGTERM, when launch shuts down
 
 
@@ -44,6 +53,27 @@ def refuse_dead(run: Evidence) -> None:
     for name, recording in run.items():
         for death in deaths(recording):
             raise _failure(recording, death, run.scenario(name).words)
+
+
+def refuse_gone(run: Evidence) -> None:
+    """Fail when a program that never ends by itself was ended before the end of its run, even without an error.
+
+    A node that is there for a moment has a name, parameters and subscriptions, and does nothing.
+
+    :raises Failure: with the program and the time of its end.
+    """
+    for name, recording in run.items():
+        programs = ((package, executable) for package, known in ENDLESS.items() for executable in known)
+        for position in sorted(position for program in programs for position in processes_of(recording, *program)):
+            process = recording.processes[position]
+            if process.ended_s is not None and process.ended_s < recording.duration_s:
+                raise Failure(
+                    f'{process.name} ends after {process.ended_s:.1f} s, when launched with {run.scenario(name).words}',
+                    expected='it runs until the end',
+                    seen=f'something ends it, since {process.executable} never ends by itself',
+                    where=process.origin,
+                    try_='remove what sends it a signal or shuts down the launch',
+                )
 
 
 def deaths(recording: Recording) -> Iterator[Death]:

@@ -98,10 +98,14 @@ def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sen
         newest = bisect_right(times, item.time_s)
         recent = track[max(0, bisect_right(times, item.time_s - LATE_S) - 1) : newest]
         x, y, _ = item.frame.translation
-        if recent and not min(hypot(sample[1] - x, sample[2] - y) for sample in recent) <= OFF_M:
+        away = min((hypot(sample[1] - x, sample[2] - y) for sample in recent), default=0.0)
+        wrong = recent[-1] if not away <= OFF_M else None
+        if item.frame.is_static:  # it holds from now on, and is not sent again
+            wrong = next((sample for sample in track if not hypot(sample[1] - x, sample[2] - y) <= OFF_M), wrong)
+        if wrong is not None:
             raise Failure(
                 f'the frame {turtle} is not where {turtle} is, when launched with {run.scenario(scenario).words}',
-                expected=f'{numbers(recent[-1][1:])} at {item.time_s:.2f} s, the position in the simulator',
+                expected=f'{numbers(wrong[1:])} at {wrong[0]:.2f} s, the position in the simulator',
                 seen=numbers((x, y)),
                 where=run.source.place,
                 try_=try_,

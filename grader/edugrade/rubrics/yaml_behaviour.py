@@ -17,7 +17,9 @@ from .yaml_checks import kind
 from .yaml_wanted import OfRun, Wanted
 
 LEAST_LINES, LONGEST_COMMAND = 3, 100
+MOVABLE = 'movable'
 FOUND_AFTER_S = 0.5  # by then, a polling recorder has discovered a topic
+HEARD_AFTER_S = 1.0  # largest time between a message and the line that prints it
 SENT_WITH_S = 0.05  # largest time between a message and the line that counts it
 
 
@@ -38,6 +40,41 @@ def counts(run: Evidence, wanted: Wanted) -> None:
                 raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', **one.advice)
         if len(seen) < len(times) - 1:
             raise Mismatch(thing, f'on a line after each of {len(times)} messages', f'{len(seen)} lines', **one.advice)
+
+
+@kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
+def counts_up(run: Evidence, wanted: Wanted) -> None:
+    """Require that a program prints numbers up to one, never a smaller one again, and never more than messages were sent."""
+    for one in wanted.of_each(run):
+        times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
+        newest, program = 0.0, wanted['executable']
+        for time_s, found in _lines(one):
+            number, sent = float(found[1]), bisect_right(times, time_s + SENT_WITH_S)
+            if not newest <= number <= sent:
+                thing = f'the number that {program} prints at {time_s:.2f} s, when launched with {one.words},'
+                raise Mismatch(thing, f'{newest:g} to {sent}', f'{number:g}', **one.advice)
+            newest = number
+        if not newest >= one.number('at_least'):
+            asked = readable(str(wanted['pattern']))
+            thing = f'{program} does not count to {one.number("at_least"):g}, when launched with {one.words}'
+            raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
+
+
+@kind('{executable} prints the messages of {topic}', 'package executable pattern topic', 'example')
+def repeats(run: Evidence, wanted: Wanted) -> None:
+    """Require that a program prints messages of a topic as they come. The first group of `pattern` is the message's `data`."""
+    for one in wanted.of_each(run):
+        topic, lines = one.text('topic'), _lines(one)
+        if not lines:
+            asked = wanted['example'] or readable(str(wanted['pattern']))
+            thing = f'{wanted["executable"]} does not print the expected line, when launched with {one.words}'
+            raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
+        sent = [(time_s, str(getattr(message, 'data', ''))) for time_s, message in one.recording.messages(topic)]
+        for time_s, found in lines:
+            recent = [text for sent_s, text in sent if time_s - HEARD_AFTER_S <= sent_s <= time_s]
+            if found[1] not in recent:
+                thing = f'the message that {wanted["executable"]} prints at {time_s:.2f} s, when launched with {one.words},'
+                raise Mismatch(thing, ' or '.join(dict.fromkeys(recent)) or 'no line', found[1], **one.advice)
 
 
 @kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')
@@ -101,30 +138,38 @@ def _distance(track: Track, time_s: float, x: float, y: float) -> float:
     return min((max(abs(sample[1] - x), abs(sample[2] - y)) for sample in near), default=float('inf'))
 
 
-@kind('The robot description has a joint from {parent} to {child}', 'child parent')
+@kind('The robot description has a joint from {parent} to {child}', 'child parent', 'joint')
 def described(run: Evidence, wanted: Wanted) -> None:
-    """Require a joint between two links in the robot description on /robot_description."""
+    """Require a joint between two links in the robot description on /robot_description; `joint` is movable, or a type."""
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
         refuse_strangers(one.recording, found.name, 'robot_state_publisher')
         texts = [message.data for _, message in one.recording.messages(found.name) if hasattr(message, 'data')]
         links = _links(str(texts[-1])) if texts else {}
         child, parent = one.text('child'), one.text('parent')
-        if links.get(child) != parent:
-            seen = ', '.join(f'{above} to {link}' for link, above in links.items()) or 'no joint'
+        known, kind_of = links.get(child, ('', ''))
+        if known != parent:
+            seen = ', '.join(f'{above} to {link}' for link, (above, _) in links.items()) or 'no joint'
             raise Missing(f'the joint from {parent} to {child} in the robot description', seen=seen, **one.advice)
+        asked = str(wanted['joint'] or kind_of)
+        if kind_of != asked and not (asked == MOVABLE and kind_of != 'fixed'):
+            raise Mismatch(f'the type of the joint from {parent} to {child}', asked, kind_of or 'no type', **one.advice)
 
 
-def _links(text: str) -> dict[str, str]:
-    """Return the parent of each link of a robot description, or {} for an invalid description."""
+def _links(text: str) -> dict[str, tuple[str, str]]:
+    """Return the parent of each link of a robot description and the type of its joint, or {} for an invalid description."""
     from xml.etree import ElementTree
 
     try:
         joints = list(ElementTree.fromstring(text).iter('joint'))
     except (ElementTree.ParseError, ValueError):
         return {}
-    ends = [tuple(joint.find(end) for end in ('child', 'parent')) for joint in joints]
-    return {child.get('link', ''): parent.get('link', '') for child, parent in ends if child is not None and parent is not None}
+    ends = [(joint.find('child'), joint.find('parent'), joint.get('type', '')) for joint in joints]
+    return {
+        child.get('link', ''): (parent.get('link', ''), of_type)
+        for child, parent, of_type in ends
+        if child is not None and parent is not None
+    }
 
 
 @kind('A bag contains the messages of {topic}', 'topic')

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
-from ..library.deaths import refuse_dead
+from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
 from ..library.identity import rows_of
@@ -73,8 +73,10 @@ def process(run: Evidence, wanted: Wanted) -> None:
 
 @kind('No node dies before the end')
 def alive(run: Evidence, wanted: Wanted) -> None:
-    """Require that no process ends with an error before the end of the run."""
+    """Require that no process ends with an error before the end of the run, and that endless programs run until then."""
     refuse_dead(run)
+    if not wanted.may_end:
+        refuse_gone(run)
 
 
 @kind('There is a node {name} of the package {package}', 'name package', 'executable')
@@ -169,16 +171,17 @@ def parameter(run: Evidence, wanted: Wanted) -> None:
     require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
 
 
-@kind('The parameter {name} of {node} has the right value', 'node package name value')
+@kind('The parameter {name} of {node} has the right value', 'node package name value', 'origin')
 def node_parameter(run: Evidence, wanted: Wanted) -> None:
     """Require a value of a parameter of a node."""
     for one, found, advice in _parameters(run, wanted):
-        asked = one.same_type('value')
-        if found is None or found.value != asked or isinstance(found.value, bool) != isinstance(asked, bool):
+        asked, origin = one.same_type('value'), str(wanted['origin'])
+        is_right = found is not None and found.value == asked and isinstance(found.value, bool) == isinstance(asked, bool)
+        if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
             seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
             thing = f'{wanted["name"]} of {one.text("node")}, when launched with {one.words},'
-            raise Mismatch(thing, str(asked), seen, where=run.source.place, try_=advice)
+            raise Mismatch(thing, f'{asked}, from {origin}' if origin else str(asked), seen, where=run.source.place, try_=advice)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')

@@ -19,6 +19,7 @@ from .yaml_wanted import ARGUMENT, Wanted
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')
 CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
+ENDS = ('ends', 'shuts_down')
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
@@ -47,8 +48,10 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     _choose(runs, Random(0))  # this finds a mistake now, and not when the first submission is graded
     names = [scenario.name for scenario in _choose(runs, Random(0))]
     checks: dict[str, Check] = {}
-    for node in _items(parts['checks'], problem, 'checks'):
-        check = _check(node, problem, checks, names)
+    items = _items(parts['checks'], problem, 'checks')
+    may_end = any(pair[0].value in ENDS for item in items if isinstance(item, yaml.MappingNode) for pair in item.value)
+    for node in items:
+        check = _check(node, problem, checks, names, may_end)
         checks[check.name] = check
     _refuse_unknown_arguments(parts['checks'], runs, problem)
     _refuse_unknown_proofs(parts['checks'], checks, problem)
@@ -162,7 +165,7 @@ def _decimals(node: yaml.MappingNode, problem: Problem) -> int:
     return decimals
 
 
-def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: list[str]) -> Check:
+def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: list[str], may_end: bool) -> Check:
     parts = _mapping(node, problem, 'a check', (*KINDS, *COMMON))
     kinds = [name for name in parts if name in KINDS]
     if len(kinds) != 1:
@@ -178,6 +181,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
     wanted = Wanted(given, last)
+    wanted.may_end = may_end
     wanted.shows = lambda run: [known[str(each)](run) for each in given.get('shows', ())]
     try:
         wanted.refuse_odd_values()

@@ -36,9 +36,11 @@ class Wanted(dict[str, Any]):
     """The values of a check. They may contain ``$(arg name)``, the launch argument of the run.
 
     :ivar shows: applies the checks that show the effect of a default in a run.
+    :ivar may_end: whether the rubric has a check of when something ends.
     """
 
     shows: Callable[[Evidence], object] | None = None
+    may_end = False
 
     def __init__(self, given: dict[str, Any], try_: str | None) -> None:
         super().__init__(given)

@@ -81,3 +81,69 @@ def test_a_near_miss_fails_where_it_misses(tmp_path: Path, name: str, old: str, 
         shutil.copytree(SOLUTIONS / top, tmp_path / top)
     (tmp_path / name).write_text(text.replace(old, new))
     assert check in failed(tmp_path / top)
+
+
+TELEPORTS = """
+from math import cos, sin
+
+import rclpy
+from rclpy.node import Node
+from turtlesim.msg import Pose
+from turtlesim.srv import TeleportAbsolute
+
+
+class Follower(Node):
+    def __init__(self):
+        super().__init__('follower')
+        me, target = self.declare_parameter('me', '').value, self.declare_parameter('target', '').value
+        self.client = self.create_client(TeleportAbsolute, f'/{me}/teleport_absolute')
+        self.create_subscription(Pose, f'/{target[7:]}/pose', self.on_pose, 10)
+
+    def on_pose(self, pose):
+        x, y = pose.x - cos(pose.theta), pose.y - sin(pose.theta)
+        self.client.call_async(TeleportAbsolute.Request(x=x, y=y, theta=pose.theta))
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Follower())
+"""
+PRETENDED = {
+    'a listener that knows what it will hear': (
+        'news_desk',
+        'prints',
+        ('news_desk/listen.py', '{message.data}', 'ships come in'),
+        ('news_desk/hello.py', 'data=self.word', "data='x'"),
+    ),
+    'a word that is not from the file': (
+        'news_desk',
+        'word',
+        ('news_desk/hello.py', 'nothing new', 'ships come in'),
+        ('config/news.yaml', '    word:', '    other:'),
+    ),
+    'a counter that begins anew': (
+        'two_channels',
+        'counts_on',
+        ('two_channels/counter.py', 'self.count += 1', "self.get_logger().info('messages: 1')"),
+        ('two_channels/counter.py', '{self.count}', '2'),
+    ),
+    'a counter that says two before it has heard anything': (
+        'two_channels',
+        'counts_on',
+        ('two_channels/counter.py', 'self.count = 0', "self.get_logger().info('messages: 2')"),
+        ('two_channels/counter.py', 'self.count += 1', 'return'),
+    ),
+    'followers that jump': ('convoy', 'each_is_near_its_carrot', ('convoy/follower.py', '', TELEPORTS)),
+}
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize('name', PRETENDED)
+def test_what_is_only_pretended_fails(tmp_path: Path, name: str) -> None:
+    exercise, check, *changes = PRETENDED[name]
+    shutil.copytree(SOLUTIONS / exercise, tmp_path / exercise)
+    for file, old, new in changes:
+        text = (tmp_path / exercise / file).read_text()
+        assert old in text, file
+        (tmp_path / exercise / file).write_text(text.replace(old, new) if old else new)
+    assert check in failed(tmp_path / exercise)
