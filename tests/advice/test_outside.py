@@ -20,7 +20,7 @@ def generate_launch_description():
 @pytest.mark.processes
 def test_a_script_that_is_not_there_is_told_with_what_python_said(tmp_path: Path) -> None:
     (tmp_path / 'main.launch.py').write_text(LAUNCH)
-    warning = edulaunch.run(tmp_path / 'main.launch.py', duration_s=1.0).warnings[0]
+    warning = edulaunch.run(tmp_path / 'main.launch.py', duration_s=100.0).warnings[0]
     assert warning.startswith('python3-1 died with exit code 2') and "can't open file" in warning
 
 

@@ -8,7 +8,14 @@ from edugrade.shortened import last_lines, readable, shortened
 
 @pytest.mark.parametrize(
     ('text', 'most', 'wanted'),
-    [('one two three', 20, 'one two three'), ('one two three', 9, 'one two'), ('one two three', 7, 'one'), ('abcdef', 3, 'abc')],
+    [
+        ('one two three', 20, 'one two three'),
+        ('one two three', 13, 'one two three'),
+        ('one two three', 9, 'one two'),
+        ('a bcd', 3, 'a'),
+        ('one two three', 7, 'one'),
+        ('abcdef', 3, 'abc'),
+    ],
 )
 def test_a_text_is_cut_between_words(text: str, most: int, wanted: str) -> None:
     assert shortened(text, most) == wanted

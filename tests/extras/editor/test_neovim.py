@@ -46,5 +46,5 @@ def test_the_lines_of_the_page_show_a_mistake_and_mend_it(tmp_path: Path) -> Non
     )
     words = ['nvim', '--headless', '-u', str(tmp_path / 'init.lua'), str(file), '-c', f'luafile {tmp_path}/steps.lua']
     done = subprocess.run(words, capture_output=True, text=True, timeout=120)
-    assert 'found launch.actions has no LogInof' in done.stderr + done.stdout, done
+    assert 'found launch.actions does not contain LogInof' in done.stderr + done.stdout, done
     assert 'line from launch.actions import LogInfo' in done.stderr + done.stdout

@@ -27,6 +27,8 @@ def plugin(two_prefixes: tuple[str, str]) -> str:
         path.parent.mkdir()
         path.write_text(text, encoding='utf-8')
         (path.parent / '.hidden').write_text('', encoding='utf-8')
+        (path.parents[1] / '.hidden').mkdir()
+        (path.parents[1] / 'file').write_text('no type', encoding='utf-8')
     return two_prefixes[0]
 
 
