@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.errors import UnusableInput
 
 from .evidence import Outcome, Scenario
-from .job import GradingJob, Limits, environment
+from .job import GradingJob, Limits
+from .places import environment
 from .submission import Submission
 
 if TYPE_CHECKING:

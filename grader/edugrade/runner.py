@@ -9,11 +9,12 @@ from collections.abc import Callable, Sequence
 from time import monotonic
 from typing import Any
 
-from .child_run import ChildRun, StarterLink
+from .child_run import ChildRun
 from .evidence import Outcome, Scenario
 from .faults import SENTENCES, ComputerFault, fault_here, fault_of, killed_for_memory, looks_like_one, no_mark_for
 from .job import GradingJob, Limits, RunRequest
 from .sandbox.remove_tree import remove_tree
+from .starter_link import StarterLink, private_folder, take_early
 from .submission import Submission
 from .verdicts import verdict
 from .worker import attended
@@ -38,14 +39,14 @@ class Runner:
         self._limits = limits or Limits()
         self._processors = processors or os.cpu_count() or 1
         self._on_outcome = on_outcome
-        self._home = _private_folder()
+        self._starter: StarterLink | None
+        self._home, self._starter = take_early() or (_private_folder(), None)
         self._waiting: list[tuple[GradingJob, Scenario, Submission, Sequence[str]]] = []
         self._running: dict[ChildRun, GradingJob] = {}
         self._started = 0
         self._killed_for_memory = killed_for_memory()
         self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
-        self._starter: StarterLink | None = None
         self._attended = attended(self._attend)
 
     def __enter__(self) -> Runner:
@@ -192,11 +193,9 @@ def _private_folder() -> str:
 
     :raises ComputerFault: when there can be none.
     """
-    place = os.environ.get('TMPDIR') or '/tmp'
-    folder = os.path.join(place, f'edugrade-{os.urandom(8).hex()}')
     try:
-        os.mkdir(folder, 0o700)
+        return private_folder()
     except OSError as error:
+        place = os.path.dirname(error.filename)
         why = SENTENCES.get(error.errno or 0, error.strerror)
         raise ComputerFault(f'there is no folder for temporary files in {place}: {why}') from None
-    return folder

@@ -29,6 +29,7 @@ TRIES = 3
 LOOK_S = 0.05
 CHUNK_BYTES = 1 << 18
 MOST_DESCRIPTORS = 4096
+REGISTRY = 'edulaunch.engine.interfaces.registry'
 SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one means that no reply arrived
 
 Attend = Callable[[int, float], bool]
@@ -103,10 +104,13 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
 
 
 def _load(names: Sequence[str]) -> None:
-    """Load what the worker had to load, so that the next one has it."""
+    """Load what the worker had to load, modules and the classes of messages, so that the next one has it."""
     for name in names:
         with suppress(Exception):  # the next one has the same error
-            import_module(name)
+            if '/' in name:
+                sys.modules[REGISTRY].underlay_registry().get(name)
+            else:
+                import_module(name)
 
 
 def _all_of(end: int) -> bytes:
@@ -125,8 +129,8 @@ def _all_of(end: int) -> bytes:
 
 
 def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
-    """Answer with a line of an exit code, a line of the modules that had to be loaded, the answer, and a line end."""
-    code, answer, known = SHORT_OF_MEMORY, b'', set(sys.modules)
+    """Answer with a line of an exit code, a line of what had to be loaded, the answer, and a line end."""
+    code, answer, known = SHORT_OF_MEMORY, b'', {*sys.modules, *_types()}
     gc.freeze()  # a collection would copy all pages that it shares with the grader
     try:
         _limit(end, parent)
@@ -146,8 +150,15 @@ def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
 
 
 def _own(known: set[str]) -> list[str]:
-    """Return the modules of edulaunch and edugrade that were loaded since, in their order."""
-    return [name for name in sys.modules if name not in known and name.split('.')[0] in ('edulaunch', 'edugrade')]
+    """Return the modules of edulaunch and edugrade that were loaded since, in their order, and then the stock types."""
+    modules = [name for name in sys.modules if name.split('.')[0] in ('edulaunch', 'edugrade')]
+    return [name for name in (*modules, *_types()) if name not in known]
+
+
+def _types() -> list[str]:
+    """Return the stock types whose classes were made in this process."""
+    registry = sys.modules.get(REGISTRY)
+    return [cls.TYPE for cls in registry.underlay_registry().classes() if hasattr(cls, 'TYPE')] if registry else []
 
 
 def _text(work: Callable[[], Any]) -> str:

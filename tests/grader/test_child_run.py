@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.child_run import StarterLink
 from edugrade.job import Limits, RunRequest
+from edugrade.starter_link import StarterLink
 from edugrade.submission import Submission
 
 pytestmark = pytest.mark.processes

@@ -80,16 +80,16 @@ class Shared:
 @pytest.fixture
 def shared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shared]:
     """A starter of which calls fail."""
-    import edugrade.child_run
+    import edugrade.starter_link
 
     path = tmp_path / 'shared'
     found = Shared(path)
     script = tmp_path / 'starter.py'
     script.write_text(
-        f'import sys\nsys.argv += [{edugrade.child_run.STARTER!r}, {str(path)!r}]\n'
+        f'import sys\nsys.argv += [{edugrade.starter_link.STARTER!r}, {str(path)!r}]\n'
         f'exec(compile(open({faulty_starter.__file__!r}).read(), "faulty", "exec"))\n'
     )
-    monkeypatch.setattr('edugrade.child_run.STARTER', str(script))
+    monkeypatch.setattr('edugrade.starter_link.STARTER', str(script))
     yield found
 
 

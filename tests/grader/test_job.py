@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.job import Limits, RunRequest, import_path, readable_by_all, readable_by_run
+from edugrade.job import Limits, RunRequest, readable_by_run
+from edugrade.places import import_path, readable_by_all
 from edugrade.submission import Submission
 
 import edulaunch
@@ -59,8 +60,8 @@ def test_the_grader_is_hidden_among_the_installed_packages(tmp_path: Path, monke
     (packages / 'ring').symlink_to('..')
     (packages / 'again').symlink_to('edugrade/checks')
     monkeypatch.setattr('sys.prefix', str(tmp_path))
-    monkeypatch.setattr('edugrade.job.__file__', str(packages / 'edugrade' / 'readable.py'))
-    monkeypatch.setattr('edugrade.job.rubrics_folder', lambda: str(packages / 'edugrade' / 'checks'))
+    monkeypatch.setattr('edugrade.places.__file__', str(packages / 'edugrade' / 'readable.py'))
+    monkeypatch.setattr('edugrade.rubrics.catalogue.rubrics_folder', lambda: str(packages / 'edugrade' / 'checks'))
     read, listed = readable_by_all([str(packages)])
     assert allows(read, packages / 'numpy' / 'a.py')
     assert not allows(read, packages / 'edugrade' / 'checks' / 'circle.py')

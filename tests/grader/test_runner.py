@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 from edugrade import Scenario
 from edugrade.evidence import Outcome
-from edugrade.job import Limits, readable_by_all, shown_to_all
+from edugrade.job import Limits
+from edugrade.places import readable_by_all, shown_to_all
 from edugrade.runner import Runner
 from edugrade.submission import Submission
 
@@ -241,9 +242,9 @@ def test_any_number_of_packages_may_be_installed(tmp_path: Path, monkeypatch: py
     for name in names:
         Path(name).touch()
     read, listed = readable_by_all([])
-    monkeypatch.setattr('edugrade.child_run.readable_by_all', lambda path: ([*read, *names, str(last)], listed))
+    monkeypatch.setattr('edugrade.starter_link.readable_by_all', lambda path: ([*read, *names, str(last)], listed))
     shown, hidden = shown_to_all([])
-    monkeypatch.setattr('edugrade.child_run.shown_to_all', lambda path: ([*shown, str(last.parent)], hidden))
+    monkeypatch.setattr('edugrade.starter_link.shown_to_all', lambda path: ([*shown, str(last.parent)], hidden))
     before = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (1024, before[1]))
     try:

@@ -10,12 +10,16 @@ import signal
 import subprocess
 import sys
 import threading
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
 from edugrade.cli import main
-from edugrade.worker import TooLong, cpu_limit
+from edugrade.job import CAN_FORK
+from edugrade.worker import TooLong, cpu_limit, in_worker
+
+from edulaunch.engine.interfaces.registry import Registry, underlay_registry
 
 LAUNCH = """
 from launch import LaunchDescription
@@ -162,3 +166,24 @@ def test_another_thread_goes_without() -> None:
     thread.start()
     thread.join()
     assert found == [1]
+
+
+@pytest.mark.skipif(not CAN_FORK, reason='this system has no fork')
+def test_the_next_worker_has_the_modules_and_the_types_that_one_has_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    name, module = 'shape_msgs/msg/Plane', 'edulaunch.engine.recording.trajectory'
+    monkeypatch.delitem(sys.modules, module, raising=False)
+    registry = Registry([underlay_registry().roots[0]])
+    monkeypatch.setattr('edulaunch.engine.interfaces.registry.underlay_registry', lambda: registry)
+
+    def known() -> tuple[bool, bool]:
+        return name in [cls.TYPE for cls in registry.classes()], module in sys.modules
+
+    def load() -> tuple[bool, bool]:
+        before = known()
+        registry.get(name)
+        import_module(module)
+        return before
+
+    assert in_worker(load) == [False, False]
+    assert known() == (True, True)
+    assert in_worker(load) == [True, True]

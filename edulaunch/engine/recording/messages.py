@@ -71,13 +71,10 @@ class Messages:
         return [(time / 1e9, message) for time, message in rows]
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
-        """Return the messages of type `type_name` ('turtlesim/msg/Pose') on a `topic` as (time in ns, wire); faster than
-        `messages`.
-        """
+        """Return the messages of type `type_name` ('turtlesim/msg/Pose') on a `topic` as (time in ns, wire)."""
         columns = [column for column in self._columns(topic) if column['type'] == type_name]
-        rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
-        rows.sort(key=_time_of)
-        return rows
+        rows = (row for column in columns for row in zip(column['times'], column['messages'], strict=True))
+        return sorted(rows, key=_time_of)
 
     def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
         """Do the same as :meth:`wires` for `topic` and `type_name`, and add the name of the publishing node: (time in ns, node,
@@ -85,14 +82,13 @@ class Messages:
         """
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
-        rows = [
+        rows = (
             (time, owner.get(publisher, ''), wire)
             for column in self._columns(topic)
             if column['type'] == type_name
             for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
-        ]
-        rows.sort(key=_time_of)
-        return rows
+        )
+        return sorted(rows, key=_time_of)
 
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
         """Return numbers of a `topic` over time: rows of (time in seconds, field, field ...).
@@ -104,11 +100,15 @@ class Messages:
 
         if not fields:
             raise ValueError('series() needs at least one field, such as "linear.x"')
-        messages = self.messages(topic)
-        if isinstance(messages, NoMessages):
-            return messages
-        gets = [getter(self._class(self.topics[topic].type), field) for field in fields]
-        return [(time, *(get(message) for get in gets)) for time, message in messages]
+        if topic not in self.topics:
+            return NoMessages(topic, self.topics)
+        cls = self._class(self.topics[topic].type)
+        places = {path: place for place, (path, kind) in enumerate(cls.wire_type()) if ']' not in kind}
+        if set(fields) <= places.keys() and all(column['type'] == cls.TYPE for column in self._columns(topic)):
+            wires = self.wires(topic, cls.TYPE)  # without messages, it takes a fifth of the time
+            return [(time / 1e9, *(wire[places[field]] for field in fields)) for time, wire in wires]
+        gets = [getter(cls, field) for field in fields]
+        return [(time, *(get(message) for get in gets)) for time, message in self.messages(topic)]
 
     def message_class(self, type_name: str) -> Any:
         """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), as it was in the run."""
@@ -147,10 +147,10 @@ class Messages:
         """Check data from a file before its use. Raise RecordingError if it fits no message of the type."""
         self._class(type_name)
         try:
-            fits = self._registry.checks.check(type_name)
+            fit = self._registry.checks.check(type_name)
         except InterfaceError as error:
             raise RecordingError(error.message, help=error.help) from None
-        if not all(map(fits, wires)):
+        if not fit(wires):
             raise RecordingError(f'{self._unread} is damaged: it has messages that are no {type_name}.')
 
     @cached_property

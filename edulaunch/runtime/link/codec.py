@@ -145,7 +145,7 @@ class Messages:
 
         if self._checks is None:
             self._checks = WireChecks(self._registry)
-        return bool(self._checks.check(name)(wire))
+        return bool(self._checks.check(name)([wire]))
 
 
 class ForeignType:

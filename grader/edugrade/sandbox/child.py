@@ -67,11 +67,11 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, words)
     limit_single_calls(2.5 * job['turn_s'])
-    reserve = bytearray(RESERVE_BYTES)
+    reserve = bytes(RESERVE_BYTES)  # address space, which is limited; unlike a bytearray, it needs no memory
     try:
         letter, content = attempt(job, socket.socket(fileno=end))
     except MemoryError:  # also a failure that occurred while another one was being described
-        reserve.clear()
+        del reserve
         letter, content = b'S', b'{"reason": "memory"}'
     if hasattr(signal, 'setitimer'):
         signal.setitimer(signal.ITIMER_REAL, 0.0)  # a second alarm must not interrupt the answer

@@ -7,12 +7,13 @@ every run begins from the same clean state, and loading 400 modules is paid for 
 The forkserver of the standard library is not enough. Its children inherit the caller's environment and hash seed. It unpickles
 its input, forgets a child's pid before the group could be killed, and has no place for a guard.
 
-A message is JSON after four bytes with its length. The first message has the paths that every run may read. Then each run has a
-message with its job and three descriptors: the channel, the output and the guard's link.
+A message is JSON after four bytes with its length. The first message is Python's path. The second one has the places that every
+run may read. Then each run has a message with its job and three descriptors: the channel, the output and the guard's link.
 """
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import signal
@@ -36,16 +37,17 @@ def main() -> NoReturn:
     control = socket.socket(fileno=int(sys.argv[1]))
     control.set_inheritable(False)
     sys.argv[1:] = []
-    settings: dict[str, Any] = json.loads(_exactly(control, int.from_bytes(_exactly(control, LENGTH_BYTES), 'big')))
+    gc.disable()  # there is little to collect while modules load; `warm_up` collects it
+    sys.path[:] = _message(control)
     open_many()
-    sys.path[:] = settings['path']
     confine, guard, trusted_peer = _load_sandbox()
     child = _load_child()
-    confinement = confine.Confinement(settings['readable'], settings['listable'], settings['shown'], settings['hidden'])
     try:
         child.warm_up()
     except Exception:
         os._exit(1)  # the grader starts another one, and gives no mark if that one fails, too
+    gc.enable()
+    confinement = confine.Confinement(**_message(control))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards report errors themselves; the system removes them from its table
     while True:
         header, descriptors, _, _ = socket.recv_fds(control, LENGTH_BYTES, 3)
@@ -165,6 +167,10 @@ def _load_child() -> Any:
     with open(os.path.join(HERE, 'child.py'), encoding='utf-8') as file:
         exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)
     return child
+
+
+def _message(control: socket.socket) -> Any:
+    return json.loads(_exactly(control, int.from_bytes(_exactly(control, LENGTH_BYTES), 'big')))
 
 
 def _exactly(control: socket.socket, count: int) -> bytes:

@@ -10,6 +10,7 @@ import pytest
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.file_format import decode
 from edulaunch.errors import RecordingError
 
 from .conftest import turtle_run
@@ -64,6 +65,26 @@ def test_messages_come_with_their_time(recording: Recording) -> None:
     assert recording.series('/turtle1/pose', 'x', 'y')[1] == (0.5, 2.0, 2.0)
     assert recording.series('/turtle1/pose', 'theta')[0] == (0.0, 0.0)
     assert recording.messages('/nothing') == []
+
+
+def test_a_series_has_what_the_messages_have_of_each_publisher_in_order_of_time() -> None:
+    content = decode(turtle_run().to_bytes())
+    poses = next(topic for topic in content['topics'] if topic['topic'] == '/turtle1/pose')
+    later = {
+        **poses,
+        'times': [time + 1 for time in poses['times']],
+        'messages': [[7.0, *rest] for _, *rest in poses['messages']],
+    }
+    recording = Recording({**content, 'topics': [*content['topics'], later]})
+    messages = recording.messages('/turtle1/pose')
+    assert len(messages) == 10
+    assert recording.series('/turtle1/pose', 'theta', 'x') == [(time, message.theta, message.x) for time, message in messages]
+    stamped = recording.series('/tf', 'transforms[0].header.frame_id', 'transforms[0].transform.translation.x')
+    assert stamped == [(time, tf.header.frame_id, tf.transform.translation.x) for time, (tf,) in _transforms(recording)]
+
+
+def _transforms(recording: Recording) -> list[tuple[float, Any]]:
+    return [(time, message.transforms) for time, message in recording.messages('/tf')]
 
 
 def test_a_topic_that_was_not_there_is_empty_and_its_first_message_names_the_nearest(recording: Recording) -> None:

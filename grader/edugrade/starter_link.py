@@ -1,0 +1,150 @@
+"""The grader's end of a starter (`sandbox/starter.py`), the process that begins the runs.
+
+A starter loads the engine, which takes longer than all that the grader itself loads. So the command starts it first of all.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+
+from .places import environment, import_path, readable_by_all, shown_to_all
+from .sandbox.remove_tree import remove_tree
+
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+if TYPE_CHECKING:
+    from .job import RunRequest
+
+ADDR_NO_RANDOMIZE = 0x0040000
+ASK = 0xFFFFFFFF
+
+
+@contextmanager
+def same_addresses() -> Iterator[None]:
+    """Programs that are started inside get no random addresses, where the system allows it (Linux; not in every container)."""
+    if not sys.platform.startswith('linux'):
+        yield
+        return
+    import ctypes
+
+    personality = ctypes.CDLL(None).personality
+    personality.argtypes = [ctypes.c_ulong]
+    before = personality(ASK)
+    personality(before | ADDR_NO_RANDOMIZE)
+    try:
+        yield
+    finally:
+        personality(before)
+
+
+STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'sandbox', 'starter.py')
+LENGTH_BYTES = 4
+
+
+class StarterLink:
+    """A starter process.
+
+    :param home: a private folder for it.
+
+    :ivar is_alive: whether it can still be talked to.
+    """
+
+    def __init__(self, home: str) -> None:
+        self.is_alive = True
+        self._socket, theirs = socket.socketpair()
+        self._path = import_path()
+        self._has_places = False
+        with ExitStack() as failed, theirs, same_addresses():
+            failed.callback(self._socket.close)
+            self._process = subprocess.Popen(
+                [sys.executable, '-s', '-S', STARTER, str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                pass_fds=(theirs.fileno(),),
+                cwd=home,
+                env={**environment(home), 'PYTHONSAFEPATH': '1'},
+                start_new_session=True,
+            )
+            failed.pop_all()
+        self._send(self._path)  # not as an argument, because many installed packages exceed the length of one argument
+
+    def _send(self, message: object, descriptors: Sequence[int] = ()) -> None:
+        data = json.dumps(message).encode()
+        header = len(data).to_bytes(LENGTH_BYTES, 'big')
+        try:
+            if descriptors:
+                socket.send_fds(self._socket, [header], descriptors)
+            else:
+                self._socket.sendall(header)
+            self._socket.sendall(data)
+        except OSError:
+            self.is_alive = False
+
+    def _send_places(self) -> None:
+        """Send what every run may read. The starter needs it last, and finding it takes as long as starting the starter."""
+        self._has_places = True
+        readable, listable = readable_by_all(self._path)
+        shown, hidden = shown_to_all(self._path)
+        self._send({'readable': readable, 'listable': listable, 'shown': shown, 'hidden': hidden})
+
+    def begin(self, job: RunRequest, channel: int, output: int) -> socket.socket:
+        """Begin a run, which answers on `channel` and prints on `output`. Return the link to its guard."""
+        if not self._has_places:
+            self._send_places()
+        ours, theirs = socket.socketpair()
+        with theirs:
+            self._send(job.message, [channel, output, theirs.fileno()])
+        return ours
+
+    def close(self) -> None:
+        """End the starter. It has nothing to do any more: each run has a guard, which ends by itself."""
+        self._socket.close()
+        self._process.kill()
+        self._process.wait()
+
+
+def private_folder() -> str:
+    """Make a new folder that only this user can enter, and return its path.
+
+    :raises OSError: when there can be none.
+    """
+    folder = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edugrade-{os.urandom(8).hex()}')
+    os.mkdir(folder, 0o700)
+    return folder
+
+
+_early: list[tuple[str, StarterLink]] = []
+
+
+def start_early() -> None:
+    """Start a starter for the first runner of this process. Where that fails, the runner starts one, and says why it cannot."""
+    with ExitStack() as failed:
+        try:
+            folder = private_folder()
+            failed.callback(remove_tree, folder)
+            home = os.path.join(folder, 'starter0')
+            os.mkdir(home)
+            _early.append((folder, StarterLink(home)))
+        except OSError:
+            return
+        failed.pop_all()
+
+
+def take_early() -> tuple[str, StarterLink] | None:
+    """Return the private folder and the starter that were made early, for one runner; None when there are none."""
+    return _early.pop() if _early else None
+
+
+def end_early() -> None:
+    """End the early starter, when no runner has taken it."""
+    found = take_early()
+    if found is not None:
+        folder, starter = found
+        starter.close()
+        remove_tree(folder)
