@@ -18,7 +18,7 @@ from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, l
 from edulaunch.desk.machine.starting import CannotConnect, connect, open_connection, state
 
 ANSWER_S = 3.0
-"""A machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
+"""A running machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
 STOP_S = 5.0
 """A guardian has this many seconds to end its machine."""
 END_S = 15.0
@@ -41,23 +41,22 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
             return _failed(str(error)) if stuck is None else _stop_by_force(stuck)
         if found is None:
             return _failed(f'no machine is running in ROS_DOMAIN_ID {domain()}: start one with any `ros2` command')
-        code = _follow(*found, words)
+        code = _follow(*found, words, ANSWER_S if words[:1] == ['machine'] and not start else GIVE_UP_S)
         if code is not None:
             return code
     return _failed(f'the machine ends as soon as it starts{_reason()}')
 
 
-def _follow(connection: socket.socket, address: Address, words: Sequence[str]) -> int | None:
+def _follow(connection: socket.socket, address: Address, words: Sequence[str], patience_s: float) -> int | None:
     """Follow a command to its end; return its exit code, or None if the machine ended before it took the command."""
-    asks_machine = words[:1] == ['machine']
-    follower = Follower(connection, lambda: state(address), ANSWER_S if asks_machine else GIVE_UP_S)
+    follower = Follower(connection, lambda: state(address), patience_s)
     with connection:
         try:
             code = follower.run(hello(address.token, words))
         except GaveUp as error:
             if words[:2] == ['machine', 'stop']:
                 return _stop_by_force(address)
-            if not asks_machine:
+            if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
     if code is None and follower.is_welcome:

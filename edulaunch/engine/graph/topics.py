@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.members import Members
     from edulaunch.engine.graph.node_entry import NodeEntry
 
-Sample = tuple[Any, int, 'Publisher']
-"""What a subscription's queue holds: (wire tuple, time of publication in ns, publisher)."""
+Sample = tuple[Any, int, 'Publisher', int]
+"""What a subscription's queue holds: (wire tuple, time of publication in ns, publisher, number of its message, from 1)."""
 
 
 class Endpoint:
@@ -57,6 +57,7 @@ class Publisher(Endpoint):
         self._sim = graph.sim
         self.record = graph.tracer.channel(self)
         self.matched: list[Subscription] = []
+        self.published = 0
         self.history: deque[Sample] | None = None
         if qos.durability == TRANSIENT_LOCAL:
             self.history = deque(maxlen=qos.queue_length)
@@ -69,11 +70,12 @@ class Publisher(Endpoint):
     def publish(self, wire: Any) -> None:
         """Deliver a snapshot: when this returns, it is in all matched queues and their nodes are marked as ready."""
         now = self._sim.now_ns
+        self.published = number = self.published + 1
         self.record((now, self.index, wire))
         if self.history is not None:
-            self.history.append((wire, now, self))
+            self.history.append((wire, now, self, number))
         for subscription in self.matched:
-            subscription.queue.append((wire, now, self))
+            subscription.queue.append((wire, now, self, number))
             subscription.on_ready()
 
     def late_samples(self) -> list[Sample]:
@@ -146,7 +148,7 @@ class Subscription(Endpoint):
         return len(self.publishers)
 
     def take(self) -> Sample | None:
-        """Return the oldest waiting (wire, source time in ns, publisher), or None."""
+        """Return the oldest waiting message, or None."""
         if self.may_expire:
             self.drop_expired()
         return self.queue.popleft() if self.queue else None

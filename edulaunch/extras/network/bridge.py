@@ -180,7 +180,7 @@ class Bridge:
 
         self._untap[publisher.index] = record
         publisher.record = recorded
-        for wire, _, _ in publisher.history or ():
+        for wire, *_ in publisher.history or ():
             self.sent += 1
             publish(handle, encode(cls, wire))
 
@@ -256,7 +256,7 @@ class Bridge:
             publisher.heard(wire)
             if abs(event.source_ns - self.session.sim.now_ns) > CLOCKS_DIFFER_NS:
                 self._compare_clocks(publisher, event.source_ns)
-        subscription.queue.append((wire, self.session.sim.now_ns, publisher))
+        subscription.queue.append((wire, self.session.sim.now_ns, publisher, publisher.published))
         subscription.on_ready()
 
     def _compare_clocks(self, publisher: RemotePublisher, source_ns: int) -> None:

@@ -59,12 +59,14 @@ class RemotePublisher(Publisher):
         self._sim = graph.sim
         self.matched = []
         self.history = None
+        self.published = 0
         self._channel: Callable[[Any], object] | None = None
 
     def heard(self, wire: Any) -> None:
         """Record a message of it."""
         if self._channel is None:
             self._channel = self.graph.tracer.channel(self)
+        self.published += 1
         self._channel((self._sim.now_ns, self.index, wire))
 
 

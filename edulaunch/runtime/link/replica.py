@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 END = Struct('<I')
 ENDS = Struct('<II')
+NUMBER = Struct('<Q')
 NAME = re.compile(r'/[A-Za-z0-9_/~{}]{0,300}')
 TYPE = re.compile(r'[A-Za-z0-9_/]{1,300}')
 MOST_ENDS = 20_000
@@ -73,7 +74,7 @@ class Replica:
         self.theirs: dict[int, Any] = {}
         self._process = process
         self._ours: dict[int, Any] = {}
-        self._known: dict[int, tuple[Any, int]] = {}  # the last message of each publisher that the other peer has received
+        self._known: dict[int, tuple[Any, int, int]] = {}  # the last message of each publisher that the other peer has received
         peer.handlers.update(
             {
                 Kind.NODE: self._node,
@@ -124,20 +125,20 @@ class Replica:
     def published(self, publisher: Any, record: Record) -> None:
         """Send a message to the other peer before its delivery."""
         _, index, wire = record
-        self._known[index] = wire, record[0]
+        self._known[index] = wire, record[0], publisher.published
         self.peer.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
 
     def _deliver(self, subscription: Any) -> None:
         """A message has reached a remote subscription."""
         if self.is_repeating:
             return
-        wire, now_ns, publisher = subscription.queue.item
+        wire, now_ns, publisher, number = subscription.queue.item
         known = self._known.get(publisher.index)
-        if known is not None and known[0] is wire and known[1] == now_ns:
+        if known is not None and known[0] is wire and known[1:] == (now_ns, number):
             message = bytes((AS_BEFORE,))
         else:
-            self._known[publisher.index] = wire, now_ns
-            message = self.messages.packed(publisher.cls, wire)
+            self._known[publisher.index] = wire, now_ns, number
+            message = self.messages.packed(publisher.cls, wire) + NUMBER.pack(number)
         self.peer.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
 
     def _ask(self, server: Any) -> None:
@@ -234,23 +235,28 @@ class Replica:
         publisher = self._of(payload, Publisher)
         wire = self.messages.unpacked(publisher.cls, bytes(payload[END.size :]))
         now_ns = self.graph.sim.now_ns
+        publisher.published += 1
         publisher.record((now_ns, publisher.index, wire))
         if publisher.history is not None:
-            publisher.history.append((wire, now_ns, publisher))
-        self._known[publisher.index] = wire, now_ns
+            publisher.history.append((wire, now_ns, publisher, publisher.published))
+        self._known[publisher.index] = wire, now_ns, publisher.published
 
     def _ready(self, payload: memoryview) -> None:
         subscription_index, publisher_index = ENDS.unpack_from(payload)
         publisher = self.their(publisher_index, Publisher)
         data = bytes(payload[ENDS.size :])
         if data[:1] != bytes((AS_BEFORE,)):
-            self._known[publisher_index] = self.messages.unpacked(publisher.cls, data), self.graph.sim.now_ns
-        wire, at_ns = self._known[publisher_index]
+            if len(data) < NUMBER.size:
+                raise Violation('a message without its number')
+            (number,) = NUMBER.unpack(data[-NUMBER.size :])
+            wire = self.messages.unpacked(publisher.cls, data[: -NUMBER.size])
+            self._known[publisher_index] = wire, self.graph.sim.now_ns, number
+        wire, at_ns, number = self._known[publisher_index]
         subscription = self.our(subscription_index, Subscription)
         if subscription is not None:
             if subscription not in publisher.matched:
                 raise Violation('a message to an endpoint that is not a subscription of its topic')
-            subscription.queue.append((wire, at_ns, publisher))
+            subscription.queue.append((wire, at_ns, publisher, number))
             subscription.on_ready()
 
     def _request(self, payload: memoryview) -> None:

@@ -37,7 +37,7 @@ class Bench:
 
 
 def texts(subscription: Subscription) -> list[Any]:
-    return [wire for wire, _, _ in subscription.queue]
+    return [wire for wire, *_ in subscription.queue]
 
 
 def test_a_message_stands_in_every_queue_when_publish_returns() -> None:
@@ -46,7 +46,7 @@ def test_a_message_stands_in_every_queue_when_publish_returns() -> None:
     first, second = bench.subscription('first'), bench.subscription('second')
     publisher.publish(('hello',))
     assert bench.log == ['first', 'second']
-    assert first.take() == (('hello',), bench.graph.sim.now_ns, publisher)
+    assert first.take() == (('hello',), bench.graph.sim.now_ns, publisher, 1)
     assert texts(second) == [('hello',)] and first.take() is None
 
 

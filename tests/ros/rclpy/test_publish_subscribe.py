@@ -148,6 +148,19 @@ def test_a_callback_may_take_the_message_info(ros: Ros, world: World) -> None:
     assert ros(body) == [['publication_sequence_number', 'received_timestamp', 'reception_sequence_number', 'source_timestamp']]
 
 
+def test_each_publisher_numbers_its_messages(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        first, second = (node.create_publisher(String, 'c', 10) for _ in range(2))
+        first.publish(String(data='nobody hears this'))
+        node.create_subscription(String, 'c', lambda message, info: world.say(info['publication_sequence_number']), 10)
+        for publisher in (first, second, first):
+            publisher.publish(String())
+            rclpy.spin_once(node)
+
+    assert ros(body) == [2, 1, 3]
+
+
 @pytest.mark.parametrize(
     ('callback', 'count'),
     [

@@ -97,7 +97,7 @@ class Subscription(TopicEnd, Entity):
         return {
             'source_timestamp': taken[1],
             'received_timestamp': taken[1],
-            'publication_sequence_number': None,
+            'publication_sequence_number': taken[3],
             'reception_sequence_number': None,
         }
 
