@@ -101,7 +101,7 @@ class LiveFeed:
     def kept(self, key: Key) -> list[Row]:
         topic, kind = key
         ends = [end for end in self._graph.publishers.get(topic, ()) if end.type_name == kind]
-        rows = [(time_ns, wire) for end in ends for wire, time_ns, _ in end.late_samples()]
+        rows = [(time_ns, wire) for end in ends for wire, time_ns, *_ in end.late_samples()]
         return sorted(rows, key=lambda row: row[0])
 
     def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:

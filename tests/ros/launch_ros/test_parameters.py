@@ -31,6 +31,10 @@ def evaluated(value: Any, text: str = '') -> Any:
 X = LaunchConfiguration('x')
 
 
+def test_the_list_of_a_parameter_value_stays_a_list() -> None:
+    assert evaluated(ParameterValue(X, value_type=list[int]), '[1, 2]') == [1, 2]
+
+
 @pytest.mark.parametrize(
     ('text', 'expected'),
     [

@@ -7,6 +7,7 @@ import sys
 from importlib import import_module
 
 import pytest
+import rclpy
 
 from edulaunch.ros.passed_on import _tables, homes_of
 
@@ -30,6 +31,10 @@ def test_every_name_is_found_at_its_home(module: str) -> None:
 )
 def test_it_is_the_same_thing(module: str, name: str, home: str) -> None:
     assert getattr(import_module(module), name) is getattr(import_module(home), name)
+
+
+def test_a_module_of_rclpy_is_there_after_import_rclpy() -> None:
+    assert rclpy.service_introspection is import_module('rclpy.service_introspection')
 
 
 def test_another_name_of_the_message_package_is_meant_where_two_would_clash() -> None:

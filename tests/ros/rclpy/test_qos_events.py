@@ -169,6 +169,6 @@ def test_the_policy_of_an_event_is_an_enum_and_handlers_are_there_from_the_start
         spin(node, 0.1)
         world.say([len(publisher.event_handlers) for publisher in publishers])
         kind = seen[0].last_policy_kind
-        world.say((len(heard.event_handlers), kind == QoSPolicyKind.DURABILITY, kind.name))
+        world.say((len(heard.event_handlers), kind == QoSPolicyKind.DURABILITY, str(kind)))
 
-    assert world.run_program(program) == [[2, 0, 5], (2, True, 'RMW_QOS_POLICY_DURABILITY')]
+    assert world.run_program(program) == [[2, 0, 5], (2, True, 'rmw_qos_policy_kind_t.RMW_QOS_POLICY_DURABILITY')]

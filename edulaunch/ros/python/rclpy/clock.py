@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum
+from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.sim.task import current_task
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
 
 
-class ClockChange(Enum):
+class ClockChange(IntEnum):
     """How a clock's source changed in a time jump."""
 
     ROS_TIME_NO_CHANGE = 1

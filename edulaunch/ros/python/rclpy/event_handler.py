@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.engine.graph.qos import incompatible_policy
 from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
+from rclpy.impl.c_enum import CEnum
 from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EventCallback = Callable[[Any], object]
 
 
-class QoSPublisherEventType(IntEnum):
+class QoSPublisherEventType(CEnum):
     """What can happen to a publisher."""
 
     RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
@@ -29,7 +29,7 @@ class QoSPublisherEventType(IntEnum):
     RCL_PUBLISHER_MATCHED = 4
 
 
-class QoSSubscriptionEventType(IntEnum):
+class QoSSubscriptionEventType(CEnum):
     """What can happen to a subscription."""
 
     RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
@@ -65,7 +65,7 @@ class IncompatibleInfo(NamedTuple):
 
     total_count: int
     total_count_change: int
-    last_policy_kind: IntEnum
+    last_policy_kind: CEnum
 
 
 QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo = IncompatibleInfo

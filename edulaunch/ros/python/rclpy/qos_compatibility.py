@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from rclpy.impl.c_enum import CEnum
 
 if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
@@ -24,8 +26,9 @@ class QoSPolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
 
 
-PolicyKindOfEvent = IntEnum(  # type: ignore[misc]  # named as C has it, for events tell C's numbers
-    'rmw_qos_policy_kind_t', {f'RMW_QOS_POLICY_{kind.name}': kind.value for kind in QoSPolicyKind}
+PolicyKindOfEvent: Any = CEnum(  # type: ignore[call-arg]  # named as C has it, for events tell C's numbers
+    'rmw_qos_policy_kind_t',  # type: ignore[arg-type]
+    {f'RMW_QOS_POLICY_{kind.name}': kind.value for kind in QoSPolicyKind},
 )
 
 
@@ -34,15 +37,12 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     return QoSPolicyKind(policy_kind).name
 
 
-class QoSCompatibility(IntEnum):
+class QoSCompatibility(CEnum):
     """Whether two profiles suit each other."""
 
     OK = 0
     WARNING = 1
     ERROR = 2
-
-    def __str__(self) -> str:
-        return f'{type(self).__name__}.{self.name}'
 
 
 # For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value that a

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.c_enum import CEnum
 from rclpy.qos import QoSProfile, engine_qos
 
 if TYPE_CHECKING:
@@ -14,15 +14,12 @@ if TYPE_CHECKING:
 REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
 
-class ServiceIntrospectionState(IntEnum):
+class ServiceIntrospectionState(CEnum):
     """How much is published."""
 
     OFF = 0
     METADATA = 1
     CONTENTS = 2
-
-    def __str__(self) -> str:
-        return f'ServiceIntrospectionState.{self.name}'
 
 
 class Introspection:

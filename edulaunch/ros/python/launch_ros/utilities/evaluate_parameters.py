@@ -29,7 +29,7 @@ _WRAP = (
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
-    """Paths, dicts of plain values (lists become tuples), and Parameters, in order.
+    """Paths, dicts of plain values (lists become tuples, except those of a ParameterValue), and Parameters, in order.
 
     :param parameters: what :func:`~launch_ros.utilities.normalize_parameters` returned.
     :raises TypeError: for a value that no ROS parameter can have; it names the parameter.
@@ -54,8 +54,7 @@ def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) 
 
 def _evaluate_value(context: LaunchContext, name: str, value: Any) -> Any:
     if isinstance(value, ParameterValue):
-        given = value.evaluate(context)
-        return tuple(given) if isinstance(given, list) else given
+        return value.evaluate(context)
     if not isinstance(value, tuple) or not value:
         ensure_argument_type(value, (float, int, str, bool, bytes), 'value')
         return value

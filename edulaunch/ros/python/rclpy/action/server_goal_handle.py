@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy.impl.c_enum import CEnum
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
@@ -26,7 +27,7 @@ class GoalState(IntEnum):
     ABORTED = 6
 
 
-class GoalEvent(IntEnum):
+class GoalEvent(CEnum):
     """What happens to a goal."""
 
     EXECUTE = 0

@@ -1,0 +1,12 @@
+"""Enumerations that ROS 2 defines in C++."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+
+class CEnum(IntEnum):
+    """Whole numbers that print as `Type.MEMBER`, also since Python 3.11."""
+
+    def __str__(self) -> str:
+        return f'{type(self).__name__}.{self.name}'
