@@ -65,6 +65,11 @@ def _load_view(name: str) -> None:
         import edulaunch.canvas
     elif name == 'launch_trace':
         import edulaunch.advice.plan.launch_trace
+    elif name == 'foxglove':
+        from edulaunch.engine.recording.views import register
+        from edulaunch.runtime.plugins import offered
+
+        register(foxglove=offered('foxglove'))
     elif name == 'replay':
         import edulaunch.desk.view.replay
     else:

@@ -97,6 +97,7 @@ SOURCES = {
     'edulaunch launch --network': Source('network', _NETWORK),
     'edulaunch launch --real': Source('network', _NETWORK),
     'edulaunch lsp': Source('editor', _EDITOR),
+    'edulaunch.foxglove': Source('foxglove', _EDULAUNCH),
     'edulaunch view --foxglove': Source('foxglove', _EDULAUNCH),
     'edulaunch network': Source('network', _NETWORK),
     'ros2 launch --network': Source('network', _NETWORK),

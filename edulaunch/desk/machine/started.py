@@ -25,6 +25,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.engine.sim.simulation import EPOCH_NS
 from edulaunch.errors import MissingExtra, UnusableInput
+from edulaunch.runtime.plugins import offered
 from edulaunch.runtime.session import PathLike, Session
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ class Machine(LiveMachine):
         self.steps_launches = step
         self._make = make
         self._done: list[tuple[int, dict[str, Any]]] = []
+        self._served: list[Any] = []
         self._start_ns = EPOCH_NS
         self._is_again = False
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -178,6 +180,16 @@ class Machine(LiveMachine):
         """
         return desk_widget(self, tab)
 
+    def foxglove(self, port: int = 0, origins: Sequence[str] = ()) -> Any:
+        """Serve this machine to Foxglove and Lichtblick; return the server, with `address` and `close()`.
+
+        :param port: of this computer, or 0 for any free one.
+        :param origins: of pages that may connect besides Foxglove's.
+        :raises UnusableInput: without the plug-in or a running asyncio loop, and when the port is taken.
+        """
+        self._served.append(offered('foxglove')(self, port, origins))
+        return self._served[-1]
+
     def slider(self, node: str, name: str, limits: tuple[float, float] | None = None) -> Any:
         """Return a slider that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
 
@@ -228,6 +240,8 @@ class Machine(LiveMachine):
         if self._task is not None:
             self._task.cancel()
             self._task = None
+        while self._served:
+            self._served.pop().close()
         self.leave_network()
         if self.selector is not None:
             self.selector.close()

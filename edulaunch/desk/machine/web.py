@@ -106,9 +106,25 @@ async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: 
 
 
 async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object] | None, **settings: Any) -> None:
-    """Serve guarded handlers on the loopback until cancelled.
+    """Serve guarded handlers on the loopback until cancelled; the parameters are those of :func:`open_paths`.
+
+    :param opened: called with the address when the server is ready.
+    :raises OSError: when the port is taken.
+    """
+    server, address = open_paths(paths, port=port, **settings)
+    try:
+        if opened is not None:
+            opened(address)
+        await asyncio.Event().wait()
+    finally:
+        server.stop()
+
+
+def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer, str]:
+    """Return a server of guarded handlers on the running loop, and its address.
 
     :param paths: the first group of each is the token.
+    :param port: of the loopback; 0 means any free one.
     :param settings: for the handlers.
     :raises OSError: when the port is taken.
     """
@@ -126,12 +142,7 @@ async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object
     hosts = {f'127.0.0.1:{number}', f'localhost:{number}'}
     server = HTTPServer(Application(paths, token=token, hosts=hosts, log_function=_quiet, **settings))
     server.add_socket(listener)
-    try:
-        if opened is not None:
-            opened(f'http://127.0.0.1:{number}/{token}/')
-        await asyncio.Event().wait()
-    finally:
-        server.stop()
+    return server, f'http://127.0.0.1:{number}/{token}/'
 
 
 def _quiet(handler: RequestHandler) -> None:

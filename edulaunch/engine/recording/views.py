@@ -89,6 +89,14 @@ class Views:
         """
         return view('parameter_table')(self, node, every=every)
 
+    def foxglove(self, port: int = 0, origins: Any = ()) -> Any:
+        """Serve the run to Foxglove and Lichtblick from a notebook; return the server, with `address` and `close()`.
+
+        :param port: of this computer, or 0 for any free one.
+        :param origins: of pages that may connect besides Foxglove's.
+        """
+        return view('foxglove')(self, port, origins)
+
     def replay(self, other: Any = None) -> Any:
         """Return a replay of the whole run with a slider; see :class:`edulaunch.desk.view.replay.Replay`.
 

@@ -1,7 +1,11 @@
-"""What this plug-in adds: `edulaunch view --foxglove`, and the machine's end of it."""
+"""What this plug-in adds: `edulaunch view --foxglove`, `.foxglove()` in notebooks, and the machine's end of it."""
 
 from __future__ import annotations
 
 from edulaunch.runtime.plugins import Plugin
 
-PLUGIN = Plugin(options={'view': 'edulaunch.extras.foxglove.options'}, services={'foxglove': 'edulaunch.extras.foxglove.service'})
+PLUGIN = Plugin(
+    options={'view': 'edulaunch.extras.foxglove.options'},
+    services={'foxglove': 'edulaunch.extras.foxglove.service'},
+    functions={'foxglove': 'edulaunch.extras.foxglove.notebook:foxglove'},
+)

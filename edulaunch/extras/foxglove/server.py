@@ -11,12 +11,14 @@ import asyncio
 import sys
 import traceback
 from collections.abc import Awaitable, Callable, Sequence
+from typing import Any
 
+from tornado.httpserver import HTTPServer
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from edulaunch.desk.machine.web import Guarded, serve_paths
+from edulaunch.desk.machine.web import Guarded, open_paths, serve_paths
 from edulaunch.extras.foxglove import protocol, said
 from edulaunch.extras.foxglove.lines import Line
 
@@ -113,8 +115,20 @@ async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), 
         [(PATH, Client)],
         port=port,
         opened=lambda address: opened(address.replace('http', 'ws', 1)),
-        open=open_line,
-        origins={APP, *origins},
-        websocket_max_message_size=protocol.LONGEST_MESSAGE,
-        websocket_ping_interval=20,
+        **_settings(open_line, origins),
     )
+
+
+def open_server(open_line: Open, *, port: int, origins: Sequence[str]) -> tuple[HTTPServer, str]:
+    """Return a server on the running loop, and its address; the parameters and errors are those of :func:`serve`."""
+    server, address = open_paths([(PATH, Client)], port=port, **_settings(open_line, origins))
+    return server, address.replace('http', 'ws', 1)
+
+
+def _settings(open_line: Open, origins: Sequence[str]) -> dict[str, Any]:
+    return {
+        'open': open_line,
+        'origins': {APP, *origins},
+        'websocket_max_message_size': protocol.LONGEST_MESSAGE,
+        'websocket_ping_interval': 20,
+    }
