@@ -73,7 +73,7 @@ def _load_view(name: str) -> None:
     elif name == 'replay':
         import edulaunch.desk.view.replay
     else:
-        import edulaunch.advice.wording  # noqa: F401  # what is imported here registers itself
+        import edulaunch.advice.rendering  # noqa: F401  # what is imported here registers itself
 
 
 def _ros2(process: Any) -> Any:

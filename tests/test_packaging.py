@@ -37,7 +37,7 @@ TOP = {
         'pyproject.toml',
         'setup.sh',
     ),
-    *('benchmarks', 'docs', 'edulaunch', 'exercises', 'grader', 'lessons', 'solutions', 'tests'),
+    *('docs', 'edulaunch', 'exercises', 'grader', 'lessons', 'solutions', 'tests'),
 }
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
 TESTS = (

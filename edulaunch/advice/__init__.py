@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
     from edulaunch.advice.judging import judge, judge_failure, judge_plan, judge_sources
     from edulaunch.advice.reader import Reader, reader_here
+    from edulaunch.advice.rendering import Rendered, rendered
     from edulaunch.advice.rule import Failure, Finding, Rule, found
-    from edulaunch.advice.wording import Rendered, rendered
 
 _MODULES = {
     **dict.fromkeys(('Failure', 'Finding', 'Rule', 'found'), 'rule'),
     **dict.fromkeys(('judge', 'judge_failure', 'judge_plan', 'judge_sources'), 'judging'),
     **dict.fromkeys(('Reader', 'reader_here'), 'reader'),
-    **dict.fromkeys(('Rendered', 'rendered'), 'wording'),
+    **dict.fromkeys(('Rendered', 'rendered'), 'rendering'),
 }
 __all__ = [
     'Failure',

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
-    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.advice.plan.titles import Branch
 
 
 def branches(rehearsal: Rehearsal) -> Iterator[Branch]:

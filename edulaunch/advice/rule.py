@@ -1,7 +1,7 @@
 """The one form of a rule: what it looks at (a Failure among others), what it found, and where rules are.
 
 Each file of a folder beside this one has rules for one kind of thing; they are loaded when they are asked. A finding is plain
-data; `wording.py` turns it into sentences. A failure may come out of a file, so nothing of it is ever executed.
+data; `rendering.py` turns it into sentences. A failure may come out of a file, so nothing of it is ever executed.
 """
 
 from __future__ import annotations

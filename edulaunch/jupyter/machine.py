@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from edulaunch.advice.reader import reader_here
-from edulaunch.advice.wording import end_of_run_lines
+from edulaunch.advice.rendering import end_of_run_lines
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.client import ask, has_terminals_machine

@@ -10,8 +10,8 @@ import edulaunch
 from edulaunch.advice import Failure, Rule, judge, judge_failure, judging, rendered
 from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader
+from edulaunch.advice.rendering import warning_lines
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.wording import warning_lines
 from tests.advice.harness import EXAMPLES
 
 ENGLISH = Reader()

@@ -11,7 +11,7 @@ from launch._failure import failure_data, launch_origin
 from launch.launch_description_sources import get_launch_description_from_any_launch_file
 
 import edulaunch
-from edulaunch.advice.wording import help_of
+from edulaunch.advice.rendering import help_of
 
 IMPORTS = (
     'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'

@@ -7,7 +7,7 @@ import pytest
 from launch._failure import failure_data
 from launch.frontend import InvalidFrontendLaunchFileError, Parser
 
-from edulaunch.advice.wording import help_of
+from edulaunch.advice.rendering import help_of
 
 MISTAKES = {
     'robot.launch.xml': [

@@ -40,7 +40,7 @@ def flat(value: Any) -> list[float]:
 
 @pytest.fixture(scope='module')
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    recording = edulaunch.run(ROOT / 'benchmarks' / 'large_project.launch.py', duration_s=3)
+    recording = edulaunch.run(ROOT / 'tests' / 'benchmarks' / 'large_project.launch.py', duration_s=3)
     path = tmp_path_factory.mktemp('graph') / 'large.html'
     path.write_text(recorded_page(timeline_of(recording), 'large'))
     return path

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.advice.wording import Mark
+from edulaunch.advice.rendering import Mark
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
 from edulaunch.desk.view.page import recorded_page

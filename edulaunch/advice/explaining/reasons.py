@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.plan.explanation import Entry, entry
+from edulaunch.advice.plan.titles import shown_value
 from edulaunch.advice.plan.why import Step, argument_chain, name_of, nodes_named, parameter_chain
-from edulaunch.advice.plan.wording import shown_value
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
 
 if TYPE_CHECKING:
-    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.advice.plan.titles import Branch
 
 Declared = Callable[[str, str], Mapping[str, Any]]
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from edulaunch.advice.run_sources import keyword_of, name_of_call
-from edulaunch.advice.texts.names import imported
+from edulaunch.advice.texts.bound_names import imported
 from edulaunch.ros.sources.source_package import parsed
 
 MAKERS = {

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from edulaunch.advice.explaining.source_ends import files_of, read_ends
-from edulaunch.advice.plan.wording import shown_value
+from edulaunch.advice.plan.titles import shown_value
 from edulaunch.engine.graph.names import RemapRule, expand_name, fully_qualified_name, is_hidden, remapped_name
 from edulaunch.engine.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
 from edulaunch.engine.packages import Index

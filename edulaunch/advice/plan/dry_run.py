@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from edulaunch.advice.plan.assumptions import Assumptions
 from edulaunch.advice.plan.planner import Plan, Planner
-from edulaunch.advice.plan.wording import Branch
+from edulaunch.advice.plan.titles import Branch
 from edulaunch.engine.packages import Index
 from edulaunch.engine.packages.workspace import Image
 from edulaunch.engine.processes.commands import CommandSet

@@ -14,11 +14,11 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.plan.wording import action_words, details_of, shown_value, title_of
+from edulaunch.advice.plan.titles import action_words, details_of, shown_value, title_of
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan.dry_run import Rehearsal
-    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.advice.plan.titles import Branch
     from edulaunch.engine.processes import Origin
 
 Entry = dict[str, Any]

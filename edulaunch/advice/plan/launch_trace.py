@@ -19,8 +19,8 @@ from edulaunch.advice.plan.items import item_of
 from edulaunch.advice.plan.process_items import add_names_and_parameters
 from edulaunch.advice.plan.stepping import Stepper
 from edulaunch.advice.plan.steps import LAUNCH_OWN, SHOWN_EVENTS, Step, is_repeatable, row_of
+from edulaunch.advice.plan.titles import Branch, Setters
 from edulaunch.advice.plan.watching import Watch, written_origin
-from edulaunch.advice.plan.wording import Branch, Setters
 from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from edulaunch.advice.plan.rehearsal import (
     runaway_error,
     still_busy,
 )
-from edulaunch.advice.plan.wording import Branch, Setters
+from edulaunch.advice.plan.titles import Branch, Setters
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.commands import CommandSet

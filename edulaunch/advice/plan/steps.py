@@ -11,8 +11,8 @@ from launch.substitution import Substitution
 from launch.substitutions.launch_configuration import LaunchConfiguration
 
 from edulaunch.advice.plan.explanation import add_facts, entry, is_declaration, kind_and_text
+from edulaunch.advice.plan.titles import Branch
 from edulaunch.advice.plan.why import declared_steps, parameter_chain, setter_steps
-from edulaunch.advice.plan.wording import Branch
 
 if TYPE_CHECKING:
     pass

@@ -13,7 +13,7 @@ from launch.action import Action
 from launch.event_handlers.on_action_event_base import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
-from edulaunch.advice.plan.wording import Branch
+from edulaunch.advice.plan.titles import Branch
 from edulaunch.engine.underlay_place import is_students
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
 
 if TYPE_CHECKING:
-    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.advice.plan.titles import Branch
 
 Step = dict[str, Any]
 _OF_ARGUMENT = 'launch argument '

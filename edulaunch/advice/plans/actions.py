@@ -12,7 +12,7 @@ from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
-    from edulaunch.advice.plan.wording import Branch
+    from edulaunch.advice.plan.titles import Branch
 
 IDLE = frozenset(
     ('argument', 'include', 'set_configuration', 'push_namespace', 'set_env', 'unset_env', 'set_parameter', 'set_remap')

@@ -12,8 +12,16 @@ from edulaunch.advice.launch_names import class_named, keywords_of
 from edulaunch.advice.rule import Failure, Finding, found
 from edulaunch.advice.run_sources import keyword_of
 from edulaunch.advice.texts.around import Around
+from edulaunch.advice.texts.bound_names import (
+    OF_LAUNCH,
+    full_name,
+    imported,
+    inside_quotes,
+    launch_imports,
+    text_of,
+    unknown_names,
+)
 from edulaunch.advice.texts.edits import inserted
-from edulaunch.advice.texts.names import OF_LAUNCH, full_name, imported, inside_quotes, launch_imports, text_of, unknown_names
 from edulaunch.advice.texts.syntax import Foreseen
 from edulaunch.advice.texts.text import Span, Text
 from edulaunch.engine.nearest import nearest, nearest_spelling

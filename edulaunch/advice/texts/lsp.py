@@ -8,11 +8,11 @@ from typing import Any
 from urllib.parse import unquote, urlparse
 
 from edulaunch.advice.reader import Reader
+from edulaunch.advice.rendering import rendered
 from edulaunch.advice.rule import rule_named
 from edulaunch.advice.texts.check import Marked
 from edulaunch.advice.texts.edits import Edits
 from edulaunch.advice.texts.text import Span, Text
-from edulaunch.advice.wording import rendered
 
 SEVERITIES = {'error': 1, 'warning': 2, 'info': 3}
 SOURCE = 'edulaunch'

@@ -9,7 +9,7 @@ from typing import Any
 
 from edulaunch.advice.rule import Failure
 from edulaunch.advice.texts.around import Around
-from edulaunch.advice.texts.names import imported, interface_imports, unknown_names
+from edulaunch.advice.texts.bound_names import imported, interface_imports, unknown_names
 from edulaunch.advice.texts.syntax import Foreseen
 from edulaunch.advice.texts.text import Span, Text
 from edulaunch.engine.nearest import nearest

@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 
-from edulaunch.advice.workspace.package_files import LICENSES, license_notice, write_cmake, write_python
+from edulaunch.advice.workspace.package_files import LICENSES, NewPackage, license_notice, write_cmake, write_python
 from edulaunch.errors import PackageError
 
 BUILD_TYPES = ('ament_cmake', 'ament_python')
@@ -16,27 +15,6 @@ LINTERS = {
     'ament_python': ('ament_copyright', 'ament_flake8', 'ament_pep257', 'python3-pytest'),
 }
 _NAME = re.compile(r'[a-z][a-z0-9_]*')
-
-
-@dataclass(frozen=True)
-class NewPackage:
-    """What is known of a package before it exists; the defaults are those of `ros2 pkg create`."""
-
-    name: str
-    destination: str = os.curdir
-    build_type: str = 'ament_cmake'
-    license: str = 'TODO: License declaration'
-    description: str = 'TODO: Package description'
-    dependencies: tuple[str, ...] = ()
-    maintainer_name: str = 'user'
-    maintainer_email: str = 'user@todo.todo'
-    node_name: str | None = None
-    library_name: str | None = None
-
-    @property
-    def folder(self) -> str:
-        """Where it is made."""
-        return os.path.join(self.destination, self.name)
 
 
 def create_package(package: NewPackage, say: Callable[[str], object]) -> None:

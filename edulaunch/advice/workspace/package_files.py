@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from edulaunch.advice.workspace.new_package import NewPackage
+import os
+from dataclasses import dataclass
+from typing import Any
 
 SETUP = """\
 from setuptools import find_packages, setup
@@ -69,6 +68,27 @@ LINTERS = {
     'flake8': ('main(argv=[])', 'the code style differs'),
     'pep257': ("main(argv=['.', 'test'])", 'a docstring is missing or of another form'),
 }
+
+
+@dataclass(frozen=True)
+class NewPackage:
+    """What is known of a package before it exists; the defaults are those of `ros2 pkg create`."""
+
+    name: str
+    destination: str = os.curdir
+    build_type: str = 'ament_cmake'
+    license: str = 'TODO: License declaration'
+    description: str = 'TODO: Package description'
+    dependencies: tuple[str, ...] = ()
+    maintainer_name: str = 'user'
+    maintainer_email: str = 'user@todo.todo'
+    node_name: str | None = None
+    library_name: str | None = None
+
+    @property
+    def folder(self) -> str:
+        """Where it is made."""
+        return os.path.join(self.destination, self.name)
 
 
 def write_python(package: NewPackage, writer: Any) -> None:

@@ -88,7 +88,7 @@ def _arguments(words: str) -> dict[str, str]:
 
 
 def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
-    from edulaunch.advice.wording import end_of_run_lines
+    from edulaunch.advice.rendering import end_of_run_lines
     from edulaunch.desk.view.page import recorded_page
     from edulaunch.desk.view.replay import timeline_of
     from edulaunch.runtime.session import run

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.judging import in_order, judge, judge_plan, judge_sources
 from edulaunch.advice.reader import reader_here
-from edulaunch.advice.wording import diagnosis, diagnosis_data
+from edulaunch.advice.rendering import diagnosis, diagnosis_data
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from types import FrameType
 from typing import TextIO
 
-from edulaunch.advice.wording import end_of_run_lines
+from edulaunch.advice.rendering import end_of_run_lines
 from edulaunch.desk.cli.launch_steps import TerminalSteps
 from edulaunch.desk.cli.plugin_options import plugins_of
 from edulaunch.desk.cli.ros2.launch import add_launch_arguments, prefix_arguments

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from edulaunch.errors import PackageError, UnusableInput
 
 if TYPE_CHECKING:
-    from edulaunch.advice.workspace.new_package import NewPackage
+    from edulaunch.advice.workspace.package_files import NewPackage
 
 
 def pkg_arguments(parser: argparse.ArgumentParser) -> None:
@@ -23,7 +23,8 @@ def pkg_arguments(parser: argparse.ArgumentParser) -> None:
 
 def add_create_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of `ros2 pkg create`."""
-    from edulaunch.advice.workspace.new_package import BUILD_TYPES, NewPackage
+    from edulaunch.advice.workspace.new_package import BUILD_TYPES
+    from edulaunch.advice.workspace.package_files import NewPackage
 
     parser.add_argument('package_name', help='the package name')
     parser.add_argument('--package-format', '--package_format', choices=['2', '3'], default='3', help='the format of package.xml')
@@ -71,7 +72,7 @@ def is_in_course(folder: str) -> bool:
 
 def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
     """Return the package that the options describe; `name` and `email` are the default maintainer."""
-    from edulaunch.advice.workspace.new_package import NewPackage
+    from edulaunch.advice.workspace.package_files import NewPackage
 
     return NewPackage(
         arguments.package_name,
@@ -108,8 +109,8 @@ def check(path: str) -> int:
     """Print the mistakes in the packages below `path`."""
     from edulaunch.advice.judging import judge_workspace
     from edulaunch.advice.reader import reader_here
+    from edulaunch.advice.rendering import rendered
     from edulaunch.advice.source_package import workspace_at
-    from edulaunch.advice.wording import rendered
 
     if not os.path.isdir(path):
         raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from edulaunch.advice.reader import Reader
+from edulaunch.advice.rendering import rendered
 from edulaunch.advice.rule import Finding, rule_named
 from edulaunch.advice.texts import Marked, Span, Text, marked
 from edulaunch.advice.texts.lsp import diagnostic, title, uri_of
-from edulaunch.advice.wording import rendered
 from edulaunch.runtime.version import __version__
 
 SCHEMA = 'https://json.schemastore.org/sarif-2.1.0.json'

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader, reader_of
-from edulaunch.advice.wording import diagnosis, end_of_run_lines
+from edulaunch.advice.rendering import diagnosis, end_of_run_lines
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.connection import RemoteInput
 from edulaunch.desk.machine.live import LiveMachine

@@ -17,7 +17,7 @@ from edulaunch.desk.view.launches import in_microseconds
 from edulaunch.engine.recording.frames import TF_TYPE
 
 if TYPE_CHECKING:
-    from edulaunch.advice.wording import Mark
+    from edulaunch.advice.rendering import Mark
     from edulaunch.engine.recording import Recording
 
 SUBJECTS = ('node', 'topic', 'frame')
@@ -33,7 +33,7 @@ LONGEST_TEXT = 160
 
 def marks_of(recording: Recording) -> list[Mark]:
     """Return the advice on a run as strings without paths of this machine, because notebooks store them."""
-    from edulaunch.advice.wording import marks  # late, so that a page loads the rules only on request
+    from edulaunch.advice.rendering import marks  # late, so that a page loads the rules only on request
 
     return marks(recording)
 

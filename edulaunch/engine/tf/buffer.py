@@ -9,8 +9,8 @@ from math import sqrt
 
 from edulaunch.engine.tf import dumps
 from edulaunch.engine.tf.failure import TransformFailure
+from edulaunch.engine.tf.frame_names import check_name, check_names, problem
 from edulaunch.engine.tf.history import History
-from edulaunch.engine.tf.names import check_name, check_names, problem
 from edulaunch.engine.tf.path import Path, find_path
 from edulaunch.engine.tf.quaternions import HUGE, TINY
 from edulaunch.engine.tf.rejection import Rejection, reasons_against, too_old

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from edulaunch.advice.run_sources import name_of_call
 from edulaunch.advice.texts import Around
-from edulaunch.advice.texts.names import text_of
+from edulaunch.advice.texts.bound_names import text_of
 from edulaunch.ros.sources.missing import source_package
 from edulaunch.ros.sources.source_package import main_of, module_file, parsed
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from edulaunch.engine.processes.commands import Main
-from edulaunch.runtime.shell.names import SHELLS, SIGNS
+from edulaunch.runtime.shell.signs import SHELLS, SIGNS
 
 
 class SimulatedShell:

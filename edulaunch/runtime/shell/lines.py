@@ -19,7 +19,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.sim.sync import sleep
 from edulaunch.runtime.shell.filters import Filter, RealFilter, Sink, is_filter
 from edulaunch.runtime.shell.grammar import Command, Expansion, Job, Line, Pipeline, Redirection, commands, known_words, parsed
-from edulaunch.runtime.shell.names import SHELLS
+from edulaunch.runtime.shell.signs import SHELLS
 
 _UNITS = {'s': 1, 'm': 60, 'h': 3600}
 _NOT_FOUND = 127

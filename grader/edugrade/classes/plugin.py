@@ -16,7 +16,7 @@ PLUGIN = Plugin(
             'edugrade.classes.export.classroom:main', 'classroom circle', 'write the autograding files for GitHub Classroom'
         ),
         'doctor': GradingVerb(
-            'edugrade.classes.doctor:main', 'doctor', 'show what the sandbox of this computer keeps from a submission'
+            'edugrade.classes.sandbox_proof:main', 'doctor', 'show what the sandbox of this computer keeps from a submission'
         ),
         'export': GradingVerb(
             'edugrade.classes.export.platforms:main',

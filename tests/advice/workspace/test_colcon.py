@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 import edulaunch
-from edulaunch.advice.workspace.new_package import NewPackage, create_package
+from edulaunch.advice.workspace.new_package import create_package
+from edulaunch.advice.workspace.package_files import NewPackage
 from edulaunch.engine.packages import Index
 from edulaunch.ros.sources import read_source
 from edulaunch.runtime.session import index_for

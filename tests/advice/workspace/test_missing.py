@@ -9,7 +9,7 @@ import pytest
 
 import edulaunch
 from edulaunch.advice import judge_sources
-from edulaunch.advice.wording import help_of_facts
+from edulaunch.advice.rendering import help_of_facts
 from edulaunch.engine.packages import Index
 from edulaunch.ros.sources import read_source
 from edulaunch.ros.sources.missing import installed_file, missing_executable, missing_launch_file, missing_package

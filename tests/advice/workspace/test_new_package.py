@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from edulaunch.advice import judge_sources
-from edulaunch.advice.workspace.new_package import NewPackage, create_package, manifest_text
-from edulaunch.advice.workspace.package_files import LICENSES
+from edulaunch.advice.workspace.new_package import create_package, manifest_text
+from edulaunch.advice.workspace.package_files import LICENSES, NewPackage
 from edulaunch.engine.packages import Index
 from edulaunch.errors import PackageError
 from edulaunch.ros.sources import read_source

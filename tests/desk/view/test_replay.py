@@ -17,7 +17,7 @@ from edulaunch.canvas.picture import SCENE_TYPE
 @pytest.fixture(scope='module')
 def large() -> Any:
     """Twenty seconds of the large project: two worlds, three turtles."""
-    return edulaunch.run(Path(__file__).parents[3] / 'benchmarks' / 'large_project.launch.py', duration_s=20.0)
+    return edulaunch.run(Path(__file__).parents[2] / 'benchmarks' / 'large_project.launch.py', duration_s=20.0)
 
 
 def test_the_repr_is_one_line(walk: Any) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.advice.wording import Mark
+from edulaunch.advice.rendering import Mark
 from edulaunch.desk.view.columns import FINE
 from edulaunch.desk.view.page import packed
 from edulaunch.desk.view.replay import RecorderSource, RecordingSource, timeline_of
@@ -36,7 +36,7 @@ def test_what_the_rules_say_is_told_once_as_plain_data(recording: Recording) -> 
 
 
 def test_rules_that_are_attached_are_asked(recording: Recording, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr('edulaunch.advice.wording.marks', every_frame)
+    monkeypatch.setattr('edulaunch.advice.rendering.marks', every_frame)
     assert [row['subject'] for row in timeline_of(recording)['advice']] == [{'frame': 'turtle1'}, {'frame': 'turtle2'}]
 
 

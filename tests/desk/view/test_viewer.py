@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from edulaunch.advice.wording import Mark
+from edulaunch.advice.rendering import Mark
 from edulaunch.desk.view import ViewedMachine
 from edulaunch.desk.view.viewer import TICK_NS, Viewer
 from edulaunch.engine.processes.streams import streams_of_programs
@@ -136,7 +136,7 @@ def test_the_tab_key_knows_verbs_packages_and_names_of_the_machine(desk: Desk, l
 
 
 def test_the_rules_look_when_somebody_asks(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr('edulaunch.advice.wording.marks', one_mark)
+    monkeypatch.setattr('edulaunch.advice.rendering.marks', one_mark)
     desk.ask('advise')
     desk.viewer.show()
     assert desk.said[-2:][0] == {'said': 'Problems found: 1.'}

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.fill_message import FillError, fill_message, interface_class, parse_values
 from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
 from edulaunch.engine.processes.current import current_process
@@ -34,8 +34,8 @@ def info_verb(arguments: argparse.Namespace) -> None:
     action = arguments.action_name
     with cli_node.cli_node(arguments) as node:
         sides = (
-            ('clients', _nodes(node, action, names.clients_by_node)),
-            ('servers', _nodes(node, action, names.servers_by_node)),
+            ('clients', _nodes(node, action, graph_names.clients_by_node)),
+            ('servers', _nodes(node, action, graph_names.servers_by_node)),
         )
     say(f'Action: {action}')
     for side, found in sides:
@@ -44,10 +44,12 @@ def info_verb(arguments: argparse.Namespace) -> None:
             say_lines([f'    {name} [{", ".join(types)}]' if arguments.show_types else f'    {name}' for name, types in found])
 
 
-def _nodes(node: Node, action: str, actions_by_node: Callable[[Node, str, str], names.NamesAndTypes]) -> names.NamesAndTypes:
+def _nodes(
+    node: Node, action: str, actions_by_node: Callable[[Node, str, str], graph_names.NamesAndTypes]
+) -> graph_names.NamesAndTypes:
     found = []
     for name, namespace in node.get_node_names_and_namespaces():
-        types = names.types_of(action, actions_by_node(node, name, namespace))
+        types = graph_names.types_of(action, actions_by_node(node, name, namespace))
         if types:
             found.append((f'{namespace.rstrip("/")}/{name}', types))
     return sorted(found)
@@ -55,24 +57,24 @@ def _nodes(node: Node, action: str, actions_by_node: Callable[[Node, str, str], 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 action list`."""
-    names.add_list_arguments(parser, 'action')
+    graph_names.add_list_arguments(parser, 'action')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
     """Print the actions, sorted by name."""
     with cli_node.cli_node(arguments) as node:
-        names.say_names(names.action_names_and_types(node), arguments)
+        graph_names.say_names(graph_names.action_names_and_types(node), arguments)
 
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 action type`."""
-    names.add_name_arguments(parser, 'action', 'get type', '/fibonacci')
+    graph_names.add_name_arguments(parser, 'action', 'get type', '/fibonacci')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
     """Print the type; return 1 without a message if there is no such action, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
-        return names.say_types(arguments.action_name, names.action_names_and_types(node))
+        return graph_names.say_types(arguments.action_name, graph_names.action_names_and_types(node))
 
 
 def send_goal_arguments(parser: argparse.ArgumentParser) -> None:

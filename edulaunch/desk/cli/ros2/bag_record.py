@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Protocol
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder, require_rosbags
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.graph import qos
@@ -118,7 +118,7 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
     if os.path.exists(folder):
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
     with cli_node.cli_node(name='rosbag2_recorder', signals='SIGTERM') as node:
-        recorder = BagRecorder(node, [names.absolute(name) for name in wanted], arguments)
+        recorder = BagRecorder(node, [graph_names.absolute(name) for name in wanted], arguments)
         with suppress(KeyboardInterrupt):  # Ctrl-C is the usual end of a recording
             recorder.record()
         recorder.write(folder, arguments.storage)
@@ -185,7 +185,7 @@ class BagRecorder:
             return True
         if is_event:
             return bool(chosen.all or chosen.all_services)
-        if names.is_hidden(topic) and not chosen.include_hidden_topics:
+        if graph_names.is_hidden(topic) and not chosen.include_hidden_topics:
             return False
         by_name = chosen.regex and re.search(chosen.regex, topic)
         return bool(chosen.all or chosen.all_topics or by_name or type_name in chosen.topic_types)

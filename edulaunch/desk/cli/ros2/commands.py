@@ -140,13 +140,14 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
 MODULES = {
     'bag play': 'bag_play',
     'bag record': 'bag_record',
-    'daemon': 'doctor',
-    'multicast': 'doctor',
+    'daemon': 'system_checks',
+    'doctor': 'system_checks',
+    'multicast': 'system_checks',
     'run': 'launch',
     'topic bw': 'topic_measuring',
     'topic delay': 'topic_measuring',
     'topic hz': 'topic_measuring',
-    'wtf': 'doctor',
+    'wtf': 'system_checks',
 }
 """Verbs with a file of their own, and commands in the file of another command."""
 NOT_HERE = {
@@ -179,7 +180,7 @@ def load(command: str, verb: str | None) -> Verb:
     """
     home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
     names = vars(import_module(f'edulaunch.desk.cli.ros2.{home}'))
-    name = next(name for name in (verb, command, home) if f'{name}_verb' in names)
+    name = next(name for name in (verb, command) if f'{name}_verb' in names)
     return Verb(names[f'{name}_arguments'], names[f'{name}_verb'])
 
 

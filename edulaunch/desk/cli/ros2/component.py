@@ -6,7 +6,7 @@ import argparse
 import os
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.engine.processes.current import current_process
@@ -49,7 +49,7 @@ def container(node: Node, name: str) -> str:
 
     :raises RuntimeError: when no container has this name, with the message of ROS 2.
     """
-    name, known = names.absolute(name), _containers(node)
+    name, known = graph_names.absolute(name), _containers(node)
     if name not in known:
         raise RuntimeError(
             with_help(f"Unable to find container node '{name}'", did_you_mean(name, known) or 'see `ros2 component list`')

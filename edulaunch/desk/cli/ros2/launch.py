@@ -166,7 +166,7 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
 
 
 def _not_found(index: Index, package: str, executable: str) -> str:
-    from edulaunch.advice.wording import help_of_facts
+    from edulaunch.advice.rendering import help_of_facts
 
     if package not in index.packages():
         return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package, current_process().cwd)))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names, node_parameters
+from edulaunch.desk.cli.ros2 import cli_node, graph_names, node_parameters
 from edulaunch.desk.cli.ros2 import node as node_command
 from edulaunch.desk.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.engine.nearest import did_you_mean
@@ -27,7 +27,9 @@ def _common_arguments(parser: argparse.ArgumentParser) -> None:
 def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
     """Return the full names of all lifecycle nodes, sorted: the nodes with a service for their state."""
     served = (name for name, types in node.get_service_names_and_types() if name.endswith(_SERVICE) and _TYPE in types)
-    return sorted(name for service in served if include_hidden or not names.is_hidden(name := service.removesuffix(_SERVICE)))
+    return sorted(
+        name for service in served if include_hidden or not graph_names.is_hidden(name := service.removesuffix(_SERVICE))
+    )
 
 
 class LifecycleNodeOf(node_parameters.OtherNode):
@@ -58,7 +60,7 @@ def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
 
     :raises NodeNotFound: when no lifecycle node has this name, with the message of ROS 2.
     """
-    name = names.absolute(arguments.node_name)
+    name = graph_names.absolute(arguments.node_name)
     with cli_node.cli_node(arguments) as node:
         known = _lifecycle_nodes(node, arguments.include_hidden_nodes)
         if name not in known:

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.fill_message import interface_class
 from edulaunch.desk.cli.ros2.output import complain, say, with_help
 from edulaunch.engine.interfaces.message import Message
@@ -63,7 +63,7 @@ def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wai
 
 
 def _types(node: Node, name: str) -> list[str]:
-    return names.types_of(name, node.get_topic_names_and_types())
+    return graph_names.types_of(name, node.get_topic_names_and_types())
 
 
 def message_filter(expression: str | None) -> Callable[[Any], bool]:

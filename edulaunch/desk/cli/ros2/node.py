@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.engine.nearest import did_you_mean
 
@@ -24,7 +24,7 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
     """Print six lists, each sorted by name."""
     wanted = arguments.node_name
     with cli_node.cli_node(arguments) as node:
-        known = names.node_names(node)
+        known = graph_names.node_names(node)
         count = known.count(wanted)
         if not count:
             return with_help(f"Unable to find node '{wanted}'", did_you_mean(wanted, known))
@@ -36,12 +36,12 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
         say(wanted)
         for heading, entries in _sections(node, wanted):
             say(f'  {heading}:')
-            shown = [f'    {name}: {", ".join(types)}' for name, types in names.visible(entries, arguments.include_hidden)]
+            shown = [f'    {name}: {", ".join(types)}' for name, types in graph_names.visible(entries, arguments.include_hidden)]
             say('\n'.join(shown))
     return None
 
 
-def _sections(node: Node, wanted: str) -> list[tuple[str, names.NamesAndTypes]]:
+def _sections(node: Node, wanted: str) -> list[tuple[str, graph_names.NamesAndTypes]]:
     namespace, _, name = wanted.rpartition('/')
     where = (name, namespace or '/')
     return [
@@ -49,8 +49,8 @@ def _sections(node: Node, wanted: str) -> list[tuple[str, names.NamesAndTypes]]:
         ('Publishers', node.get_publisher_names_and_types_by_node(*where)),
         ('Service Servers', node.get_service_names_and_types_by_node(*where)),
         ('Service Clients', node.get_client_names_and_types_by_node(*where)),
-        ('Action Servers', names.servers_by_node(node, *where)),
-        ('Action Clients', names.clients_by_node(node, *where)),
+        ('Action Servers', graph_names.servers_by_node(node, *where)),
+        ('Action Clients', graph_names.clients_by_node(node, *where)),
     ]
 
 
@@ -64,7 +64,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 def list_verb(arguments: argparse.Namespace) -> None:
     """Print the full names of the nodes, sorted."""
     with cli_node.cli_node(arguments) as node:
-        found = names.node_names(node, arguments.all)
+        found = graph_names.node_names(node, arguments.all)
     if arguments.count_nodes:
         say(str(len(found)))
         return

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.nearest import did_you_mean
 
@@ -110,14 +110,14 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
 
     :raises NodeNotFound: when it does not appear, with the message of ROS 2.
     """
-    name = names.absolute(arguments.node_name)
+    name = graph_names.absolute(arguments.node_name)
     with cli_node.cli_node(arguments) as node:
         for _ in range(max(1, round(arguments.timeout / LOOK_EVERY_S))):
-            if name in names.node_names(node, arguments.include_hidden_nodes):
+            if name in graph_names.node_names(node, arguments.include_hidden_nodes):
                 yield ParametersOf(node, name)
                 return
             cli_node.pause(node, LOOK_EVERY_S)
-        known = names.node_names(node, arguments.include_hidden_nodes)
+        known = graph_names.node_names(node, arguments.include_hidden_nodes)
         names_here = (
             f'there is no node {name}; the nodes are: {", ".join(known[:12])}'
             if known

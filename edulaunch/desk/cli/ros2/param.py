@@ -7,7 +7,7 @@ import os
 import re
 from typing import Any
 
-from edulaunch.desk.cli.ros2 import cli_node, names, node_parameters
+from edulaunch.desk.cli.ros2 import cli_node, graph_names, node_parameters
 from edulaunch.desk.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.engine.processes.current import current_process
 
@@ -135,7 +135,7 @@ def list_verb(arguments: argparse.Namespace) -> None:
         return
     with cli_node.cli_node(arguments) as node:
         served = {name for name, _ in node.get_service_names_and_types()}
-        for name in names.node_names(node, arguments.include_hidden_nodes):
+        for name in graph_names.node_names(node, arguments.include_hidden_nodes):
             if f'{name}/list_parameters' in served:
                 parameters = node_parameters.ParametersOf(node, name)
                 parameters.waits_s = (1.0,)

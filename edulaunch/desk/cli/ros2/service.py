@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, listening, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names, listening
 from edulaunch.desk.cli.ros2.fill_message import FillError, fill_message, interface_class, parse_values
 from edulaunch.desk.cli.ros2.output import complain, positive_float, say, with_help
 from edulaunch.engine.nearest import did_you_mean
@@ -23,19 +23,19 @@ HOW = 'configure_introspection() of the server or the client switches it on'
 
 def find_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 service find`."""
-    names.add_find_arguments(parser, 'service', 'rcl_interfaces/srv/ListParameters')
+    graph_names.add_find_arguments(parser, 'service', 'rcl_interfaces/srv/ListParameters')
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
     """Print the services, sorted."""
     with cli_node.cli_node(arguments) as node:
-        services = names.visible(node.get_service_names_and_types(), arguments.include_hidden_services)
-    names.say_found(services, arguments.service_type, arguments.count)
+        services = graph_names.visible(node.get_service_names_and_types(), arguments.include_hidden_services)
+    graph_names.say_found(services, arguments.service_type, arguments.count)
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 service info`."""
-    names.add_name_arguments(parser, 'service', 'get info', '/add_two_ints')
+    graph_names.add_name_arguments(parser, 'service', 'get info', '/add_two_ints')
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
@@ -43,7 +43,7 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
     service = arguments.service_name
     with cli_node.cli_node(arguments) as node:
         services = node.get_service_names_and_types()
-        types = names.types_of(service, services)
+        types = graph_names.types_of(service, services)
         if not types:
             return with_help(f"Unknown service '{service}'", did_you_mean(service, [name for name, _ in services]))
         say(f'Type: {types[0] if len(types) == 1 else types}')
@@ -54,8 +54,8 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 service list`."""
-    names.add_list_arguments(parser, 'service')
-    names.add_hidden(parser, 'service')
+    graph_names.add_list_arguments(parser, 'service')
+    graph_names.add_hidden(parser, 'service')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
@@ -63,18 +63,18 @@ def list_verb(arguments: argparse.Namespace) -> None:
     with cli_node.cli_node(arguments) as node:
         own = f'{node.get_fully_qualified_name()}/'
         services = [entry for entry in node.get_service_names_and_types() if not entry[0].startswith(own)]
-    names.say_names(names.visible(services, arguments.include_hidden_services), arguments)
+    graph_names.say_names(graph_names.visible(services, arguments.include_hidden_services), arguments)
 
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 service type`."""
-    names.add_name_arguments(parser, 'service', 'get type', '/talker/list_parameters')
+    graph_names.add_name_arguments(parser, 'service', 'get type', '/talker/list_parameters')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
     """Print the type; return 1 without a message if there is no such service, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
-        return names.say_types(arguments.service_name, node.get_service_names_and_types())
+        return graph_names.say_types(arguments.service_name, node.get_service_names_and_types())
 
 
 def call_arguments(parser: argparse.ArgumentParser) -> None:
@@ -113,7 +113,7 @@ def _wait(node: Node, client: Client) -> None:
     if client.wait_for_service(timeout_sec=PATIENCE_S) or not node.context.ok():
         return
     services = node.get_service_names_and_types()
-    types = names.types_of(client.service_name, services)
+    types = graph_names.types_of(client.service_name, services)
     other = (
         f'{client.service_name} has the type {types[0]}'
         if types
@@ -144,7 +144,7 @@ def _request(node: Node, client: Client, request: Any, rate: float | None) -> No
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the service, its type, and the form of the events."""
-    names.add_name_arguments(parser, 'service', 'echo', '/add_two_ints')
+    graph_names.add_name_arguments(parser, 'service', 'echo', '/add_two_ints')
     parser.add_argument('service_type', nargs='?', help="Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')")
     listening.add_printing_arguments(parser)
     parser.add_argument('--once', action='store_true', help='Print the first event received and then exit')
@@ -159,7 +159,7 @@ def echo_verb(arguments: argparse.Namespace) -> str | None:
     with cli_node.cli_node(arguments) as node:
         service = node.resolve_service_name(arguments.service_name)
         services = node.get_service_names_and_types()
-        types = [arguments.service_type] if arguments.service_type else names.types_of(service, services)
+        types = [arguments.service_type] if arguments.service_type else graph_names.types_of(service, services)
         if not types:
             known = did_you_mean(service, [name for name, _ in services])
             return with_help(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.desk.cli.ros2 import cli_node, listening, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names, listening
 from edulaunch.desk.cli.ros2.fill_message import FillError, fill_message, interface_class, parse_values
 from edulaunch.desk.cli.ros2.output import complain, positive_float, say, with_help
 from edulaunch.engine.nearest import did_you_mean
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
 
 def find_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic find`."""
-    names.add_find_arguments(parser, 'topic', 'std_msgs/msg/String')
+    graph_names.add_find_arguments(parser, 'topic', 'std_msgs/msg/String')
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
     """Print the topics, sorted."""
     with cli_node.cli_node(arguments) as node:
-        topics = names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
-    names.say_found(topics, arguments.topic_type, arguments.count)
+        topics = graph_names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
+    graph_names.say_found(topics, arguments.topic_type, arguments.count)
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic info`."""
-    names.add_name_arguments(parser, 'topic', 'get info', '/chatter')
+    graph_names.add_name_arguments(parser, 'topic', 'get info', '/chatter')
     parser.add_argument(
         '-v', '--verbose', action='store_true', help='Print each endpoint with its node, type and quality of service'
     )
@@ -43,7 +43,7 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
     topic, end = arguments.topic_name, '\n\n' if arguments.verbose else '\n'
     with cli_node.cli_node(arguments) as node:
         topics = node.get_topic_names_and_types()
-        types = names.types_of(topic, topics)
+        types = graph_names.types_of(topic, topics)
         if not types:
             return with_help(f"Unknown topic '{topic}'", did_you_mean(topic, [name for name, _ in topics]))
         say(f'Type: {types[0] if len(types) == 1 else types}', end)
@@ -59,23 +59,23 @@ def info_verb(arguments: argparse.Namespace) -> str | None:
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic list`."""
-    names.add_list_arguments(parser, 'topic')
-    names.add_hidden(parser, 'topic')
+    graph_names.add_list_arguments(parser, 'topic')
+    graph_names.add_hidden(parser, 'topic')
     parser.add_argument('-v', '--verbose', action='store_true', help='List full details about each topic')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
     """Print the topics, sorted."""
     with cli_node.cli_node(arguments) as node:
-        topics = names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
+        topics = graph_names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
         if not arguments.verbose or arguments.count:
-            names.say_names(topics, arguments)
+            graph_names.say_names(topics, arguments)
             return
         _say_details(node, topics, 'Published topics:', 'publisher')
         _say_details(node, topics, 'Subscribed topics:', 'subscriber')
 
 
-def _say_details(node: Node, topics: names.NamesAndTypes, heading: str, side: str) -> None:
+def _say_details(node: Node, topics: graph_names.NamesAndTypes, heading: str, side: str) -> None:
     say(heading)
     for topic, types in topics:
         count = node.count_publishers(topic) if side == 'publisher' else node.count_subscribers(topic)
@@ -86,23 +86,23 @@ def _say_details(node: Node, topics: names.NamesAndTypes, heading: str, side: st
 
 def type_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic type`."""
-    names.add_name_arguments(parser, 'topic', 'get type', '/chatter')
+    graph_names.add_name_arguments(parser, 'topic', 'get type', '/chatter')
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
     """Print the type; return 1 without a message if there is no such topic, as in ROS 2."""
     with cli_node.cli_node(arguments) as node:
-        return names.say_types(arguments.topic_name, node.get_topic_names_and_types())
+        return graph_names.say_types(arguments.topic_name, node.get_topic_names_and_types())
 
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic echo`."""
-    names.add_name_arguments(parser, 'topic', 'listen to', '/chatter')
+    graph_names.add_name_arguments(parser, 'topic', 'listen to', '/chatter')
     parser.add_argument('message_type', nargs='?', help="Type of the ROS message (e.g. 'std_msgs/msg/String')")
     listening.add_printing_arguments(parser)
     parser.add_argument('--once', action='store_true', help='Print the first message received and then exit')
     parser.add_argument('--timeout', metavar='N', type=float, help='Set a timeout in seconds for waiting')
-    names.add_hidden(parser, 'topic')
+    graph_names.add_hidden(parser, 'topic')
     listening.add_qos_arguments(parser, 'sensor_data')
 
 
@@ -148,7 +148,7 @@ def _suitable_profile(node: Node, topic: str, arguments: argparse.Namespace) -> 
 
 def pub_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 topic pub`."""
-    names.add_name_arguments(parser, 'topic', 'publish to', '/chatter')
+    graph_names.add_name_arguments(parser, 'topic', 'publish to', '/chatter')
     parser.add_argument('message_type', help="Type of the ROS message (e.g. 'std_msgs/String')")
     group = parser.add_mutually_exclusive_group()
     group.add_argument('values', nargs='?', default='{}', help='Values to fill the message with in YAML format')

@@ -6,7 +6,7 @@ import argparse
 from collections import deque
 from typing import Any, Protocol
 
-from edulaunch.desk.cli.ros2 import cli_node, listening, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names, listening
 from edulaunch.desk.cli.ros2.output import positive_int, say
 from edulaunch.engine.sim.task import current_task
 
@@ -25,7 +25,7 @@ class Measure(Protocol):
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
     """Add the topic, and how many messages count."""
-    names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
+    graph_names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
     parser.add_argument(
         '-w',
         '--window',

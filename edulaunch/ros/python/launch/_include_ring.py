@@ -10,10 +10,8 @@ from edulaunch.engine.facts import with_facts
 if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
 
-    from .launch_context import LaunchContext
-
 DEEPEST = 50
-"""So many times a file may be inside itself, when the launch configurations are different each time."""
+"""How many times a file may include itself with different launch configurations."""
 
 
 class Include(NamedTuple):
@@ -28,21 +26,22 @@ class Include(NamedTuple):
     configurations: dict[str, Any]
 
 
-def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> None:
-    """Record that `file` is visited until the walk leaves the action that includes it.
+def enter_include(open_includes: list[Include] | None, entered: Include) -> None:
+    """Record that a file is visited until the walk leaves the action that includes it.
 
-    Outside a walk nothing is recorded, because the end of a file is unknown there. A file may include itself if this ends, for
+    A file may include itself if this ends, for
     example under a condition with an argument that counts down.
 
+    :param open_includes: the files that are visited now, the outermost first. None outside a walk, because the end of a file
+        is unknown there.
     :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
     """
-    if context.open_includes is None:
+    if open_includes is None:
         return
-    entered = Include(file, origin, dict(context.launch_configurations))
-    before = [number for number, include in enumerate(context.open_includes) if include.file == file]
-    if before and (len(before) >= DEEPEST or context.open_includes[before[-1]].configurations == entered.configurations):
-        raise _ring_error([*context.open_includes[before[-1] :], entered])
-    context.open_includes.append(entered)
+    before = [number for number, include in enumerate(open_includes) if include.file == entered.file]
+    if before and (len(before) >= DEEPEST or open_includes[before[-1]].configurations == entered.configurations):
+        raise _ring_error([*open_includes[before[-1] :], entered])
+    open_includes.append(entered)
 
 
 def _ring_error(ring: list[Include]) -> RecursionError:

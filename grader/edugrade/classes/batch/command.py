@@ -12,8 +12,8 @@ from ...results import BROKEN_GRADER
 from ...rubrics.catalogue import exercises, find_rubric
 from ...submission import exercise_of
 from .entries import Entry, Finder, refuse_nothing
-from .names import ARCHIVES
 from .store import Result, Store
+from .students import ARCHIVES
 from .work import Options, grade_here, work_to_do
 
 Results = Sequence[tuple[Entry, Result | None]]

@@ -11,7 +11,7 @@ from edulaunch.engine.underlay_place import is_students
 from .._absent_packages import is_left_out
 from .._bases import ReadOnly
 from .._engine import inside
-from .._include_ring import enter_include
+from .._include_ring import Include, enter_include
 from .._run_notes import note_declared, note_include, note_undeclared, tell_wrong_return
 from ..action import Action
 from ..launch_context import LaunchContext
@@ -106,7 +106,7 @@ class IncludeLaunchDescription(Action):
             raise
         sets = [SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments]
         if type(self.__source) is not LaunchDescriptionSource:  # which holds a description, and no file
-            enter_include(context, location, self.origin)
+            enter_include(context.open_includes, Include(location, self.origin, dict(context.launch_configurations)))
         return [*sets, description]
 
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:

@@ -1,4 +1,4 @@
-"""An hour on the real ROS 2 network: `python -m benchmarks.soak MINUTES LINK DOMAIN` says memory and processor time, each minute.
+"""An hour on the real ROS 2 network: `python -m tests.benchmarks.soak MINUTES LINK DOMAIN` says memory and processor time, each minute.
 
 A machine with three turtles and their tf; a peer that joins, hears all of it, drives each turtle 50 times a second, and leaves
 after a while, again and again. Nothing leaves the loopback. LINK is cyclonedds or rclpy.
@@ -14,13 +14,13 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks.network import TURTLES
 from edulaunch.desk.machine.place import folder, read_address
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
 from edulaunch.extras.network.links import make_link
 from edulaunch.ros.serialization.cdr import encode
+from tests.benchmarks.network import TURTLES
 
 STAYS_S = 18.0
 AWAY_S = 2.0

@@ -1,6 +1,6 @@
 """A machine on the real ROS 2 network, on the loopback: round trips through it, what three turtles with tf cost, what is lost.
 
-`python -m benchmarks.network` needs `edulaunch[network]`, and for the full link `edulaunch network install`. A share of a
+`python -m tests.benchmarks.network` needs `edulaunch[network]`, and for the full link `edulaunch network install`. A share of a
 core is the time of a processor that the machine, or the full link's side process, has used, over the time on the wall.
 """
 
@@ -125,7 +125,7 @@ class Host:
     def __init__(self, words: list[str], link: str) -> None:
         pipe = subprocess.PIPE
         self.program = subprocess.Popen(
-            [sys.executable, '-m', 'benchmarks.network', link, *words], stdin=pipe, stdout=pipe, text=True
+            [sys.executable, '-m', 'tests.benchmarks.network', link, *words], stdin=pipe, stdout=pipe, text=True
         )
         self.hear()
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from edugrade.classes.doctor import Finding, examine, report
+from edugrade.classes.sandbox_proof import Finding, examine, report
 from edugrade.cli import main
 from edugrade.job import Limits
 from edugrade.sandbox import landlock, seccomp

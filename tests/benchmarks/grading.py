@@ -1,6 +1,6 @@
 """How long grading takes: one submission, a class on this computer, and the same class on two Dask workers.
 
-    python -m benchmarks.grading [SUBMISSIONS] [PAIRS]
+    python -m tests.benchmarks.grading [SUBMISSIONS] [PAIRS]
 
 The two figures of a pair are measured one after the other. The ratio is that of each pair, so a busy computer changes it less.
 The load average of the last minute is printed beside them. Four of 200 submissions never end or crash.
@@ -17,7 +17,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 CIRCLE = (ROOT / 'solutions' / 'circle.launch.py').read_text()
 BAD = ('\nwhile True:\n    pass\n', '\nraise ValueError("x")\n', '\nimport os\nos._exit(1)\n', '\nx = [0] * (1 << 40)\n')
 CLUSTER = """

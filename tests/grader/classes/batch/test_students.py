@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from edugrade.classes.batch.entries import Entry, Finder
-from edugrade.classes.batch.names import Student, namer, plain_name
+from edugrade.classes.batch.students import Student, namer, plain_name
 
 from edulaunch.errors import UnusableInput
 

@@ -1,4 +1,4 @@
-"""What the real rclpy costs: `python -m benchmarks.native` (needs `edulaunch network install`; everything on the loopback).
+"""What the real rclpy costs: `python -m tests.benchmarks.native` (needs `edulaunch network install`; everything on the loopback).
 
 A node on it with our messages against a plain one, each from the start of its process to the node; and how long a real client
 waits for an answer over the full link.

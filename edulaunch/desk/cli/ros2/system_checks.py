@@ -11,7 +11,7 @@ import platform
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.desk.cli.ros2 import cli_node, names
+from edulaunch.desk.cli.ros2 import cli_node, graph_names
 from edulaunch.desk.cli.ros2.output import complain, say
 from edulaunch.engine.processes.current import current_process
 
@@ -44,7 +44,7 @@ def known_topics(node: Node) -> list[tuple[str, int, int]]:
     return [
         (name, node.count_publishers(name), node.count_subscribers(name))
         for name, _ in node.get_topic_names_and_types()
-        if name not in UNCHECKED_TOPICS and not names.is_hidden(name)
+        if name not in UNCHECKED_TOPICS and not graph_names.is_hidden(name)
     ]
 
 
@@ -130,6 +130,9 @@ def doctor_verb(arguments: argparse.Namespace) -> int:
         if arguments.report_failed:
             say_report(node, failed, arguments.exclude_packages)
     return 1
+
+
+wtf_arguments, wtf_verb = doctor_arguments, doctor_verb
 
 
 def say_report(node: Node, names: Iterable[str], exclude_packages: bool) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from edulaunch.advice.texts import Around, check
 
-SOLUTIONS = Path(__file__).parents[1] / 'solutions'
+SOLUTIONS = Path(__file__).parents[2] / 'solutions'
 TIMES = 7
 MISTAKEN = {"'turtlesim'": "'turtlesm'", 'executable=': 'exectable=', 'LogInfo(': 'LogInfo(mgs='}
 """What is written wrong in the second figure."""

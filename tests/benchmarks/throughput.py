@@ -1,6 +1,6 @@
 """What arrives from a machine at a node on the real rclpy: images of 1 MB, and twenty topics at 200 messages a second.
 
-`python -m benchmarks.throughput` needs `edulaunch[network]` and `edulaunch network install`. It measures each row for both links,
+`python -m tests.benchmarks.throughput` needs `edulaunch[network]` and `edulaunch network install`. It measures each row for both links,
 and for two nodes on the real rclpy in the same run. All programs are on the loopback. The subscriber's queue is 1000 deep: a
 queue of ten loses messages between two real nodes, too.
 """
