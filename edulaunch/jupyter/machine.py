@@ -250,7 +250,7 @@ class Machine:
             job = self._jobs.add(process, f'ros2 {line.shell or shlex.join(words)}')
             self._write('stdout', f'{job}\n')
 
-            def on_message(kind: bytes, payload: bytes = b'') -> None:
+            def on_message(kind: int, payload: bytes = b'') -> None:
                 if kind == wire.READ:
                     self._asked.append(job)
 

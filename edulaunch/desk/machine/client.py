@@ -16,6 +16,7 @@ from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.following import GIVE_UP_S, Follower, GaveUp, window_size
 from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, locked, log_file, read_address, remove_address
 from edulaunch.desk.machine.starting import CannotConnect, connect, open_connection, state
+from edulaunch.runtime.framing import Frames, frame
 
 ANSWER_S = 3.0
 """A running machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
@@ -133,7 +134,7 @@ def hello(
     terminals = ''.join('1' if keyboard and os.isatty(number) else '0' for number in range(3))
     variables = [f'{name}={value}' for name, value in (os.environ if env is None else env).items()]
     fields = [token, cwd or os.getcwd(), str(columns), str(lines), terminals, str(len(words)), *words, *variables]
-    return wire.frame(wire.HELLO, wire.pack(fields))
+    return frame(wire.HELLO, wire.pack(fields))
 
 
 def has_terminals_machine() -> bool:
@@ -158,8 +159,8 @@ def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: f
     if found is None:
         return None
     connection, address = found
-    frames = wire.Frames(wire.FROM_MACHINE)
-    steps = [(b'', GIVE_UP_S if seconds is None else seconds), (wire.frame(wire.SIGNAL, b'%d' % signal.SIGINT), END_S)]
+    frames = Frames(wire.FROM_MACHINE)
+    steps = [(b'', GIVE_UP_S if seconds is None else seconds), (frame(wire.SIGNAL, b'%d' % signal.SIGINT), END_S)]
     with connection:
         connection.settimeout(ANSWER_S)
         connection.sendall(hello(address.token, words, keyboard=False))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from edulaunch.desk.machine import wire
 from edulaunch.engine.processes.inputs import PipedInput
+from edulaunch.runtime.framing import BadFrame, Frames, frame
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
@@ -27,7 +28,7 @@ SOON_S = 0.02
 class Peer(Protocol):
     """What a connection becomes after its first frame: a terminal, or a live view."""
 
-    def take(self, kind: bytes, payload: bytes) -> None:
+    def take(self, kind: int, payload: bytes) -> None:
         """Handle a frame of the other side."""
 
     def hang_up(self) -> None:
@@ -55,21 +56,21 @@ class Connection:
         self._token = token
         self._open_peer = open_peer
         self._forget = forget
-        self._frames = wire.Frames(wire.FROM_TERMINAL)
+        self._frames = Frames(wire.FROM_TERMINAL)
         self._unsent = bytearray()
         self._is_last = False
         self._events = selectors.EVENT_READ
-        self._received: deque[tuple[bytes, bytes]] = deque()
+        self._received: deque[tuple[int, bytes]] = deque()
         self.is_open = True
         self.since_s = self._flushed_s = time.monotonic()
         self.terminal: Peer | None = None
         client.setblocking(False)
         selector.register(client, self._events, self._attend)
 
-    def send(self, kind: bytes, payload: bytes = b'') -> None:
+    def send(self, kind: int, payload: bytes = b'') -> None:
         """Queue a frame. It leaves with the next :meth:`flush`, or immediately after a long turn."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
-            self._unsent += wire.frame(kind, payload[begin : begin + wire.LONGEST])
+            self._unsent += frame(kind, payload[begin : begin + wire.LONGEST])
         if time.monotonic() - self._flushed_s > SOON_S:
             self._push()
 
@@ -126,7 +127,7 @@ class Connection:
             self._received += self._frames.feed(data)
         except BlockingIOError:
             return True
-        except (OSError, wire.BadFrame):
+        except (OSError, BadFrame):
             return False
         return bool(data)
 
@@ -135,7 +136,7 @@ class Connection:
         try:
             while self._received and self.is_open:
                 self._take(*self._received.popleft())
-        except (wire.BadFrame, ValueError, IndexError):
+        except (BadFrame, ValueError, IndexError):
             self.close()
         except Exception:  # a bug in edulaunch: the machine and its other terminals continue
             traceback.print_exc(file=sys.__stderr__)
@@ -158,7 +159,7 @@ class Connection:
         self.send(wire.ANSWER)
         self._push()
 
-    def _take(self, kind: bytes, payload: bytes) -> None:
+    def _take(self, kind: int, payload: bytes) -> None:
         if self.terminal is not None:
             if kind == wire.SIGNAL:
                 self._answer()
@@ -166,7 +167,7 @@ class Connection:
             return
         fields = wire.unpack(payload) if kind == wire.HELLO else ['']
         if not hmac.compare_digest(fields[0].encode('utf-8', 'replace'), self._token.encode()):
-            raise wire.BadFrame('wrong token')
+            raise BadFrame('wrong token')
         self.send(wire.WELCOME)
         self.terminal = self._open_peer(self, fields[1:])
 

@@ -15,6 +15,7 @@ from collections.abc import Callable
 
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.keyboard import Keyboard
+from edulaunch.runtime.framing import BadFrame, Frames, frame
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ class Follower:
         self._state = state
         self._give_up_s = give_up_s
         self._keyboard = Keyboard()
-        self._frames = wire.Frames(wire.FROM_MACHINE)
+        self._frames = Frames(wire.FROM_MACHINE)
         self._poll = select.poll()
         self._unsent = bytearray()
         self._is_sending = False
@@ -90,7 +91,7 @@ class Follower:
         except _CannotWrite as error:
             sys.stderr.write(f'error: cannot write the output of the command: {error}\n')
             return 1
-        except (ConnectionError, wire.BadFrame):
+        except (ConnectionError, BadFrame):
             return None
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
@@ -119,7 +120,7 @@ class Follower:
                         return int(payload)
                     self._take(kind, payload)
 
-    def _take(self, kind: bytes, payload: bytes) -> None:
+    def _take(self, kind: int, payload: bytes) -> None:
         if kind == wire.WELCOME:
             self.is_welcome = True
         elif kind == wire.ANSWER:
@@ -164,7 +165,7 @@ class Follower:
         except OSError:  # closed, or not readable by this process
             keys = b''
         self._reads = bool(keys)
-        self._send(wire.frame(wire.INPUT, keys))
+        self._send(frame(wire.INPUT, keys))
 
     def _pass_on(self, signum: int, frame: FrameType | None) -> None:
         self._unanswered.append(signum)
@@ -176,9 +177,9 @@ class Follower:
     def _send_size(self, signum: int, frame: FrameType | None) -> None:
         self._send_in_handler(wire.SIZE, '{} {}'.format(*window_size()))
 
-    def _send_in_handler(self, kind: bytes, text: str) -> None:
+    def _send_in_handler(self, kind: int, text: str) -> None:
         try:
-            self._send(wire.frame(kind, text.encode()))
+            self._send(frame(kind, text.encode()))
         except (OSError, KeyError):
             return  # reading from it shows that the machine has ended
 

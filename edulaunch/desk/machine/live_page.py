@@ -22,7 +22,7 @@ class LivePage:
     """
 
     def __init__(
-        self, machine: ViewedMachine, send: Callable[[bytes, bytes], object], forget: Callable[[LivePage], object]
+        self, machine: ViewedMachine, send: Callable[[int, bytes], object], forget: Callable[[LivePage], object]
     ) -> None:
         self._send = send
         self._forget = forget
@@ -32,7 +32,7 @@ class LivePage:
     def _say(self, message: dict[str, Any]) -> None:
         self._send(wire.OUTPUT, json.dumps(message, separators=(',', ':')).encode() + b'\n')
 
-    def take(self, kind: bytes, payload: bytes) -> None:
+    def take(self, kind: int, payload: bytes) -> None:
         """Handle a line of the page.
 
         :raises ValueError: for invalid JSON, or a line that is too long.

@@ -246,7 +246,7 @@ class Terminal:
         self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
         self._connection.end()
 
-    def take(self, kind: bytes, payload: bytes) -> None:
+    def take(self, kind: int, payload: bytes) -> None:
         """Handle a frame of the other end."""
         if kind == wire.INPUT:
             self.input.feed(self._decoder.decode(payload), last=not payload)

@@ -23,6 +23,7 @@ from tornado.websocket import WebSocketHandler
 
 from edulaunch.desk.machine import wire
 from edulaunch.desk.view.page import live_page
+from edulaunch.runtime.framing import Frames, frame
 
 LONGEST_WORDS = 1 << 16
 """The maximum number of bytes in one message from the page."""
@@ -69,7 +70,7 @@ class _Socket(Guarded, WebSocketHandler):
         asyncio.get_running_loop().create_task(self._pass_on())
 
     async def _pass_on(self) -> None:
-        frames, line = wire.Frames(wire.FROM_MACHINE), b''
+        frames, line = Frames(wire.FROM_MACHINE), b''
         try:
             while True:
                 for kind, payload in frames.feed(await self._machine.read_bytes(1 << 18, partial=True)):
@@ -87,7 +88,7 @@ class _Socket(Guarded, WebSocketHandler):
     def on_message(self, message: str | bytes) -> None:
         data = message.encode() if isinstance(message, str) else message
         if len(data) <= LONGEST_WORDS and b'\n' not in data and not self._machine.closed():
-            self._machine.write(wire.frame(wire.INPUT, data + b'\n'))
+            self._machine.write(frame(wire.INPUT, data + b'\n'))
 
     def on_close(self) -> None:
         if hasattr(self, '_machine'):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import socket
-import struct
 from typing import Protocol
 
 from tornado.iostream import IOStream
@@ -11,19 +10,18 @@ from tornado.iostream import IOStream
 from edulaunch.desk.machine import wire
 from edulaunch.extras.foxglove.conversation import Conversation
 from edulaunch.extras.foxglove.said import Message
+from edulaunch.runtime.framing import Frames, frame
 
-TEXT, BYTES, TURN = b't', b'b', b'n'
+TEXT, BYTES, TURN = b'tbn'
 """What a frame to the machine holds: a string of the client, bytes of the client, or the wish for a turn."""
-_LAST = b'e'
-_HEADER = struct.Struct('<cI')
-END = _HEADER.pack(_LAST, 0)
-"""Behind the last message of a turn."""
+_LAST = ord('e')
+END = frame(_LAST)
+"""Follows the last message of a turn."""
 
 
 def packed(message: Message) -> bytes:
     """Return a message as it goes from the machine's process to the server's."""
-    data = message.encode() if isinstance(message, str) else message
-    return _HEADER.pack(TEXT if isinstance(message, str) else BYTES, len(data)) + data
+    return frame(TEXT, message.encode()) if isinstance(message, str) else frame(BYTES, message)
 
 
 class Line(Protocol):
@@ -48,16 +46,19 @@ class MachineLine:
 
     def __init__(self, connection: socket.socket, hello: bytes) -> None:
         self._stream = IOStream(connection)
-        self._frames = wire.Frames(wire.FROM_MACHINE)
-        self._data = bytearray()
+        self._frames = Frames(wire.FROM_MACHINE)
+        self._messages = Frames()
         self._hello = hello
 
-    async def _send(self, payload: bytes) -> None:
+    async def _send(self, mark: int, payload: bytes = b'') -> None:
         hello, self._hello = self._hello, b''
-        await self._stream.write(hello + wire.frame(wire.INPUT, payload))
+        await self._stream.write(hello + frame(wire.INPUT, bytes((mark,)) + payload))
 
     async def say(self, message: Message) -> None:
-        await self._send(TEXT + message.encode() if isinstance(message, str) else BYTES + message)
+        if isinstance(message, str):
+            await self._send(TEXT, message.encode())
+        else:
+            await self._send(BYTES, message)
 
     async def turn(self) -> list[Message]:
         """The messages for the client.
@@ -68,20 +69,16 @@ class MachineLine:
         await self._send(TURN)
         found: list[Message] = []
         while True:
-            while len(self._data) >= _HEADER.size:
-                mark, length = _HEADER.unpack_from(self._data)
-                if len(self._data) < _HEADER.size + length:
-                    break
-                data = bytes(self._data[_HEADER.size : _HEADER.size + length])
-                del self._data[: _HEADER.size + length]
+            for kind, payload in self._frames.feed(await self._stream.read_bytes(1 << 18, partial=True)):
+                if kind == wire.ERRORS:
+                    raise OSError(payload.decode('utf-8', 'replace'))
+                if kind == wire.OUTPUT:
+                    self._messages.add(payload)
+            while (message := self._messages.take()) is not None:
+                mark, data = message
                 if mark == _LAST:
                     return found
                 found.append(data.decode() if mark == TEXT else data)
-            for kind, payload in self._frames.feed(await self._stream.read_bytes(1 << 18, partial=True)):
-                if kind == wire.OUTPUT:
-                    self._data += payload
-                elif kind == wire.ERRORS:
-                    raise OSError(payload.decode('utf-8', 'replace'))
 
     def close(self) -> None:
         self._stream.close()

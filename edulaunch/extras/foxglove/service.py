@@ -27,14 +27,14 @@ class Client:
         self._conversation = Conversation(LiveFeed(machine, next(_numbers)))
         _clients.append(self)
 
-    def take(self, kind: bytes, payload: bytes) -> None:
+    def take(self, kind: int, payload: bytes) -> None:
         """A message of the client, or the server's request for a turn.
 
         :raises ValueError: for a client that asks for more than it reads, and for an invalid payload.
         """
         if kind != wire.INPUT:
             return
-        mark, data = payload[:1], payload[1:]
+        mark, data = payload[0], payload[1:]
         if mark == TURN:
             heard = b''.join(map(packed, self._conversation.turn()))
             self._connection.send(wire.OUTPUT, heard + END)

@@ -33,6 +33,7 @@ from edulaunch.extras.network.link import (
     Response,
     Settings,
 )
+from edulaunch.runtime.framing import Frames
 
 LONGEST_START_S = 30.0
 MOST_WAITING = 32 << 20
@@ -58,7 +59,7 @@ class RclpyLink:
     def __init__(self) -> None:
         self._count = 0
         self._out = wire.Outbox()
-        self._frames = wire.Frames()
+        self._frames = Frames()
         self._waiting: deque[Event] = deque()
         self._kinds: dict[int, str] = {}
         self._remote = RemoteGraph((), ())
@@ -100,7 +101,7 @@ class RclpyLink:
             data = self._socket.recv(1 << 16)
         except TimeoutError:
             data = b''
-        kinds = [self._hear(*frame) for frame in self._frames.feed(data)]
+        kinds = [self._hear(*frame) for frame in wire.opened(self._frames.feed(data))]
         if wire.READY not in kinds:
             self.close()
             raise LinkError('the side process with the real rclpy did not start.', help=RENEW)
@@ -175,7 +176,7 @@ class RclpyLink:
                 self._died()
                 break
             taken += len(data)
-            for frame in self._frames.feed(data):
+            for frame in wire.opened(self._frames.feed(data)):
                 self._hear(*frame)
         self.flush()
         events, self._waiting = list(self._waiting), deque()

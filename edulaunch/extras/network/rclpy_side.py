@@ -31,6 +31,7 @@ from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 from edulaunch.extras.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.extras.network import rclpy_wire as wire
 from edulaunch.extras.network.link import ENCLAVE, MARK
+from edulaunch.runtime.framing import Frames
 
 LOOK_EVERY_S = 0.1
 """The period of checks for names of nodes and topics."""
@@ -84,10 +85,10 @@ class Side:
 
     def read(self) -> None:
         """Receive frames in a thread until the link closes."""
-        frames = wire.Frames()
+        frames = Frames()
         with suppress(ConnectionResetError):
             while data := self.connection.recv(1 << 16):
-                left = [frame for frame in frames.feed(data) if not self.is_published(*frame)]
+                left = [frame for frame in wire.opened(frames.feed(data)) if not self.is_published(*frame)]
                 if left:
                     self.guard.trigger()
         rclpy.try_shutdown()

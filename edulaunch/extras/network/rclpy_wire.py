@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import struct
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
-_HEAD = struct.Struct('<IBIq')
+from edulaunch.runtime import framing
+
+_HEAD = struct.Struct('<Iq')
 CHUNK = 1 << 18
 """Small frames are collected until they have about this many bytes."""
 
@@ -18,26 +20,13 @@ READY, MESSAGE, REQUEST, RESPONSE, GRAPH, TROUBLE = range(16, 22)
 
 def frame(kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> bytes:
     """Return a frame as bytes."""
-    return _HEAD.pack(len(data), kind, handle, number) + data
+    return framing.frame(kind, _HEAD.pack(handle, number) + data)
 
 
-class Frames:
-    """Splits a stream of bytes into frames."""
-
-    def __init__(self) -> None:
-        self._bytes = bytearray()
-
-    def feed(self, data: bytes) -> Iterator[tuple[int, int, int, bytes]]:
-        """Add bytes, and return the complete frames: (kind, handle, number, data)."""
-        self._bytes += data
-        at = 0
-        while len(self._bytes) - at >= _HEAD.size:
-            size, kind, handle, number = _HEAD.unpack_from(self._bytes, at)
-            if len(self._bytes) - at < _HEAD.size + size:
-                break
-            yield kind, handle, number, bytes(self._bytes[at + _HEAD.size : at + _HEAD.size + size])
-            at += _HEAD.size + size
-        del self._bytes[:at]
+def opened(frames: Iterable[tuple[int, bytes]]) -> Iterator[tuple[int, int, int, bytes]]:
+    """Yield the frames as (kind, handle, number, data)."""
+    for kind, payload in frames:
+        yield kind, *_HEAD.unpack_from(payload), payload[_HEAD.size :]
 
 
 class Outbox:

@@ -1,17 +1,15 @@
-"""Frames between the peers: a length, a kind, a payload. A payload is JSON, or the CDR bytes of a message, and nothing else."""
+"""The kinds and payloads of frames between the peers. A payload is JSON, or the CDR bytes of a message, and nothing else."""
 
 from __future__ import annotations
 
 import json
 from enum import IntEnum
-from struct import Struct
 from typing import Any
 
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.errors import EdulaunchError, InterfaceError
 from edulaunch.ros.serialization.cdr import decode, encode
 
-HEADER = Struct('<IB')
 LONGEST_FRAME = 16 << 20
 
 

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from struct import Struct
 from typing import Any, NoReturn
 
+from edulaunch.runtime.framing import BadFrame, Frames, frame
 from edulaunch.runtime.link.clock import BEFORE_ALL, Key, PeerSimulation
-from edulaunch.runtime.link.codec import HEADER, LONGEST_FRAME, Kind, Violation, dump, load
+from edulaunch.runtime.link.codec import LONGEST_FRAME, Kind, Violation, dump, load
 
 FLUSH_BYTES = 1 << 17
 CHUNK_BYTES = 1 << 18
@@ -39,8 +40,7 @@ class Peer:
         self._trusts = trusts
         self._quota = quota
         self._out = bytearray()
-        self._in = bytearray()
-        self._at = 0
+        self._in = Frames(LONGEST_FRAME)
         self._told_ns = sim.now_ns
         self._grant_ns = sim.now_ns
         sim.pass_token = self._pass_token
@@ -136,8 +136,7 @@ class Peer:
         self._told_ns = self.sim.now_ns = now_ns
 
     def _add(self, kind: Kind, payload: bytes) -> None:
-        self._out += HEADER.pack(len(payload), kind)
-        self._out += payload
+        self._out += frame(kind, payload)
         if len(self._out) > FLUSH_BYTES:
             self._flush()
 
@@ -159,17 +158,12 @@ class Peer:
             self.handlers[kind](payload)
 
     def _next(self) -> tuple[int, memoryview]:
-        while True:
-            have = len(self._in) - self._at
-            if have >= HEADER.size:
-                length, kind = HEADER.unpack_from(self._in, self._at)
-                if length > LONGEST_FRAME:
-                    raise Violation(f'a frame of {length} bytes')
-                if have >= HEADER.size + length:
-                    start = self._at + HEADER.size
-                    self._at = start + length
-                    return kind, memoryview(bytes(self._in[start : self._at]))
-            self._read()
+        try:
+            while (found := self._in.take()) is None:
+                self._read()
+        except BadFrame as error:
+            raise Violation(str(error)) from None
+        return found[0], memoryview(found[1])
 
     def _read(self) -> None:
         try:
@@ -181,9 +175,7 @@ class Peer:
         self.received += len(data)
         if self._quota is not None and self.received > self._quota:
             raise TooMuch
-        del self._in[: self._at]
-        self._at = 0
-        self._in += data
+        self._in.add(data)
 
 
 class TooMuch(Exception):

@@ -15,6 +15,7 @@ import pytest
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.client import hello
 from edulaunch.desk.machine.place import Address, UnsafePlace, folder, read_address, write_address
+from edulaunch.runtime.framing import frame
 from tests.desk.machine.conftest import desk_in
 from tests.desk.machine.shells import PATIENCE_S, Desk
 
@@ -51,11 +52,11 @@ def machine(shared_desk: Desk) -> Address:
     'said',
     [
         b'GET / HTTP/1.1\r\n\r\n',
-        wire.frame(wire.HELLO, b'wrong token'),
+        frame(wire.HELLO, b'wrong token'),
         hello('0' * 32, ['ros2', 'topic', 'list']),
-        wire.frame(wire.SIGNAL, b'9'),
-        b'H' + (1 << 31).to_bytes(4, 'big'),
-        wire.frame(wire.HELLO, b'\xff\0' * 100),
+        frame(wire.SIGNAL, b'9'),
+        (1 << 31).to_bytes(4, 'little') + b'H',
+        frame(wire.HELLO, b'\xff\0' * 100),
     ],
 )
 def test_who_does_not_know_the_token_gets_nothing(shared_desk: Desk, machine: Address, said: bytes) -> None:
@@ -67,7 +68,7 @@ def test_who_does_not_know_the_token_gets_nothing(shared_desk: Desk, machine: Ad
 @pytest.mark.parametrize('fields', [[], ['/'], ['/', '80', '24', '111', '99999', 'ros2'], ['/', 'x', '24', '111', '1', 'ros2']])
 def test_a_hello_without_sense_closes_the_connection(shared_desk: Desk, machine: Address, fields: list[str]) -> None:
     with connected(machine) as client:
-        client.sendall(wire.frame(wire.HELLO, wire.pack([machine.token, *fields])))
+        client.sendall(frame(wire.HELLO, wire.pack([machine.token, *fields])))
         assert wire.EXIT not in answer(client)[:1]
     assert shared_desk.said('node list') == '/talker\n'
 

@@ -20,6 +20,7 @@ from tornado.websocket import websocket_connect  # noqa: E402
 
 from edulaunch.desk.machine import wire  # noqa: E402
 from edulaunch.desk.machine.web import serve  # noqa: E402
+from edulaunch.runtime.framing import frame  # noqa: E402
 
 
 def with_server(body: Callable[[str, socket.socket], Awaitable[Any]]) -> Any:
@@ -83,10 +84,8 @@ def test_words_and_film_cross_in_both_directions() -> None:
         page = await websocket_connect(HTTPRequest(address.replace('http', 'ws', 1) + 'socket', headers={'Origin': origin}))
         assert await loop.sock_recv(machine, 5) == b'hello'
         await page.write_message('{"op": "next"}')
-        assert await loop.sock_recv(machine, 100) == wire.frame(wire.INPUT, b'{"op": "next"}\n')
-        await loop.sock_sendall(
-            machine, wire.frame(wire.OUTPUT, b'{"delta"') + wire.frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n')
-        )
+        assert await loop.sock_recv(machine, 100) == frame(wire.INPUT, b'{"op": "next"}\n')
+        await loop.sock_sendall(machine, frame(wire.OUTPUT, b'{"delta"') + frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n'))
         assert [await page.read_message(), await page.read_message()] == ['{"delta": {}}', '{"said": "x"}']
         machine.close()
         assert await page.read_message() is None

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.extras.network.rclpy_wire import CHUNK, Frames, Outbox, frame
+from edulaunch.extras.network.rclpy_wire import CHUNK, Outbox, frame, opened
+from edulaunch.runtime.framing import Frames
 
 
 class Narrow:
@@ -40,7 +41,7 @@ def test_small_frames_are_sent_together() -> None:
     for number in range(1000):
         box.put(frame(1, number))
     box.send(lambda data: calls.append(bytes(data)) or len(data))  # type: ignore[func-returns-value]
-    assert len(calls) == 1 and [handle for _, handle, _, _ in Frames().feed(calls[0])] == list(range(1000))
+    assert len(calls) == 1 and [handle for _, handle, _, _ in opened(Frames().feed(calls[0]))] == list(range(1000))
 
 
 def test_a_cleared_box_is_empty() -> None:
@@ -57,5 +58,5 @@ def test_a_cleared_box_is_empty() -> None:
 def test_frames_survive_any_cut(cut: int) -> None:
     data = frame(4, 1, -2, b'hello') + frame(2, 7) + frame(0, 2, 3, b'x' * 30)
     frames = Frames()
-    found = [each for at in range(0, len(data), cut) for each in frames.feed(data[at : at + cut])]
+    found = [each for at in range(0, len(data), cut) for each in opened(frames.feed(data[at : at + cut]))]
     assert found == [(4, 1, -2, b'hello'), (2, 7, 0, b''), (0, 2, 3, b'x' * 30)]

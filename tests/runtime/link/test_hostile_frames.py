@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.sim.simulation import EPOCH_NS
-from edulaunch.runtime.link.codec import AS_CDR, HEADER, LONGEST_FRAME, Kind, Violation, dump
+from edulaunch.runtime.framing import frame
+from edulaunch.runtime.link.codec import AS_CDR, LONGEST_FRAME, Kind, Violation, dump
 from edulaunch.runtime.link.peer import NUMBER, TIME, TOKEN, Gone, TooMuch
 from edulaunch.runtime.link.replica import END as NUMBERED
 from edulaunch.runtime.link.replica import ENDS
@@ -23,10 +24,6 @@ from tests.house import EXAMPLES
 SIM, FAKE = shipped_path('turtlesim', 'turtlesim_node'), '/home/me/fake'
 POSE = 'turtlesim/msg/Pose'
 LAST = 1 << 40  # a number that is later than any before it
-
-
-def frame(kind: int, payload: bytes) -> bytes:
-    return HEADER.pack(len(payload), kind) + payload
 
 
 def token(at_ns: int = EPOCH_NS + 10**12, number: int = LAST) -> bytes:
@@ -159,7 +156,7 @@ def fake_order() -> Iterator[tuple[str, bytes]]:
     yield 'an answer to nothing', frame(Kind.RETURN, TOKEN.pack(LAST, EPOCH_NS, 0, 0, 1) + b'null')
     yield 'an unknown kind', frame(200, b'')
     yield 'a call that only we make', call(Kind.OUTPUT, [1001, 'stdout', 'x'])
-    yield 'an endless frame', HEADER.pack(LONGEST_FRAME + 1, Kind.NOTE)
+    yield 'an endless frame', (LONGEST_FRAME + 1).to_bytes(4, 'little') + bytes((Kind.NOTE,))
     yield 'no JSON', frame(Kind.NOTE, b'\xff')
     yield 'nothing in it', b''.join(frame(kind, b'') for kind in Kind)
 

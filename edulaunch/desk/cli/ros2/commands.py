@@ -176,7 +176,7 @@ class Verb(NamedTuple):
 def load(command: str, verb: str | None) -> Verb:
     """Return the functions `VERB_arguments` and `VERB_verb` of the command's file.
 
-    For commands without verbs, and if one function serves all verbs, VERB is the name of the command or of the file.
+    For commands without verbs, and if one function serves all verbs, VERB is the name of the command.
     """
     home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
     names = vars(import_module(f'edulaunch.desk.cli.ros2.{home}'))
