@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from edulaunch.advice.plan.steps import Step
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
-WAYS = (GO, INTO, NEXT, EVENT, LINE)
 """Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
 Stop before an action that a line of a file makes."""
 
