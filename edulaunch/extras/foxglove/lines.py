@@ -20,7 +20,7 @@ END = frame(_LAST)
 
 
 def packed(message: Message) -> bytes:
-    """Return a message as it goes from the machine's process to the server's."""
+    """Return a message as it goes between the process of the machine and that of the server."""
     return frame(TEXT, message.encode()) if isinstance(message, str) else frame(BYTES, message)
 
 
@@ -50,15 +50,12 @@ class MachineLine:
         self._messages = Frames()
         self._hello = hello
 
-    async def _send(self, mark: int, payload: bytes = b'') -> None:
+    async def _send(self, payload: bytes) -> None:
         hello, self._hello = self._hello, b''
-        await self._stream.write(hello + frame(wire.INPUT, bytes((mark,)) + payload))
+        await self._stream.write(hello + frame(wire.INPUT, payload))
 
     async def say(self, message: Message) -> None:
-        if isinstance(message, str):
-            await self._send(TEXT, message.encode())
-        else:
-            await self._send(BYTES, message)
+        await self._send(packed(message))
 
     async def turn(self) -> list[Message]:
         """The messages for the client.
@@ -66,7 +63,7 @@ class MachineLine:
         :raises StreamClosedError: when the machine is gone.
         :raises OSError: with what the machine says when it takes no more clients.
         """
-        await self._send(TURN)
+        await self._send(frame(TURN))
         found: list[Message] = []
         while True:
             for kind, payload in self._frames.feed(await self._stream.read_bytes(1 << 18, partial=True)):

@@ -13,6 +13,7 @@ from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.extras.foxglove.conversation import Conversation
 from edulaunch.extras.foxglove.lines import BYTES, END, TEXT, TURN, packed
 from edulaunch.extras.foxglove.live import LiveFeed
+from edulaunch.runtime.framing import Frames
 
 MOST_CLIENTS = 16
 _numbers = count(1)
@@ -24,6 +25,7 @@ class Client:
 
     def __init__(self, machine: LiveMachine, connection: Connection) -> None:
         self._connection = connection
+        self._frames = Frames()
         self._conversation = Conversation(LiveFeed(machine, next(_numbers)))
         _clients.append(self)
 
@@ -34,12 +36,12 @@ class Client:
         """
         if kind != wire.INPUT:
             return
-        mark, data = payload[0], payload[1:]
-        if mark == TURN:
-            heard = b''.join(map(packed, self._conversation.turn()))
-            self._connection.send(wire.OUTPUT, heard + END)
-        elif mark in (TEXT, BYTES):
-            self._conversation.take(data.decode() if mark == TEXT else data)
+        for mark, data in self._frames.feed(payload):
+            if mark == TURN:
+                heard = b''.join(map(packed, self._conversation.turn()))
+                self._connection.send(wire.OUTPUT, heard + END)
+            elif mark in (TEXT, BYTES):
+                self._conversation.take(data.decode() if mark == TEXT else data)
 
     def hang_up(self) -> None:
         """The client is gone."""

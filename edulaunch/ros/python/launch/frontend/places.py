@@ -6,38 +6,25 @@ Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edu
 
 from __future__ import annotations
 
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from edulaunch.engine.facts import facts_of, with_facts
 
 from .._origin import origin_of
 
+if TYPE_CHECKING:
+    from .entity import Entity
+
 Error = TypeVar('Error', bound=BaseException)
 
 
-class Element(Protocol):
-    """What an error names of an element of a launch file."""
-
-    @property
-    def line(self) -> int:
-        """Return the line in the file, from 1."""
-
-    @property
-    def shown(self) -> str:
-        """Return the element as its file writes it."""
-
-    @property
-    def type_name(self) -> str:
-        """Return the name of the element, such as 'node'."""
-
-
-def at(error: Error, entity: Element, about: str = 'launch.element', **facts: Any) -> Error:
+def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any) -> Error:
     """Return the error, which now knows its element, and facts about it."""
     error.edulaunch_line = entity.line  # type: ignore[attr-defined]
     return with_facts(error, about, element=str(entity.type_name), shown=entity.shown, **facts)
 
 
-def complete(error: BaseException, file: str, entity: Element) -> None:
+def complete(error: BaseException, file: str, entity: Entity) -> None:
     """Add the missing facts to an `error` on its way out of `entity`; the innermost element sets them first."""
     if hasattr(error, 'edulaunch_file'):
         return
