@@ -186,7 +186,7 @@ def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
 
 
 def _marks(results: Results) -> Iterator[str]:
-    """For each exercise, how many have a mark, and the middle of the marks."""
+    """Yield the number of marks of each exercise, with their range, median and mean."""
     marks: dict[str, list[float]] = {}
     for _, found in results:
         if found and found.get('points', {}).get('earned') is not None:
@@ -194,9 +194,10 @@ def _marks(results: Results) -> Iterator[str]:
                 found['points']['earned']
             )
     for exercise, given in sorted(marks.items()):
-        middle = sorted(given)[len(given) // 2]
-        mean = sum(given) / len(given)
-        yield f'{exercise}: {len(given)} marks, {min(given)} to {max(given)}, median {middle}, mean {mean:.1f}.'
+        given.sort()
+        median = (given[(len(given) - 1) // 2] + given[len(given) // 2]) / 2
+        mean, count = sum(given) / len(given), f'{len(given)} mark{"s"[: len(given) > 1]}'
+        yield f'{exercise}: {count}, {given[0]} to {given[-1]}, median {median:g}, mean {mean:.1f}.'
     without = sum(1 for _, found in results if not found or found.get('points', {}).get('earned') is None)
     if without:
         yield f'{without} submissions could not be graded. They have no mark, which differs from zero points.'

@@ -240,7 +240,7 @@ def test_the_student_is_in_every_output(two: tuple[Path, Path], tmp_path: Path) 
     assert 'name="two: Anna Ö: ' in (tmp_path / 'j').read_text()
     assert '<property name="student" value="Anna Ö"/>' in (tmp_path / 'j').read_text()
     index = (tmp_path / 'h' / 'index.html').read_text()
-    assert '>Anna Ö</a>' in index and 'two (of 6): 1 marks, 4.5 to 4.5, median 4.5, mean 4.5.' in index
+    assert '>Anna Ö</a>' in index and 'two (of 6): 1 mark, 4.5 to 4.5, median 4.5, mean 4.5.' in index
     (own,) = (tmp_path / 'h' / 'students').iterdir()
     assert '4.5 of 6 points' in own.read_text()
 
@@ -327,3 +327,11 @@ def test_a_table_with_semicolons_has_decimal_commas_and_no_formulas() -> None:
     lines = [{'name': 'Ada, =1+1', 'points': '9.6', 'version': '1.0.0'}]
     assert csv_text(('name', 'points', 'version'), lines, ';').splitlines()[1] == "Ada, '=1+1;9,6;1.0.0"
     assert csv_text(('name', 'points', 'version'), lines).splitlines()[1] == '"Ada, =1+1",9.6,1.0.0'
+
+
+def test_the_median_of_an_even_number_of_marks_is_between_the_two_in_the_middle() -> None:
+    def found(earned: int) -> dict[str, Any]:
+        return {'rubric': {'name': 'two'}, 'points': {'earned': earned, 'possible': 12}, 'checks': [], 'verdict': 'some_failed'}
+
+    class_of = [(Entry(f'{earned}.py', str(earned)), found(earned)) for earned in (12, 2)]
+    assert 'two (of 12): 2 marks, 2 to 12, median 7, mean 7.0.' in class_page(class_of, {})
