@@ -137,7 +137,7 @@ def start_early() -> None:
 
 
 def take_early() -> tuple[str, StarterLink] | None:
-    """Return the private folder and the starter that were made early, for one runner; None when there are none."""
+    """Return the private folder and the starter that were created early for one runner, or None."""
     return _early.pop() if _early else None
 
 

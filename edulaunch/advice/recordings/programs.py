@@ -167,8 +167,8 @@ def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
     confidence='asked',
 )
 def output_hidden(recording: Recording) -> Iterator[Finding]:
-    """Report nodes that launch has started and whose output is not shown: neither printed nor logged. A node with a
-    window of its own is not reported.
+    """Report nodes that launch has started, and that neither print nor log anything visible. A node with its own
+    window does not count.
     """
     launched = {process.name: process for process in recording.processes if process.origin is not None and process.package}
     first: dict[str, str] = {}

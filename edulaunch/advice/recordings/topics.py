@@ -29,8 +29,9 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """Return the lone end that an other one was probably meant for: same type, and a name of nearly the same spelling, or that
-    ends alike.
+    """Return the lone end that another one was probably meant for.
+
+    It has the same type, and a name with nearly the same spelling or the same ending.
     """
     same = {other.name: other for other in others if other.type == end.type and other.node != end.node}
     near = nearest_spelling(end.name, same)

@@ -38,7 +38,7 @@ class Served:
         return 'a closed server' if self.is_closed else f'Foxglove and Lichtblick can connect to {self.address}'
 
     def close(self) -> None:
-        """End the server, and tell its clients."""
+        """End the server, and notify its clients."""
         self.is_closed = True
         self._server.stop()
 

@@ -14,7 +14,7 @@ from rclpy.type_support import check_is_valid_msg_type
 
 
 def serialize_message(message: Any) -> bytes:
-    """Return the CDR bytes of a message; those of a type of one size are filled up to a multiple of four, as Fast DDS does."""
+    """Return the CDR bytes of a message. As in Fast DDS, padding to a multiple of four follows a type of one size."""
     check_is_valid_msg_type(type(message))
     data = serialize(message)
     return data + bytes(-len(data) % 4) if _has_one_size(type(message)) else data
