@@ -57,7 +57,7 @@ def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
 
 ABSENT = frozenset(
     ('messages.unknown-package', 'packages.absent-module', 'packages.absent-package', 'programs.compiled-module')
-    + ('programs.library', 'programs.native', 'programs.unknown-module', 'programs.window')
+    + ('programs.library', 'programs.native', 'programs.native-component', 'programs.unknown-module', 'programs.window')
 )
 """A program that cannot run here: what it publishes, hears and offers is not known."""
 LONELY = frozenset(

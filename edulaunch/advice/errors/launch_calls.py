@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import linecache
 import re
 from collections.abc import Iterator
 
@@ -67,10 +68,48 @@ def positional(failure: Failure) -> Iterator[Finding]:
     cls = class_named(match[1]) if match is not None and failure.process is None else None
     if match is None or cls is None:
         return
-    code, lists = cls.__init__.__code__, {'actions', 'initial_entities'}
+    code, lists = cls.__init__.__code__, {'actions', 'initial_entities', 'substitutions'}
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     first = None if lists & set(names) else next(iter(names[code.co_argcount :] or names[1:]), None)
     yield report(failure, action=match[1], first=first)
+
+
+@rule(
+    'launch.function-called',
+    what='{function}() is called here, but OpaqueFunction needs the function itself',
+    why='launch calls the function later, and passes the context',
+    do='write function={function} without brackets',
+    level='error',
+    edits=(('function={function}()', 'function={function}'),),
+)
+def function_called(failure: Failure) -> Iterator[Finding]:
+    """`OpaqueFunction(function=setup())`."""
+    tree = script_of(failure.file) if failure.process is None and 'missing 1 required positional' in failure.message else None
+    for node in [] if tree is None else ast.walk(tree):
+        value = node.value if isinstance(node, ast.keyword) and node.arg == 'function' else None
+        if isinstance(value, ast.Call) and failure.message.startswith(f'{ast.unparse(value.func)}() missing'):
+            yield report(failure, function=ast.unparse(value.func))
+            return
+
+
+@rule(
+    'launch.component-is-node',
+    what='composable_node_descriptions contains a Node, but a container loads only components',
+    why='a Node is a program of its own; a component is a class that the container loads from a library',
+    do="write ComposableNode(package='...', plugin='package::Class'), and import it from launch_ros.descriptions",
+    level='error',
+    hides=('launch.fails',),
+)
+def component_is_node(failure: Failure) -> Iterator[Finding]:
+    """By the text of the file that failed."""
+    is_call = failure.process is None and re.match("'NoneType' object is not callable|'Node' object has no", failure.message)
+    tree = script_of(failure.file) if is_call else None
+    for node in [] if tree is None else ast.walk(tree):
+        value = node.value if isinstance(node, ast.keyword) and node.arg == 'composable_node_descriptions' else None
+        for item in value.elts if isinstance(value, ast.List) else ():
+            if isinstance(item, ast.Call) and ast.unparse(item.func).rpartition('.')[2] == 'Node':
+                yield report(failure._replace(line=item.lineno))
+                return
 
 
 @rule(
@@ -91,13 +130,15 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
         yield report(failure, action=match[1], needed=match[2], near=nearest(match[2], given))
 
 
-NOT_A_TEXT = about(
+@rule(
     'launch.not-a-text',
     what=(
+        '{set_of} is a set of values, because it has a comma instead of a colon',
         '{keyword}={value} is of type {given}, but launch expects strings and substitutions here',
         'launch expects a string here, and this value is of type {given}',
     ),
     do=(
+        'write a dictionary, with a colon between name and value: {as_dict}',
         "write {keyword}='{as_text}'",
         "write '{as_text}'",
         'write {keyword}=str(...) to convert the path to a string',
@@ -106,8 +147,21 @@ NOT_A_TEXT = about(
         'remove the inner brackets: {nested}',
         'write a string, or a substitution such as LaunchConfiguration(...)',
     ),
-    edits=(('{keyword}={value}', "{keyword}='{as_text}'"),),
+    level='error',
+    edits=(('{set_of}', '{as_dict}'), ('{keyword}={value}', "{keyword}='{as_text}'")),
 )
+def not_a_text(failure: Failure) -> Iterator[Finding]:
+    """A number, a boolean or a path; in parameters= often an item of a set, `{'speed', 2.0}`."""
+    if failure.facts.get('about') != 'launch.not-a-text':
+        return
+    for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
+        items = node.value.elts if isinstance(node, ast.keyword) and isinstance(node.value, ast.List) else []
+        for item in items if isinstance(node, ast.keyword) and node.arg == 'parameters' else []:
+            if isinstance(item, ast.Set) and len(item.elts) == 2:
+                name, value = map(ast.unparse, item.elts)
+                yield report(failure._replace(line=item.lineno), set_of=ast.unparse(item), as_dict=f'{{{name}: {value}}}')
+                return
+    yield report(failure)
 
 
 @rule(
@@ -283,6 +337,21 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
     match = re.match(r"could not convert string to float: '(.*)'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
+
+
+@rule(
+    'launch.text-is-bytes',
+    what='the text of a process event is bytes, and Python does not compare bytes with a string',
+    do='convert it first: event.text.decode()',
+    level='error',
+)
+def text_is_bytes(failure: Failure) -> Iterator[Finding]:
+    """`'ready' in event.text` in a handler of OnProcessIO."""
+    match = re.match(
+        'a bytes-like object is required|argument should be integer or bytes-like|.*must be bytes or', failure.message
+    )
+    if match is not None and failure.process is None and '.text' in linecache.getline(failure.file or '', failure.line or 0):
+        yield report(failure)
 
 
 @rule(

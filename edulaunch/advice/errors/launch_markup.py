@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
@@ -33,6 +34,7 @@ INSTEAD = {
     ('include', 'ns'): '<push_ros_namespace namespace="..."/> in a <group>',
     ('arg', 'doc'): 'description',
     ('arg', 'value'): 'default',
+    ('arg', 'default'): 'value',
     ('push_ros_namespace', 'ns'): 'namespace',
     ('include', 'param'): 'arg',
     ('include', 'path'): 'file',
@@ -178,6 +180,20 @@ def call(failure: Failure) -> Iterator[Finding]:
         yield report(failure, instead=instead, near=near, evaluated=evaluated, unknown=unknown, written=written, ros_2=ros_2)
 
 
+@rule(
+    'launch.path-as-package',
+    what="$({call} ...) needs only the name of a package, but '{given}' is a path",
+    do='close the bracket after the name: $({call} {package})/{rest}',
+    level='error',
+    edits=(('{given})', '{package})/{rest}'),),
+)
+def path_as_package(failure: Failure) -> Iterator[Finding]:
+    """`$(find-pkg-share robo/config/robo.yaml)`."""
+    match = re.fullmatch(r"'([\w-]+)/(.+)' is not a valid package name", failure.message)
+    if match is not None and failure.process is None and (failure.file or '').endswith(('.xml', '.yaml', '.yml', '.launch')):
+        yield report(failure, call='find-pkg-share', given=f'{match[1]}/{match[2]}', package=match[1], rest=match[2])
+
+
 CALL_SYNTAX = about(
     'launch.call-syntax',
     what="launch cannot read '{text}': it expects {expected_there} at column {column}",
@@ -235,8 +251,13 @@ YAML_LIST = about(
 )
 YAML_ITEM = about(
     'launch.yaml-item',
-    what=('one item of {shown} contains {several}', 'an item of {shown} is not an element'),
+    what=(
+        "{below} is not below '{opened}', because it is not indented more than '{opened}'",
+        'one item of {shown} contains {several}',
+        'an item of {shown} is not an element',
+    ),
     do=(
+        'indent {below} by two columns more than {opened}',
         'write a dash for each of {several}, and indent the keys of each by two more columns',
         'write the name of the element with a colon and its content below it, as in `- node: ...`',
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from collections.abc import Iterator
@@ -9,7 +10,8 @@ from collections.abc import Iterator
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import class_named
 from edulaunch.advice.rule import Failure, Finding, rule
-from edulaunch.engine.nearest import nearest
+from edulaunch.advice.run_sources import name_of_call, script_of
+from edulaunch.engine.nearest import nearest, nearest_spelling
 
 
 @rule(
@@ -85,15 +87,26 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.condition-value',
-    what='this condition is neither true nor false',
-    do='use true, 1, false or 0, and compare strings with EqualsSubstitution(left, right)',
+    what=('{code} has quotes around it, so the condition tests this string', 'this condition is neither true nor false'),
+    do=(
+        'remove the quotes: {code}',
+        'use true, 1, false or 0, and compare strings with $(eval {compared})',
+        'use true, 1, false or 0, and compare strings with EqualsSubstitution(left, right)',
+    ),
     level='error',
     lesson='01_first_launch',
 )
 def condition_value(failure: Failure) -> Iterator[Finding]:
     """Report code such as `IfCondition('maybe')`."""
     if failure.message.startswith('invalid condition expression'):
-        yield report(failure)
+        code = None
+        for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
+            is_condition = isinstance(node, ast.Call) and name_of_call(node) in ('IfCondition', 'UnlessCondition')
+            word = node.args[0] if is_condition and node.args else None  # type: ignore[attr-defined]
+            if isinstance(word, ast.Constant) and re.match(r'LaunchConfiguration\(', str(word.value)):
+                code = str(word.value)
+        is_markup = not (failure.file or '').endswith('.py')
+        yield report(failure, code=code, compared="\"'$(var mode)' == 'sim'\"" if is_markup else None)
 
 
 @rule(
@@ -111,13 +124,24 @@ def namespace(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.executed-twice',
     what='the launch description lists the same action object twice, but the object can start only one process',
-    do='create a new action object for each use',
+    do=(
+        'remove {handled} from the list of LaunchDescription, because an event handler starts it',
+        'create a new action object for each use',
+    ),
     level='error',
 )
 def executed_twice(failure: Failure) -> Iterator[Finding]:
     """Report the same `ExecuteProcess` object in two places."""
-    if 'executed more than once' in failure.message:
-        yield report(failure)
+    if 'executed more than once' not in failure.message:
+        return
+    listed: set[str] = set()
+    handled: list[str] = []
+    for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
+        if isinstance(node, ast.Call) and name_of_call(node) == 'LaunchDescription':
+            listed.update(item.id for word in node.args for item in getattr(word, 'elts', ()) if isinstance(item, ast.Name))
+        elif isinstance(node, ast.keyword) and str(node.arg).startswith('on_'):
+            handled += [name.id for name in ast.walk(node.value) if isinstance(name, ast.Name)]
+    yield report(failure, handled=next((name for name in handled if name in listed), None))
 
 
 @rule(
@@ -170,8 +194,13 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-type',
-    what="the parameter '{parameter}' was declared as {expected}, but its value is of type {given}",
+    what=(
+        "the parameter '{parameter}' was declared as {expected}, but its value '{said}' is of type STRING",
+        "the parameter '{parameter}' was declared as {expected}, but its value is of type {given}",
+    ),
     do=(
+        'write {meant}',
+        "declare it with a decimal point, as in declare_parameter('{parameter}', 1.0), because {fraction} is not an integer",
         'write the value with a decimal point: {as_double}',
         'write the value without a decimal point: {as_integer}',
         "put the value in quotes: '{as_text}'",
@@ -184,12 +213,26 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-type':
         pair, value = (facts.get('given'), facts.get('expected')), str(facts.get('value'))
+        fraction = value if pair == ('DOUBLE', 'INTEGER') and value.partition('.')[2].strip('0') else None
         yield report(
             failure,
             as_double=f'{value}.0' if pair == ('INTEGER', 'DOUBLE') else None,
-            as_integer=value.partition('.')[0] if pair == ('DOUBLE', 'INTEGER') else None,
+            as_integer=value.partition('.')[0] if pair == ('DOUBLE', 'INTEGER') and not fraction else None,
+            fraction=fraction,
+            said=value if pair[0] == 'STRING' and facts.get('value') is not None else None,
+            meant=_meant(value, str(pair[1])) if pair[0] == 'STRING' else None,
             as_text=value if pair[1] == 'STRING' and pair[0] in ('INTEGER', 'DOUBLE', 'BOOL') else None,
         )
+
+
+def _meant(text: str, wanted: str) -> str | None:
+    """Return the value of the type that is wanted which differs little from a string: `2,5`, `Ture`, `0.5 1.5`."""
+    number, words = r'-?\d+(?:\.\d+)?', text.replace(',', ' ').split()
+    if wanted == 'DOUBLE' and re.fullmatch(r'-?\d+,\d+', text):
+        return text.replace(',', '.')
+    if wanted.endswith('_ARRAY') and len(words) > 1 and all(re.fullmatch(number, word) for word in words):
+        return f'[{", ".join(words)}]'
+    return nearest_spelling(text.lower(), ('true', 'false')) if wanted == 'BOOL' else None
 
 
 @rule(
@@ -218,7 +261,10 @@ PARAMETER_FILE = about(
 )
 PARAMETER_NO_SPACE = about(
     'launch.parameter-no-space',
-    what="line {at} of the parameter file is read as the string '{squeezed}', because there is no space after the colon",
+    what=(
+        "line {at} of the parameter file is read as the string '{words}', because there is no colon after the name",
+        "line {at} of the parameter file is read as the string '{squeezed}', because there is no space after the colon",
+    ),
     do="write '{spaced}'",
     lesson='03_parameters',
     edits=(('{squeezed}', '{spaced}'),),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linecache
 import re
 from collections.abc import Iterator
 
@@ -9,12 +10,26 @@ from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, found, rule
 from edulaunch.engine.nearest import nearest_spelling
 
-FIELD = about(
+
+@rule(
     'messages.field',
     what=('{type} has no field {field}; its fields are {fields}', '{type} has no field {field}, because it has no fields at all'),
-    do=('write {near}', 'use one of its fields; `ros2 interface show` prints them', 'remove this field'),
+    do=(
+        'pass the whole stamped message, which has a header, to {transform}()',
+        'write {near}',
+        'use one of its fields; `ros2 interface show` prints them',
+        'remove this field',
+    ),
+    level='error',
     edits=(('.{field}', '.{near}', 'near'),),
 )
+def field(failure: Failure) -> Iterator[Finding]:
+    """A field that the message does not have; in do_transform_point() the caller passed a part of what it needs."""
+    if failure.facts.get('about') == 'messages.field':
+        called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
+        yield report(failure, transform=called[1] if called else None)
+
+
 FIELD_VALUE = about(
     'messages.field-value',
     what=(
@@ -136,7 +151,10 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
 def no_number(failure: Failure) -> Iterator[Finding]:
     """Report code such as `Duration(0.5)`, `now - 0.5`, `get_clock().now - Duration(...)`."""
     made = re.match(r'(Duration|Time)\.__init__\(\) takes 1 positional argument', failure.message)
-    match = re.match(r"unsupported operand type\(s\) for \S+: '(\w+)' and '(\w+)'", failure.message)
+    match = re.match(
+        r"(?:unsupported operand type\(s\) for \S+:|'[<>]=?' not supported between instances of) '(\w+)' and '(\w+)'",
+        failure.message,
+    )
     if (
         failure.process is None
         or failure.facts.get('about')

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from edulaunch.advice.errors.about import about
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import about, report
+from edulaunch.advice.rule import Failure, Finding, rule
 
 ABSENT_MODULE = about(
     'packages.absent-module',
@@ -22,12 +25,27 @@ UNKNOWN_MODULE = about(
     do=('write {near}', 'if you wrote the module, change to its workspace; otherwise, install it in this environment'),
     edits=(('{module}', '{near}', 'near'),),
 )
-UNKNOWN_INTERFACES = about(
+NEWER = {'turtlesim_msgs': 'turtlesim'}
+"""Packages of interfaces of newer versions of ROS 2, and where Jazzy has these interfaces."""
+
+
+@rule(
     'messages.unknown-package',
-    what='the interface package {module} does not exist',
-    do=('write {near}', 'add the package with these interfaces to the workspace'),
-    edits=(('{module}', '{near}', 'near'),),
+    what=(
+        'only versions of ROS 2 after Jazzy have the package {newer}; in Jazzy its interfaces are in {home}',
+        'the interface package {module} does not exist',
+    ),
+    do=('write {home} in place of {newer}', 'write {near}', 'add the package with these interfaces to the workspace'),
+    level='error',
+    edits=(('{newer}', '{home}', 'near'), ('{module}', '{near}', 'near')),
 )
+def unknown_package(failure: Failure) -> Iterator[Finding]:
+    """`from turtlesim_msgs.msg import Pose`."""
+    if failure.facts.get('about') == 'messages.unknown-package':
+        module = str(failure.facts.get('module'))
+        yield report(failure, newer=module if module in NEWER else None, home=NEWER.get(module))
+
+
 MODULE_PART = about(
     'programs.module-part',
     what=(

@@ -215,7 +215,7 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.sign-in-name',
     what="ROS allows only letters, digits and _ in a name, but '{name}' contains '{sign}'",
-    do="write '{better}'",
+    do=("write the namespace separately: namespace='{space}', name='{last}'", "write '{better}'"),
     level='error',
     lesson='02_names',
 )
@@ -225,4 +225,8 @@ def sign_in_name(failure: Failure) -> Iterator[Finding]:
     if match is not None:
         name, at = match[1], len(match[2]) - len("  '")
         better = re.sub(r'\{[^{}]*$|[^A-Za-z0-9_/~{}]', lambda part: '_' + re.sub(r'[^A-Za-z0-9_/~]', '', part[0]), name)
-        yield report(failure, name=name, sign=name[at : at + 1], better=better)
+        space, slash, last = name.strip('/').rpartition('/')
+        is_split = failure.message.startswith('Invalid node name') and bool(slash)
+        facts = {'space': space, 'last': last} if is_split else {}
+        better = better.strip('/') if failure.message.startswith('Invalid node name') else better
+        yield report(failure, name=name, sign=name[at : at + 1], better=better, **facts)

@@ -20,11 +20,17 @@ FORMS = (
     (r'(StaticTransformBroadcaster)\.__init__\(\) missing', 'StaticTransformBroadcaster(self)'),
     (r'(TransformListener)\.__init__\(\) missing', 'TransformListener(self.buffer, self)'),
     (r'RcutilsLogger\.(debug|info|warning|warn|error|fatal)\(\) takes 2 positional', "get_logger().{}(f'speed: {{speed}}')"),
+    (r'(QoSProfile)\.__init__\(\) takes 1 positional', 'QoSProfile(depth=10)'),
     (r"'Buffer' object has no attribute '(?:create_|get_|destroy_|declare_)", 'TransformListener(self.buffer, self)'),
     (r'parameter must be instance of type', "set_parameters([Parameter('speed', value=0.4)])"),
     (r'incompatible function arguments: a name must be a str, not (?:method|function)', 'create_service(Type, name, callback)'),
 )
 """The beginning of Python's message, with the name of what was called, and how the call is written."""
+LAUNCH_FORMS = (
+    (r'LaunchDescription\.(add_action)\(\) takes 2 positional', '{}(action) once for each action'),
+    (r'(generate_launch_description)\(\) missing \d+ required', 'def {}() without parameters'),
+)
+"""The same for launch files."""
 
 
 @rule(
@@ -35,9 +41,7 @@ FORMS = (
 )
 def wrong_call(failure: Failure) -> Iterator[Finding]:
     """Report a call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
-    if failure.process is None:
-        return
-    for pattern, form in FORMS:
+    for pattern, form in LAUNCH_FORMS if failure.process is None else FORMS:
         match = re.match(pattern, failure.message)
         if match is not None:
             name = match[1] if match.groups() else form.partition('(')[0]
@@ -70,6 +74,42 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
     classes = [node.id for node in owners if isinstance(node, ast.Name) and node.id[:1].isupper()]
     for name in classes[:1]:
         yield report(failure, klass=name)
+
+
+@rule(
+    'programs.not-callable',
+    what='{called} is a value of type {type}, not a function, so Python cannot call it',
+    do='write {called} without the brackets ()',
+    level='error',
+)
+def not_callable(failure: Failure) -> Iterator[Finding]:
+    """`message.x()` and `qos_profile_sensor_data()`: the only call of the line without arguments."""
+    match = re.fullmatch(r"'(float|int|bool|str|list|QoSProfile)' object is not callable", failure.message)
+    tree = script_of(failure.file) if failure.process is not None and match is not None else None
+    calls = (
+        [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call) and node.lineno == failure.line]
+    )
+    empty = [ast.unparse(call.func) for call in calls if not call.args and not call.keywords]
+    if match is not None and len(empty) == 1:
+        yield report(failure, called=empty[0], type=match[1])
+
+
+@rule(
+    'programs.no-local-value',
+    what='this function assigns {variable}, so Python does not use the {variable} of the file, and {variable} has no value yet',
+    why='a name that a function assigns anywhere is a local variable in the whole function',
+    do='write `global {variable}` as the first line of the function, or use self.{variable} from the constructor on',
+    lesson='00_python',
+    level='error',
+)
+def no_local_value(failure: Failure) -> Iterator[Finding]:
+    """`count += 1` in a method, where `count = 0` stands at the top of the file."""
+    match = re.match(r"(?:cannot access local variable|local variable) '(\w+)'", failure.message)
+    if failure.type != 'UnboundLocalError' or match is None:
+        return
+    assigned = [node for node in getattr(script_of(failure.file), 'body', ()) if isinstance(node, ast.Assign)]
+    if any(isinstance(target, ast.Name) and target.id == match[1] for node in assigned for target in node.targets):
+        yield report(failure, variable=match[1])
 
 
 @rule(

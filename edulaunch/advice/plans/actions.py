@@ -49,7 +49,7 @@ def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
     plan = rehearsal.plan
     kinds = {item['kind'] for item in plan['items']}
     is_left_out = any(not branch.is_taken for branch in branches(rehearsal))
-    is_ended = 'sys.exit(' in _code(plan['file'])
+    is_ended = _STARTS.search(_COMMENTS.sub('', _code(plan['file']))) is not None
     if plan['error'] is None and kinds <= IDLE and not (is_left_out or is_ended or rehearsal.missing[1]):
         yield found('file', plan['file'], file=plan['file'])
 
@@ -60,6 +60,10 @@ OF_LAUNCH = frozenset(
 )
 """Launch itself reads these."""
 _COMMENTS = re.compile(r'^[ \t]*#[^\n]*|<!--.*?-->', re.MULTILINE | re.DOTALL)
+
+
+_STARTS = re.compile(r'\bsys\.exit\(|\bexit\(|\breturn LaunchDescription\(\[?\]?\)(?=.*\breturn\b)', re.DOTALL)
+"""A file that gives up early: it would start something on another computer, or with other arguments."""
 
 
 @rule(

@@ -14,6 +14,7 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import joined_strings, launch_scripts, program_scripts
 from edulaunch.advice.runs import (
     NOWHERE,
+    Broadcasts,
     broadcast_place,
     broadcasts,
     by_child,
@@ -43,6 +44,10 @@ MOVES = 0.1
 """Radians by which a leader moves as seen from the origin: one that stays tells nothing about who looks."""
 
 
+FAR = 0.98
+"""The cosine of half the angle between heading and rotation, below which they differ: 23 degrees."""
+
+
 @rule(
     'tf.lookup-swapped',
     what=(
@@ -61,7 +66,10 @@ MOVES = 0.1
 def lookup_swapped(recording: Recording) -> Iterator[Finding]:
     """Its turning speed is a fixed multiple of the angle at which the leader sees it, not of that at which it sees the leader."""
     names, own = list(turtles(recording)), own_nodes(recording)
+    turned = {finding.facts['turtle'] for finding in other_yaw.look(recording)} if len(names) > 1 else set()
     for turtle, rows in commands(recording).items() if len(names) > 1 else ():
+        if turtle in turned:
+            continue
         node = rows[0][1] if rows else ''
         turning = [(time, wire[5]) for time, who, wire in rows if who == node and wire[5]][-200:]
         if node not in own or len(turning) < SAMPLES:
@@ -118,17 +126,8 @@ def _is_one_number(ratios: list[float]) -> bool:
     return bool(middle) and near >= 0.9 * len(ratios)
 
 
-@rule(
-    'tf.quaternion-order',
-    what="{node} broadcasts '{frame}' with a rotation in the order w, x, y, z, which tilts the frame",
-    why='ROS 2 uses the order x, y, z, w, but transforms3d and other libraries start with w',
-    do='set rotation.x = 0.0, rotation.y = 0.0, rotation.z = sin(theta / 2) and rotation.w = cos(theta / 2)',
-    lesson=LESSON,
-    level='error',
-    hides=('turtlesim.wall',),
-)
-def quaternion_order(recording: Recording) -> Iterator[Finding]:
-    """Of a frame of a turtle that turns: x is the cosine of half its heading, w the sine, in all of the last transforms."""
+def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
+    """Yield each moving frame of a turtle, the turtle, and its transforms: sine and cosine of half the heading, the rotation."""
     frames = {turtle[1:]: turtle for turtle in turtles(recording)}
     for one in broadcasts(recording):
         turtle = frames.get(one.child.removeprefix('/'))
@@ -142,7 +141,47 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
             for row in wire[0]
             if row[3] == one.child
         ]
-        known = [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]
+        yield one, turtle, [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]
+
+
+@rule(
+    'tf.other-yaw',
+    what="{node} broadcasts '{frame}' with a rotation that is not the heading of {turtle}",
+    why='a listener computes directions from this rotation, so a follower turns the wrong way',
+    do=(
+        'use transform.rotation.z = math.sin(message.theta / 2) and transform.rotation.w = math.cos(message.theta / 2), '
+        'or compare your function with this'
+    ),
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall', 'tf.lookup-swapped'),
+)
+def other_yaw(recording: Recording) -> Iterator[Finding]:
+    """Of a frame below world that stays where its turtle is: the rotation differs by 0.2 and more nine times out of ten."""
+    for one, turtle, known in _turned(recording):
+        upright = [(s, c, q) for s, c, q in known if abs(q[0]) < CLOSE and abs(q[1]) < CLOSE]
+        if len(upright) < SAMPLES or len(upright) < len(known) or one.parent.removeprefix('/') != 'world':
+            continue
+        off = [abs(s * q[2] + c * q[3]) < FAR * math.hypot(q[2], q[3]) for s, c, q in upright]
+        turns = max(s for s, _, _ in upright) - min(s for s, _, _ in upright) > MOVES
+        is_left_out = all(abs(q[2]) < CLOSE for _, _, q in upright)  # w = 1 alone: nobody meant a direction
+        if sum(off) >= 0.9 * len(off) and (turns or not is_left_out):
+            file, line = broadcast_place(recording, one.node, '/tf')
+            yield found('frame', one.child, file=file, line=line, time_s=one.first_s, node=one.node, turtle=turtle)
+
+
+@rule(
+    'tf.quaternion-order',
+    what="{node} broadcasts '{frame}' with a rotation in the order w, x, y, z, which tilts the frame",
+    why='ROS 2 uses the order x, y, z, w, but transforms3d and other libraries start with w',
+    do='set rotation.x = 0.0, rotation.y = 0.0, rotation.z = sin(theta / 2) and rotation.w = cos(theta / 2)',
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall',),
+)
+def quaternion_order(recording: Recording) -> Iterator[Finding]:
+    """Of a frame of a turtle that turns: x is the cosine of half its heading, w the sine, in all of the last transforms."""
+    for one, _, known in _turned(recording):
         if known and all(
             abs(abs(q[0]) - abs(c)) < CLOSE and abs(abs(q[3]) - abs(s)) < CLOSE and abs(q[0]) > CLOSE for s, c, q in known
         ):

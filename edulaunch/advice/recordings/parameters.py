@@ -54,9 +54,13 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
 
 @rule(
     'programs.key-for-no-node',
-    what='{file} sets no parameter of {node}, because its keys are {keys}',
+    what=(
+        'the values of this launch file are for the node {launched}, but ROS arguments give it the name {node}',
+        '{file} sets no parameter of {node}, because its keys are {keys}',
+    ),
     why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
+        'remove __node and __ns from the ROS arguments, and set name and namespace of the node in place of {launched}',
         'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
         'write the key `{node}` (or `/**` for all nodes) above `ros__parameters`',
     ),
@@ -76,7 +80,10 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
         if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
-            yield found('file', file, file=file, line=line, time_s=facts[0].time_s, node=node, keys=keys[:5], near=near)
+            is_made = file.startswith('launch_params_')  # launch writes this file, and nobody can edit it
+            places = node_place(recording, node) if is_made else (file, line)
+            told = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
+            yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **told)
 
 
 @rule(

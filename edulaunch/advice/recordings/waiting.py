@@ -134,6 +134,7 @@ CHANGE = 'lifecycle_msgs/srv/ChangeState'
     ),
     lesson=LARGE_PROJECT,
     level='error',
+    hides=('messages.nobody-publishes', 'messages.no-server'),
 )
 def not_configured(recording: Recording) -> Iterator[Finding]:
     """Without a single transition in the whole run."""

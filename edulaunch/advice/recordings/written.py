@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import linecache
+import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts
-from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place
+from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, node_place
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -93,6 +95,51 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
                     if method.name in first:
                         yield found('class', klass.name, file=file, line=method.lineno, klass=klass.name, method=method.name)
                     first[method.name] = method
+
+
+@rule(
+    'programs.equals-plus',
+    what='{written} sets {variable} to {value} each time, because =+ is an assignment of +{value}',
+    why='Python reads `=+ 1` as `= (+1)`',
+    do='write {variable} += {value}',
+    lesson='00_python',
+    level='error',
+    edits=(('=+', '+='),),
+)
+def equals_plus(recording: Recording) -> Iterator[Finding]:
+    """By the blank after the plus, which nobody writes before the sign of a number."""
+    for file, tree in program_scripts(recording):
+        for node in ast.walk(tree):
+            is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)
+            if is_plus and isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp):
+                line = linecache.getline(file, node.lineno)
+                match = re.search(r'([\w.]+)\s*=\+\s+', line)
+                if match is not None:
+                    facts: dict[str, Any] = {'written': line.strip(), 'value': ast.unparse(node.value.operand)}
+                    yield found('variable', match[1], file=file, line=node.lineno, **facts)
+
+
+MANY_PUBLISHERS = 5
+
+
+@rule(
+    'messages.publisher-each-time',
+    what='{node} has created {count} publishers of {topic}, one for each message',
+    why='on a network, a new publisher needs some time until the subscriptions find it, and its first message is lost',
+    do='create the publisher once, in the constructor, and keep it: self.publisher = self.create_publisher(...)',
+    lesson='01_first_launch',
+    hides=('messages.too-early',),
+)
+def publisher_each_time(recording: Recording) -> Iterator[Finding]:
+    """Five of one node on one topic, each at another time."""
+    made: dict[tuple[str, str], set[float]] = {}
+    for (kind, topic), ends in ends_by_name(recording).items():
+        for end in ends if kind == 'publisher' and len(ends) >= MANY_PUBLISHERS else ():
+            made.setdefault((end.node, topic), set()).add(end.made_s)
+    for (node, topic), times in made.items():
+        if len(times) >= MANY_PUBLISHERS and not is_ros_own(topic):
+            file, line = end_place(recording, 'publisher', topic, node)
+            yield found('topic', topic, file=file, line=line, node=node, count=len(times))
 
 
 RUNS_LONG_S = 5.0

@@ -144,6 +144,41 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
 
 
 @rule(
+    'launch.opaque-returns-nothing',
+    what='{function}() creates a {action} but returns nothing, so launch does not run it',
+    why='launch runs only the actions that the function of an OpaqueFunction returns',
+    do='return a list of the actions at the end of {function}()',
+    lesson='13_large_project',
+    level='error',
+)
+def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
+    """A function that an OpaqueFunction names, with an action that it makes and no `return` with a value."""
+    for file, tree in scripts:
+        named = {
+            node.value.id
+            for node in ast.walk(tree)
+            if isinstance(node, ast.keyword) and node.arg == 'function' and isinstance(node.value, ast.Name)
+        }
+        for function in _functions(tree):
+            if isinstance(function, ast.Module) or function.name not in named:
+                continue
+            own = list(_own(function))
+            made = [node.func.id for node in own if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)]
+            has_value = any(isinstance(node, ast.Return) and node.value is not None for node in own)
+            is_executed = any(
+                isinstance(node, ast.Attribute) and node.attr in ('execute', 'visit', 'emit_event_sync') for node in own
+            )
+            actions = [name for name in made if name in ('Node', 'ExecuteProcess', 'IncludeLaunchDescription', 'GroupAction')]
+            if (
+                actions
+                and not has_value
+                and not is_executed
+                and not any(isinstance(node, (ast.Yield, ast.YieldFrom)) for node in own)
+            ):
+                yield found('function', function.name, file=file, line=function.lineno, action=actions[0])
+
+
+@rule(
     'launch.not-added',
     what='the {action} {variable} is never added to the launch description, so launch does not run it',
     why='launch runs only the actions in the list of LaunchDescription([...]), or that add_action() adds',

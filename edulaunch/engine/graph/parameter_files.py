@@ -110,7 +110,7 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
         name = _key_text(key)
         value = reader.next()
         if type(value).__name__ != 'MappingStartEvent':
-            raise _too_early(value, path)
+            raise _no_colon(value) if name == PARAMETERS_KEY else _too_early(value, path)
         if name != PARAMETERS_KEY:
             _read_nodes(reader, f'{path}/{name.strip("/")}' if path else name.rstrip('/'), entries)
         elif path:
@@ -119,6 +119,15 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
             raise with_facts(
                 ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}'), LAYOUT
             )
+
+
+def _no_colon(event: Any) -> ParameterFileError:
+    """Return the error for a value in the place of the parameters; `speed 2.0` is one string."""
+    error = _too_early(event, PARAMETERS_KEY)
+    name, blank, value = str(getattr(event, 'value', '')).partition(' ')
+    if not blank or ':' in name or not name.isidentifier():
+        return error
+    return with_facts(error, 'launch.parameter-no-space', at=line_of(event), words=f'{name} {value}', spaced=f'{name}: {value}')
 
 
 def _too_early(event: Any, path: str) -> ParameterFileError:

@@ -54,7 +54,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
         found: Any = process.loader.load_entry_module(program.module)
     except ModuleNotFoundError as error:
         if type(error) is ModuleNotFoundError and f'{program.module}.'.startswith(f'{error.name}.'):
-            _add_facts(program, error, 'module', _modules_beside(process, program.module), program.module)
+            _add_facts(program, error, 'module', _modules_beside(process, program), program.module)
         raise
     for name in program.function.split('.'):
         try:
@@ -66,13 +66,17 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
     return found  # type: ignore[no-any-return]
 
 
-def _modules_beside(process: Process, module: str) -> list[str]:
-    """Return the full names of the modules in the package of `module`."""
-    parent = module.rpartition('.')[0]
+def _modules_beside(process: Process, program: Program) -> list[str]:
+    """Return the full names of the modules in the Python package that an entry point names, or in the one of its package."""
+    parent = program.module.rpartition('.')[0]
     package = process.loader.modules.get(parent)
+    folders = list(getattr(package, '__path__', ()))
+    if package is None:
+        parent = program.package
+        folders = [folder for root in program.python_roots if os.path.isdir(folder := os.path.join(root, parent))]
     return [
         f'{parent}.{entry[:-3]}'
-        for folder in getattr(package, '__path__', ())
+        for folder in folders
         for entry in sorted(os.listdir(folder))
         if entry.endswith('.py') and not entry.startswith('_')
     ]

@@ -81,7 +81,11 @@ class Entity(BaseEntity):
         error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
         if not isinstance(item, dict) or not item:
             return places.at(error, self, 'launch.yaml-item')
-        places.at(error, self, 'launch.yaml-item', several=[str(key) for key in item])
+        first, *rest = map(str, item)
+        is_empty = next(iter(item.values())) is None  # what belongs to the element stands in the column of its name
+        below = rest if is_empty else None
+        opened = first if is_empty else None
+        places.at(error, self, 'launch.yaml-item', several=[first, *rest], opened=opened, below=below)
         error.edulaunch_line = getattr(item, 'line', self.line)  # type: ignore[attr-defined]
         return error
 

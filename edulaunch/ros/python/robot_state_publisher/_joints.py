@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib.util import find_spec
 from math import cos, sin
 from typing import Any, NamedTuple
@@ -62,6 +63,10 @@ class Joint(NamedTuple):
         return self.origin, multiply(self.turn, (x * half, y * half, z * half, cos(position / 2.0)))
 
 
+_TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmission\s*>', re.DOTALL)
+"""The original's parser does not read them; urdf_parser_py refuses those of ros2_control."""
+
+
 def read_joints(description: str) -> list[Joint]:
     """Return the joints of a URDF text, in its order.
 
@@ -75,7 +80,7 @@ def read_joints(description: str) -> list[Joint]:
 
     xml_reflection.core.on_error = lambda message: None  # it would print each tag that it does not know, such as <gazebo>
     try:
-        robot = URDF.from_xml_string(description.encode())
+        robot = URDF.from_xml_string(_TRANSMISSIONS.sub('', description).encode())
     except Exception as error:
         raise ValueError(' '.join(str(error).split()) or type(error).__name__) from error
     for found in robot.joints:

@@ -276,11 +276,15 @@ class ActionServer(Waitable):
                 )
             future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 
-    @staticmethod
-    def _print_traceback(error: Exception) -> None:
+    def _print_traceback(self, error: Exception) -> None:
         from edulaunch.engine.processes.traceback_text import student_traceback
 
-        current_process().write('stderr', student_traceback(error)[0])
+        text, place = student_traceback(error)
+        current_process().write('stderr', text)
+        at = {} if place is None else {'file': place.file, 'line': place.line}
+        said = f'{type(error).__name__}: {error}'
+        core = core_of(self._node)
+        current_process().fact('goal failed', (core.entry.index, self._name), {'node': core.full_name, 'said': said, **at})
 
     def goal_changed(self) -> None:
         """Publish the states of all goals."""

@@ -1,0 +1,106 @@
+"""What ROS 2 only writes into its log, and goes on: a file or component that is not there, a goal whose callback failed."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import launch_scripts
+from edulaunch.advice.runs import fact_place
+from edulaunch.engine.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+_NO_FILE = 'Parameter file path is not a file: '
+_NOT_LOADED = re.compile(r"Failed to load node '.*' of type '(.*)' in container '(.*)': Failed to find class")
+_COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.*)')
+
+
+@rule(
+    'launch.parameter-file-absent',
+    what='the parameter file {path} does not exist, so a node starts without its values',
+    why='launch only prints a warning, and continues',
+    do=(
+        "remove the first / of '{joined}', because os.path.join() ignores everything before a part that begins with /",
+        'create that file, or write the path of the file that you mean',
+    ),
+    lesson='03_parameters',
+    level='error',
+)
+def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
+    """As launch_ros logs it; a relative path has a rule of its own."""
+    logs = [message for _, process, _, _, message in recording.rows('logs') if message.startswith(_NO_FILE)]
+    for path in dict.fromkeys(message.removeprefix(_NO_FILE) for message in logs):
+        file, line, joined = _written(recording, path)
+        if os.path.isabs(path):
+            yield found('file', os.path.basename(path), file=file, line=line, path=path, joined=joined)
+
+
+def _written(recording: Recording, path: str) -> tuple[str | None, int | None, str | None]:
+    """Where a launch file has the name of the file, and the part of os.path.join() there that begins with a slash."""
+    for file, _ in launch_scripts(recording):
+        with open(file, encoding='utf-8') as text:
+            for number, line in enumerate(text, 1):
+                if os.path.basename(path) in line:
+                    parts = re.findall(r"""join\(.*,\s*['"](/[^'"]*)['"]""", line)
+                    return file, number, next((part for part in parts if path.startswith(part)), None)
+    return recording.launch.file, None, None
+
+
+@rule(
+    'launch.component-not-loaded',
+    what='the container {container} cannot load {plugin}, because the package has no component with this name',
+    why='launch logs an error, and the other programs continue without this node',
+    do=('write {near}', 'use one of its components: {known}'),
+    level='error',
+    hides=('messages.nobody-publishes', 'messages.nobody-listens'),
+)
+def component_not_loaded(recording: Recording) -> Iterator[Finding]:
+    """As launch_ros logs it, with the components that the container names."""
+    messages = [message for _, _, _, _, message in recording.rows('logs') if 'Failed to ' in message]
+    lists = [match[1] for message in messages if (match := _COMPONENTS.match(message))]
+    for message in messages:
+        match = _NOT_LOADED.match(message)
+        if match is not None and lists:
+            known = lists[-1].split(', ')
+            line = _written(recording, match[1])
+            yield found(
+                'container', match[2], file=line[0], line=line[1], plugin=match[1], near=nearest(match[1], known), known=known
+            )
+
+
+@rule(
+    'programs.native-component',
+    what='the component {plugin} of {package} is built from C++, but edulaunch runs only Python programs',
+    why='the container does not load this component, and the other programs continue',
+    do='run it where ROS 2 is installed, or write the node in Python',
+    level='info',
+)
+def native_component(recording: Recording) -> Iterator[Finding]:
+    """As the container says when it is asked to load one."""
+    for time_ns, _, _, _, message in recording.rows('logs'):
+        match = re.search(r'\n  help: (\S+) of (\S+) is built from C\+\+', message)
+        if match is not None:
+            file, line, _ = _written(recording, match[1])
+            yield found('component', match[1], file=file, line=line, time_s=time_ns / 1e9, plugin=match[1], package=match[2])
+
+
+@rule(
+    'programs.goal-failed',
+    what='the execute callback of {node} ended with an exception: {said}',
+    why='rclpy logs the exception, ends the goal as aborted, and the node continues',
+    do='correct this line, or catch the exception and call goal_handle.abort()',
+    lesson='14_services',
+    level='error',
+    hides=('programs.goal-unfinished',),
+)
+def goal_failed(recording: Recording) -> Iterator[Finding]:
+    """An exception in an execute callback; rclpy goes on after it."""
+    for fact in recording.facts:
+        if fact.kind == 'goal failed':
+            file, line = fact_place(recording, fact)
+            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s, said=fact.data['said'])

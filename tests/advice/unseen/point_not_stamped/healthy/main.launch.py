@@ -1,0 +1,13 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(
+            package='tf2_ros',
+            executable='static_transform_publisher',
+            arguments=['--x', '1', '--frame-id', 'base', '--child-frame-id', 'laser'],
+        ),
+        Node(package='robo', executable='driver', output='screen'),
+    ])

@@ -1,0 +1,21 @@
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.create_timer(0.5, self.drive)
+
+    def drive(self):
+        publisher = self.create_publisher(Twist, '/turtle1/cmd_vel', 10)
+        command = Twist()
+        command.linear.x = 1.0
+        command.angular.z = 1.0
+        publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
