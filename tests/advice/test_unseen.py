@@ -29,6 +29,11 @@ def reports(file: Path) -> list[str]:
         return [str(error)]
 
 
+def main_of(name: str, side: str) -> Path:
+    """Return the launch file of one side, in Python, XML or YAML."""
+    return next((UNSEEN / name / side).glob('main.launch.*'))
+
+
 def lines(name: str, label: str) -> list[str]:
     text = (UNSEEN / name / 'expected.txt').read_text(encoding='utf-8')
     return [line.removeprefix(f'{label}: ') for line in text.splitlines() if line.startswith(f'{label}: ')]
@@ -36,11 +41,11 @@ def lines(name: str, label: str) -> list[str]:
 
 @pytest.mark.parametrize('name', NAMES)
 def test_the_first_report_names_the_mistake(name: str) -> None:
-    found = reports(UNSEEN / name / 'failing' / 'main.launch.py')
+    found = reports(main_of(name, 'failing'))
     assert found and all(re.search(words, found[0]) for words in lines(name, 'says')), found
     assert not [report for report in found for words in lines(name, 'never') if re.search(words, report)]
 
 
 @pytest.mark.parametrize('name', NAMES)
 def test_nothing_is_reported_of_the_healthy_twin(name: str) -> None:
-    assert reports(UNSEEN / name / 'healthy' / 'main.launch.py') == []
+    assert reports(main_of(name, 'healthy')) == []
