@@ -83,7 +83,7 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_callable(failure: Failure) -> Iterator[Finding]:
-    """`message.x()` and `qos_profile_sensor_data()`: the only call of the line without arguments."""
+    """Report `message.x()` and `qos_profile_sensor_data()`: the only call of the line without arguments."""
     match = re.fullmatch(r"'(float|int|bool|str|list|QoSProfile)' object is not callable", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     calls = (
@@ -103,7 +103,7 @@ def not_callable(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_local_value(failure: Failure) -> Iterator[Finding]:
-    """`count += 1` in a method, where `count = 0` stands at the top of the file."""
+    """Report `count += 1` in a method, with `count = 0` at the top of the file."""
     match = re.match(r"(?:cannot access local variable|local variable) '(\w+)'", failure.message)
     if failure.type != 'UnboundLocalError' or match is None:
         return

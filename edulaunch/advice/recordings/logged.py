@@ -1,4 +1,4 @@
-"""What ROS 2 only writes into its log, and goes on: a file or component that is not there, a goal whose callback failed."""
+"""Problems that ROS 2 only logs: a missing parameter file or component, and a goal whose callback failed."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def native_component(recording: Recording) -> Iterator[Finding]:
     hides=('programs.goal-unfinished',),
 )
 def goal_failed(recording: Recording) -> Iterator[Finding]:
-    """An exception in an execute callback; rclpy goes on after it."""
+    """Report an exception in an execute callback. rclpy catches it, and the node continues."""
     for fact in recording.facts:
         if fact.kind == 'goal failed':
             file, line = fact_place(recording, fact)

@@ -164,7 +164,7 @@ def other_yaw(recording: Recording) -> Iterator[Finding]:
             continue
         off = [abs(s * q[2] + c * q[3]) < FAR * math.hypot(q[2], q[3]) for s, c, q in upright]
         turns = max(s for s, _, _ in upright) - min(s for s, _, _ in upright) > MOVES
-        is_left_out = all(abs(q[2]) < CLOSE for _, _, q in upright)  # w = 1 alone: nobody meant a direction
+        is_left_out = all(abs(q[2]) < CLOSE for _, _, q in upright)  # w = 1 alone sets no direction
         if sum(off) >= 0.9 * len(off) and (turns or not is_left_out):
             file, line = broadcast_place(recording, one.node, '/tf')
             yield found('frame', one.child, file=file, line=line, time_s=one.first_s, node=one.node, turtle=turtle)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts
-from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, node_place
+from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, node_place, own_nodes
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -107,7 +107,7 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
     edits=(('=+', '+='),),
 )
 def equals_plus(recording: Recording) -> Iterator[Finding]:
-    """By the blank after the plus, which nobody writes before the sign of a number."""
+    """Report =+ with a blank after it. The sign of a number has no blank after it."""
     for file, tree in program_scripts(recording):
         for node in ast.walk(tree):
             is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)
@@ -131,13 +131,18 @@ MANY_PUBLISHERS = 5
     hides=('messages.too-early',),
 )
 def publisher_each_time(recording: Recording) -> Iterator[Finding]:
-    """Five of one node on one topic, each at another time."""
+    """Report five of one node on one topic that each send a message in the moment in which they are made."""
     made: dict[tuple[str, str], set[float]] = {}
+    own = own_nodes(recording)
     for (kind, topic), ends in ends_by_name(recording).items():
-        for end in ends if kind == 'publisher' and len(ends) >= MANY_PUBLISHERS else ():
-            made.setdefault((end.node, topic), set()).add(end.made_s)
+        if kind != 'publisher' or len(ends) < MANY_PUBLISHERS or is_ros_own(topic):
+            continue
+        sent = {(round(time / 1e9, 6), node) for time, node, _ in recording.published(topic, ends[0].type)}
+        for end in ends:
+            if end.node in own and (round(end.made_s, 6), end.node) in sent:
+                made.setdefault((end.node, topic), set()).add(end.made_s)
     for (node, topic), times in made.items():
-        if len(times) >= MANY_PUBLISHERS and not is_ros_own(topic):
+        if len(times) >= MANY_PUBLISHERS:
             file, line = end_place(recording, 'publisher', topic, node)
             yield found('topic', topic, file=file, line=line, node=node, count=len(times))
 

@@ -211,6 +211,6 @@ def _is_in_comment(name: str, file: str) -> bool:
     """Return whether a line that uses the variable is commented out, which is a deliberate choice."""
     from edulaunch.ros.sources.source_package import read_text
 
-    return (
-        re.search(rf'^\s*#\s*(?:\w+\.add_action\()?{re.escape(name)}\)?,?\s*(?:#.*)?$', read_text(file), re.MULTILINE) is not None
-    )
+    name = re.escape(name)
+    added, listed = rf'(?:\w+\.add_action\()?{name}\)?,?\s*(?:#.*)?$', rf'.*\bLaunchDescription\(\[.*\b{name}\b'
+    return re.search(rf'^\s*#\s*(?:{added}|{listed})', read_text(file), re.MULTILINE) is not None
