@@ -88,10 +88,12 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
             yield (ast.get_docstring(node) or '').partition('\n')[0]
-        if isinstance(node, ast.Call) and ast.unparse(node.func) == 'kind':  # of a check in YAML; its fields are no sentence
+        # a kind of check in YAML; its fields are not sentences
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == 'kind':
             yield str(ast.literal_eval(node.args[0]))
             inner |= {id(part) for part in ast.walk(node)}
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('MEASURE', 'PROGRAM'):  # names of fields
+        # these tables contain names of fields
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('MEASURE', 'PROGRAM'):
             inner |= {id(part) for part in ast.walk(node.value)}
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('WORDS', 'KINDS'):
             yield from ast.literal_eval(node.value)

@@ -35,7 +35,7 @@ MOST = 20
 
 def judge(recording: Recording) -> list[Finding]:
     """Return what is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
-    with collector_paused():  # in a large recording this takes longer than the rules
+    with collector_paused():  # in a large recording, garbage collection takes longer than the rules
         return _judge(recording)
 
 

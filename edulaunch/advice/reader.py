@@ -133,7 +133,7 @@ def _entries(lines: Iterable[str]) -> Iterator[tuple[str, str]]:
     """
     from json import JSONDecoder
 
-    string = JSONDecoder(strict=False)  # a control character may be there as it is
+    string = JSONDecoder(strict=False)  # accepts unescaped control characters
     parts: dict[str, list[str]] = {'msgid': [], 'msgstr': []}
     keyword, fuzzy = '', False
     for line in (*lines, ''):
@@ -227,7 +227,8 @@ class Retelling:
         """Return how many letters of a message templates explain, and the message in the other language. Of
         several templates that fit, the one that explains most of the text is meant.
         """
-        if text in self._whole and (depth == DEEPEST or ' ' in text):  # a fact of one word is a name, not a label
+        # a single word in a fact is a name, so it is not translated
+        if text in self._whole and (depth == DEEPEST or ' ' in text):
             return len(text), self._whole[text]
         best, own = (0, text), 0
         self._tries += 1

@@ -82,7 +82,7 @@ def _ranks(count: int, edges: list[Edge]) -> list[int]:
         after[a].append(b)
     waiting = [len(sources) for sources in before]
     ready = [item for item in range(count) if not waiting[item]]
-    for item in ready:  # grows during the loop
+    for item in ready:  # the loop itself adds items to this list
         for step in after[item]:
             rank[step] = max(rank[step], rank[item] + 1)
             waiting[step] -= 1

@@ -127,7 +127,7 @@ def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:
     (x0, y0), low, high, reach, axis = points[0], -math.inf, math.inf, 0.0, 0.0
     for before, (x, y) in zip(points, points[1:], strict=False):
         if before == (x, y):
-            continue  # repeated points are common, and add nothing
+            continue  # repeated points are common, and do not change the line
         distance = math.hypot(x - x0, y - y0)
         if distance > tolerance_m or reach > tolerance_m:
             turn = math.remainder(math.atan2(y - y0, x - x0) - axis, math.tau) if reach else 0.0

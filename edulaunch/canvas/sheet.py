@@ -74,7 +74,7 @@ def place_labels(
         least, best = float('inf'), None
         for extra, box in _places(x, y, width, height, distance):
             if extra >= least:
-                break  # all others are further away
+                break  # all other places are further away
             cost = extra + _cost(box, placed, bounds)
             if cost < least:
                 least, best = cost, box

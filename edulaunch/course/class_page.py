@@ -19,9 +19,9 @@ from .handed_in import Done, Refused, Standing
 from .lessons import LESSONS, manifest
 from .questions import Question, questions_file, read_questions
 
-STUCK_TRIES = 4  # attempts at an unsolved exercise
+STUCK_TRIES = 4  # number of attempts at an unsolved exercise from which a student counts as stuck
 HARDEST = 5
-FEW = 2  # successful students added to each count, because one student's attempts are little evidence
+FEW = 2  # successful students added to each count, because a few attempts say little about an exercise
 MOST_REFUSED = 50
 STYLE = (
     ':root{color-scheme:light dark;--ground:#fff;--ink:#1d2733;--faint:#5b6b7c;--line:#d5dde5;--done:#d7efdc;--tried:#fdeac2;'

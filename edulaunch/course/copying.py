@@ -125,7 +125,7 @@ def _made(data: bytes, personal: Callable[[str], str]) -> bytes:
     try:
         return personal(data.decode('utf-8')).encode()
     except UnicodeDecodeError:
-        return data  # for example a picture
+        return data  # the file is not text, for example a picture
 
 
 RECORD = '.edulaunch_course.json'

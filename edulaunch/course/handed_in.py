@@ -21,7 +21,7 @@ from edulaunch.errors import UnusableInput
 MOST_BYTES = 64 << 10
 MOST_TABLES, MOST_TRIES, MOST_POINTS, MOST_ANSWERS = 500, 100_000, 10_000, 100
 MOST_STUDENTS = 2000
-MOST_ENTRIES, DEEPEST = 20_000, 8  # limits for one student's folder
+MOST_ENTRIES, DEEPEST = 20_000, 8  # limits for the folder of one student
 LEFT_OUT = ('node_modules', '__pycache__', 'build', 'install', 'log', 'site-packages')
 KINDS: Mapping[str, tuple[type, ...]] = {
     'done': (bool,),
@@ -144,7 +144,7 @@ def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
         raise ValueError(f'it has more than {MOST_BYTES >> 10} KiB')
     try:
         tables = tomllib.loads(data.decode())
-    except (ValueError, RecursionError):  # their messages may quote the file
+    except (ValueError, RecursionError):  # the messages of these errors may quote the file
         raise ValueError('it is not TOML') from None
     tables.pop(PREDICTIONS, None)
     answers = tables.pop(ANSWERS, {})

@@ -107,7 +107,7 @@ def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool)
     if predicts:
         yield Part('guess', ident, predicts[2] or '')
     called = _CALLS.search(source)
-    if called:  # the result of such a call is the last output
+    if called:  # the cell's last output is the result of this call
         source, gave = _CALLS.sub('', source).strip('\n'), tuple(output for output in gave if output.kind in ('text', 'error'))
         gave = tuple(
             output for output in gave if not output.text.startswith(('It was ', 'You predicted ', 'No prediction yet', '<'))
@@ -219,7 +219,7 @@ def _formula(latex: str) -> str:
         math_to_image(f'${latex}$', drawn, format='svg')
     except ValueError:
         return element('code', latex)
-    drawing = re.sub(rb'<metadata>.*?</metadata>', b'', drawn.getvalue(), flags=re.DOTALL)  # it has today's date
+    drawing = re.sub(rb'<metadata>.*?</metadata>', b'', drawn.getvalue(), flags=re.DOTALL)  # the metadata has today's date
     return element('img', class_='formula', alt=latex, src=f'data:image/svg+xml;base64,{b64encode(drawing).decode()}')
 
 

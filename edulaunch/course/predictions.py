@@ -68,7 +68,7 @@ def _text(value: Any) -> str:
         return f'{value:.4g}'
     if isinstance(value, list | tuple):
         return f'({", ".join(map(_text, value))})'
-    item = getattr(value, 'item', None)  # a number of numpy's
+    item = getattr(value, 'item', None)  # numbers of numpy have this method
     return _text(item()) if item is not None else str(value)
 
 

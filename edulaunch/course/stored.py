@@ -82,7 +82,8 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
     try:
         with TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True) as progress:
             environ = {**os.environ, PROGRESS: progress}
-            asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))  # a separate loop, also in a thread
+            # uses its own event loop, so it also works in a thread
+            asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))
     except nbclient.exceptions.CellTimeoutError:
         raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
     except nbclient.exceptions.DeadKernelError:

@@ -206,13 +206,13 @@ def _lint(arguments: argparse.Namespace) -> int:
 
     try:
         problems = list(listed(lesson_problems(given_course(arguments.folder))))
-    except UnusableInput:  # if the manifest exists, the check reports all its problems
+    except UnusableInput:  # if the manifest exists, the check below reports all its problems
         if not has_manifest(arguments.folder):
             raise
         problems = []
     for problem in problems:
         print(f'course: {problem}')
-    sys.stdout.flush()  # edugrade's processes write, too
+    sys.stdout.flush()  # edugrade's processes write to stdout, too
     return 1 if check([arguments.folder, *(['--quick'] if arguments.quick else [])]) or problems else 0
 
 

@@ -100,7 +100,7 @@ class Terminal:
             return
         folder = os.path.dirname(path) if os.path.basename(path).startswith(('setup.', 'local_setup.')) else path
         if os.path.basename(folder.rstrip('/')) == 'install' and not os.path.isdir(folder):
-            folder = os.path.dirname(folder.rstrip('/'))  # no build is needed here
+            folder = os.path.dirname(folder.rstrip('/'))  # use the workspace itself, because no build is needed
         if not os.path.isdir(folder or '.'):
             raise UnusableInput(
                 f'{path!r}: there is no such workspace', help='name a folder with packages, such as %source my_ws'

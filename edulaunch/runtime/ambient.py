@@ -88,6 +88,6 @@ def ambient_process_on(host: Host, task: AmbientTask) -> Process:
     process.sourced_path = sourced_path()
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.streams.stdin = sys.stdin
-    process.streams.is_writing = True  # always to the real streams
+    process.streams.is_writing = True  # a plain script always uses the real streams
     process.signals.handlers.clear()
     return process

@@ -61,7 +61,7 @@ class WatchedSignals:
         if self._pipe is not None:
             try:
                 os.write(self._pipe, HEARD)
-            except OSError:  # the watcher is gone, or the pipe is full of signals
+            except OSError:  # the watcher has ended, or the pipe is full of signals
                 return
 
 
@@ -78,7 +78,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterat
         yield WatchedSignals()
         return
     import faulthandler
-    import subprocess  # imported here, because only a terminal needs it, and loading it takes as long as the rest of this module
+    import subprocess  # imported here: only a terminal needs it, and it takes as long to load as the rest of this module
 
     reading, writing = os.pipe()
     os.set_blocking(writing, False)

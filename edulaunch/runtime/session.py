@@ -148,7 +148,7 @@ class Session:
         :raises UnusableInput: when there is no such file or package, with the messages of `ros2 launch`.
         """
         path = find_launch_file(self.index, path_or_package, file)
-        names = (path, self.index.source_path(path))  # a recording has the path of the student's own file
+        names = (path, self.index.source_path(path))  # source_path gives the student's own file, as recordings do
         places = dict.fromkeys(map(os.path.dirname, names))
         self.recorder.roots += with_real_paths([(place, '@launch') for place in places])
         launch = LaunchRun(

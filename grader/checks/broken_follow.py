@@ -20,7 +20,7 @@ from edugrade.library.node_graph import loose_ends
 from edugrade.library.parameters import require_parameter
 from edugrade.source import Place
 
-TURN = 0.5  # rad/s, of the teacher
+TURN = 0.5  # angular speed that the teacher's file sets, in rad/s
 SETTLED_S = 12.0
 ELSE = 'find out whether another node than the listener drives turtle2'
 BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf2_py', 'turtle_tf2_listener')
@@ -113,7 +113,7 @@ def turtle2_follows(run: Evidence) -> None:
     """turtle2 stays close behind turtle1"""
     for name, recording in run.items():
         speed = float(run.scenario(name).arguments['speed'])
-        # The listener covers half of the distance in each second: at a speed v it lags 2 v behind.
+        # The listener covers half of the distance in each second, so at speed v it is 2 v behind.
         require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S, ELSE)
         require_pursuit(run, name, '/turtle1', '/turtle2', SETTLED_S, ELSE)
     require_driver(run, '/turtle2', *LISTENER)

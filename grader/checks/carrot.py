@@ -22,11 +22,11 @@ from edugrade.library.parameters import require_parameter
 PACKAGE = 'turtle_tf2_py'
 LISTENER = (PACKAGE, 'turtle_tf2_listener')
 BROADCASTERS = {'fixed': 'fixed_frame_tf2_broadcaster', 'moving': 'dynamic_frame_tf2_broadcaster'}
-LEFT_M = (0.0, 2.0)  # position of the fixed carrot, seen from turtle1
+LEFT_M = (0.0, 2.0)  # position of the fixed carrot relative to turtle1
 SETTLED_S = 15.0
 BOUND_M = 0.3
-FIRST_TURN_S, TURN_S = 4.0, 2.0  # the moving carrot exists by then; the time for one swing from left to right and back
-RESTLESS_M = 8.0  # distance that turtle2 drives at least in 5 s when its goal swings by 20 m
+FIRST_TURN_S, TURN_S = 4.0, 2.0  # time when the moving carrot exists; time of one swing from left to right and back
+RESTLESS_M = 8.0  # smallest distance that turtle2 drives in 5 s when its goal swings by 20 m
 CONDITION = "condition=IfCondition(EqualsSubstitution(LaunchConfiguration('carrot'), '{}'))"
 
 

@@ -19,8 +19,8 @@ from edugrade.library.parameters import find_parameter
 
 ARGUMENT, DEFAULT = 'circle_radius', '1.0'
 PACKAGE, EXECUTABLE = 'part3_beyond_basics', 'param_circle.py'
-TOLERANCE = 0.02  # of the radius
-SETTLED_S = 2.0  # the robot has been spawned and drives
+TOLERANCE = 0.02  # largest error, as a share of the radius
+SETTLED_S = 2.0  # time when the robot exists and drives
 SHORTEST_TRACK_M = 0.5
 
 

@@ -16,8 +16,8 @@ from edugrade.library.launched import refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
-SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
-# turtle1 drives the square at 1 m/s. A follower that drives half of the distance in a second is 1 to 1.7 m behind it.
+SETTLED_S = 15.0  # the follower appears at about 2 s, and has caught up long before this time
+# turtle1 drives along the square at 1 m/s. A follower that covers half of the distance in a second is 1 to 1.7 m behind it.
 BOUNDS_M = {'standing': 0.25, 'moving': 2.5}
 LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 LISTEN = "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]"

@@ -150,7 +150,7 @@ def _require_turn(run: Evidence, frame: Frame) -> None:
 
 RUBRIC = Rubric(
     title='A laser and a camera on a mast',
-    decoys=0.75,  # any program can publish a frame that never moves; the launch argument decides the other points
+    decoys=0.75,  # any program can publish a static frame; the other points depend on the launch argument
     scenarios=scenarios,
     checks=[
         no_node_dies,

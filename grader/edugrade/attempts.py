@@ -16,7 +16,7 @@ from .submission import Submission
 from .variant import variant_for
 
 UNCHANGED = 'The file has not changed since your last attempt. Save it first.'
-SHORT = 16  # characters of a digest
+SHORT = 16  # length of a stored digest, in characters
 
 
 def record_attempt(report: Report, folder: str | None) -> Report:

@@ -30,8 +30,8 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outco
     if not any(outcome.scenario.defaults for outcome in outcomes):
         return list(outcomes)
     try:
-        plan = in_worker(lambda: _plan(outcomes))  # what a submission declares may upset whoever looks at it
-    except Exception:  # judging raises the same error, and reports it
+        plan = in_worker(lambda: _plan(outcomes))  # the declarations of a submission may crash their reader
+    except Exception:  # judging meets the same error, and reports it
         return list(outcomes)
     places = [place for place, (names, *_) in enumerate(plan) if names and None not in names.values()]
     made = again([_giving(outcomes[place].scenario, plan[place][0]) for place in places]) if places else []

@@ -13,15 +13,15 @@ from .job import MEBI, RunRequest
 from .readiness import is_readable
 from .starter_link import StarterLink
 
-LETTERS = b'RUSB'  # of the frame that answers; sandbox/child.py says what they mean
-CONFINED = b'C'  # of the frame before it
+LETTERS = b'RUSB'  # types of the frame with the answer; sandbox/child.py explains them
+CONFINED = b'C'  # type of the frame before the answer
 HEADER_BYTES = 9
 CHUNK_BYTES = 1 << 18
-PATIENCE_S = 20.0  # for the starter to load the engine
+PATIENCE_S = 20.0  # time limit for the starter to load the engine
 KEPT_OUTPUT_BYTES = 8000
 LONGEST_STATE_BYTES = 4000
-GUARD_S = 5.0  # for the guard to end all that was started
-GRACE_S = 1.0  # to answer after its own alarm, or to end after it has let go of the channel
+GUARD_S = 5.0  # time limit for the guard to end all processes of the run
+GRACE_S = 1.0  # time limit to answer after the child's own alarm, or to end after it has closed the channel
 
 
 class ChildRun:
@@ -38,14 +38,14 @@ class ChildRun:
         self.workspaces = job.workspaces
         self.limits = job.limits
         self.frame = bytearray()
-        self.printed = bytearray()  # the first part of the output; printed_bytes counts all of it
+        self.printed = bytearray()  # first part of the output; printed_bytes counts all of it
         self.printed_bytes = 0
         self.sandbox: dict[str, str] | None = None
-        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage', 'processes', 'memory' or 'disk': what ended it
+        self.cut: str | None = None  # the limit that ended it: wall, printed, recording, garbage, processes, memory or disk
         self.let_go = False  # whether the child closed its end of the channel
         self.refused: list[str] = []  # names of system calls
         self.returncode: int | None = None
-        self.is_over = False  # whether the guard has ended it and all it started
+        self.is_over = False  # whether the guard has ended the child and all its processes
         self._reported = b''
         self._pids: list[int] = []
         with ExitStack() as ends, ExitStack() as failed:

@@ -32,7 +32,8 @@ FORKING = ('batch', 'doctor')
 """Verbs that run submissions of others, which must be confined."""
 
 HEAD = ('submission', 'result', 'checks', 'points')
-TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}  # use words and no colours
+# with words, because a terminal may have no colours
+TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}
 
 
 def main(argv: Sequence[str] | None = None) -> int:

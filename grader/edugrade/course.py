@@ -15,7 +15,7 @@ from .submission import exercise_of
 
 LEVELS = 3
 MANIFEST = 'course.toml'
-HIGHEST = 6  # folders, from the one of a submission on, in which the manifest is looked for
+HIGHEST = 6  # most folders, from the submission's folder upwards, in which the manifest is searched
 _BESIDE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _OURS = (os.path.join(_BESIDE, 'edulaunch', 'course', 'ours', 'exercises'), os.path.join(os.path.dirname(_BESIDE), 'exercises'))
 

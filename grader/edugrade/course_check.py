@@ -42,7 +42,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
 )
 """Of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
-LONGEST_GAP = 10  # lines that a solution adds or changes, on average for each gap
+LONGEST_GAP = 10  # lines that a solution adds or changes for each gap, on average
 _BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml', 'my_variant.toml')
 MOST_STUDENTS, TRIES = 2, 400
 """For how many students variants are tried, and among how many they are looked for."""

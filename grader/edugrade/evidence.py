@@ -64,13 +64,13 @@ class Outcome(NamedTuple):
     text: str = ''
     try_: str | None = None
     where: Place | None = None
-    sandbox: Mapping[str, str] = MappingProxyType({})  # which layers of confinement held: 'held', or why not
-    detail: str = ''  # for the course author: a traceback of the engine, or what the program printed
-    refused: tuple[str, ...] = ()  # names of the system calls that it tried and may not make
-    bags: Sequence[Mapping[str, Any]] = ()  # what the bags hold that it wrote; see `sandbox.bags`
-    real_s: float = 0.0  # how long the run took on this computer; in no report, for equal runs report alike
+    sandbox: Mapping[str, str] = MappingProxyType({})  # for each layer of confinement: 'held', or why it did not hold
+    detail: str = ''  # for the course author: a traceback of the engine, or the output of the program
+    refused: tuple[str, ...] = ()  # names of forbidden system calls that the run tried
+    bags: Sequence[Mapping[str, Any]] = ()  # content of the bags that the run wrote; see `sandbox.bags`
+    real_s: float = 0.0  # duration of the run on this computer; reports leave it out, because equal runs have equal reports
     bare: tuple[str, tuple[str, ...]] | None = (
-        None  # why it could not be launched without some of its `defaults`, and their names
+        None  # why the launch failed without some of its `defaults`, and the names of those
     )
 
 
@@ -146,7 +146,7 @@ def described_defaults(recording: Recording) -> dict[str, str | None]:
     return {item.name: item.default for item in recording.launch.declared}
 
 
-_JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
+_JOINT = "' + '"  # separates the parts of a string in the output of `ros2 launch --show-args`
 
 
 def written_text(described: str) -> str:

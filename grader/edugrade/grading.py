@@ -94,7 +94,7 @@ def grade(
     """
     with runner_here(limits, on_outcome, processors) as runner:
         jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
-        from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
+        from . import judging, results  # noqa: F401  # loads them during the first runs
 
         jobs.reverse()
         for item in work:
@@ -226,7 +226,7 @@ def progress_bar(total: int) -> Iterator[Callable[[], None]]:
 
     def advance() -> None:
         nonlocal done
-        done = min(done + 1, total)  # a repeated run was already counted
+        done = min(done + 1, total)  # a repeated run has already been counted
         show()
 
     show()

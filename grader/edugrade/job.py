@@ -56,7 +56,7 @@ class GradingJob:
     def __init__(self, scenarios: Sequence[Scenario]) -> None:
         self.scenarios = list(scenarios)
         self.outcomes: dict[str, Outcome] = {}
-        self.again: Counter[str] = Counter()  # how often a run was begun again, by the scenario's name
+        self.again: Counter[str] = Counter()  # number of repetitions of a run, by the name of its scenario
 
     @property
     def is_done(self) -> bool:

@@ -22,7 +22,7 @@ from .worker import TooLong, cpu_limit, in_worker
 if TYPE_CHECKING:
     from edulaunch.advice.rule import Finding
 
-LONGEST_CHECK_S = 5.0  # usually it takes a thousandth of this
+LONGEST_CHECK_S = 5.0  # a check usually takes a thousandth of this
 LAUNCHES_SENTENCE = 'The launch file starts and runs to the end without an error'
 
 
@@ -132,7 +132,7 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
             share=failure.share,
             steps=failure.steps,
         )
-    except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
+    except Exception as error:  # any exception except Failure is a fault of the grader
         return replace(_plain(check, GRADER_BROKE), reason=_words(error, check), try_=REPORT_IT)
     return _plain(check, PASSED)
 
@@ -183,7 +183,7 @@ def _of_row(row: dict[str, Any]) -> CheckResult:
     return CheckResult(**row)
 
 
-LONGEST_S = 2.0  # usually it takes a hundredth of this
+LONGEST_S = 2.0  # this usually takes a hundredth of this time
 DIED = ' died with exit code '
 COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
 """Rubrics report dead programs and missing arguments themselves. The arguments of a run come from the grader."""
@@ -202,7 +202,7 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     kept = _with_last_line(results, evidence)
     has_died = any(map(_is_death, kept))
     findings = _findings(evidence, has_died)
-    for is_about in (_is_near, _is_named, _is_there):  # a finding goes to the check that it fits best
+    for is_about in (_is_near, _is_named, _is_there):  # a finding belongs to the check that fits best
         for position, result in enumerate(kept):
             if result.status != FAILED or result.cause is not None:
                 continue

@@ -63,7 +63,7 @@ def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
     :param path: where Python looks for modules.
     """
-    from .rubrics.catalogue import rubrics_folder  # a starter is begun before all that is loaded
+    from .rubrics.catalogue import rubrics_folder  # imported here, because a starter is created before the rest is loaded
 
     own = os.path.dirname(os.path.abspath(__file__))
     hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]

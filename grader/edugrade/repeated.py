@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 SENTENCE = 'Two runs of the same launch are identical'
 LONGEST_SEARCH_S = 5.0
 LONGEST_SHOWN = 200
-COMMANDS = ('ros2',)  # programs that are not a node of the student
+COMMANDS = ('ros2',)  # programs that do not belong to a node of the student
 
 
 def has_own_programs(recording: Recording) -> bool:

@@ -21,8 +21,8 @@ from .worker import attended
 
 LONGEST_NAP_S = 0.05
 SOON_S = 2.0
-MOST_STARTS = 20  # of a run before which the starter was killed: nothing of a submission had been read
-MOST_TIMES_AGAIN = 2  # a run that was killed is begun again: it may have been somebody else
+MOST_STARTS = 20  # attempts at a run whose starter was killed before it read anything of the submission
+MOST_TIMES_AGAIN = 2  # repetitions of a run that was killed, because another submission may be the cause
 
 
 class Runner:
@@ -154,7 +154,7 @@ class Runner:
         most = _times_again(run, outcome)
         if most > job.again[run.scenario.name]:
             job.again[run.scenario.name] += 1
-            run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own one: there may be another one already
+            run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own starter, which may already have a successor
             self._waiting.insert(0, (job, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return

@@ -184,7 +184,7 @@ def _nearest_to(path: str) -> str:
 
 
 MANIFEST = 'package.xml'
-DEEPEST = 5  # folders between a launch file and its package.xml
+DEEPEST = 5  # levels of folders between a launch file and its package.xml
 _NAME = re.compile(r'<name>\s*([A-Za-z][\w-]*)\s*</name>')
 _TEXTS = ('.py', '.xml', '.yaml', '.yml', '.cfg', '.toml', '.txt', '.msg', '.srv', '.action', '.rviz', '.urdf')
 _GENERATED = ('build', 'install', 'log', '__pycache__')

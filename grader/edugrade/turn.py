@@ -122,7 +122,7 @@ def _outcome(scenario: Scenario, launch: str) -> Outcome:
         file, line = getattr(error, 'file', None), getattr(error, 'line', None)
         where = Place(file, line) if isinstance(file, str) else None
         return Outcome(scenario, 'unusable', text=error.message, try_=error.help, where=where)
-    if recording.launch.returncode == 0:  # it may have started nothing, as some shall: the checks say what is missing
+    if recording.launch.returncode == 0:  # the launch may have started nothing on purpose; the checks report what is missing
         return Outcome(scenario, 'recorded', recording=recording)
     return come_to(scenario, recording)
 

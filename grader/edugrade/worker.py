@@ -22,15 +22,15 @@ from typing import Any, NoReturn
 from .job import CAN_FORK, MEBI
 from .readiness import is_readable
 
-LONGEST_CPU_S = 12  # seconds of processor time; usually it takes a tenth of a second
+LONGEST_CPU_S = 12  # processor time in seconds; a grading usually takes a tenth of a second
 LONGEST_S = 300.0  # seconds of real time; other programs may keep the computer busy, so reaching it is not a verdict
-MOST_MEMORY_MIB = 1024  # more memory than the grader had
+MOST_MEMORY_MIB = 1024  # limit in addition to the memory of the grader
 TRIES = 3
 LOOK_S = 0.05
 CHUNK_BYTES = 1 << 18
 MOST_DESCRIPTORS = 4096
 REGISTRY = 'edulaunch.engine.interfaces.registry'
-SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one means that no reply arrived
+SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one means that there was no reply
 
 Attend = Callable[[int, float], bool]
 
@@ -94,8 +94,8 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     finally:
         os.close(answer)
         with suppress(OSError):
-            os.kill(pid, signal.SIGKILL)  # it has replied, or its time is over
-        status = os.waitpid(pid, 0)[1]  # removes all of it, also if the grader is stopped
+            os.kill(pid, signal.SIGKILL)  # it has replied, or its time has run out
+        status = os.waitpid(pid, 0)[1]  # removes the child from the system's table, also if the grader is stopped
     if not content:
         return os.waitstatus_to_exitcode(status) or UNHEARD, b''
     header, loaded, body = content.split(b'\n', 2)
@@ -106,7 +106,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
 def _load(names: Sequence[str]) -> None:
     """Load what the worker had to load, modules and the classes of messages, so that the next one has it."""
     for name in names:
-        with suppress(Exception):  # the next one has the same error
+        with suppress(Exception):  # the next step meets the same error
             if '/' in name:
                 sys.modules[REGISTRY].underlay_registry().get(name)
             else:
@@ -183,7 +183,7 @@ def _limit(end: int, parent: int) -> None:
         (resource.RLIMIT_CORE, 0),
     ):
         hard = resource.getrlimit(kind)[1]
-        with suppress(ValueError, OSError):  # a system that lacks a limit goes without it
+        with suppress(ValueError, OSError):  # some systems lack a limit
             resource.setrlimit(kind, (value if hard == resource.RLIM_INFINITY else min(value, hard), hard))
 
 

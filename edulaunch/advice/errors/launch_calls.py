@@ -49,7 +49,7 @@ def keyword(failure: Failure) -> Iterator[Finding]:
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
     if match is not None and known and failure.process is None:
         action = failure.facts.get('class') or match[1]
-        if match[2] in known and cls is not None:  # it is inside the parentheses of an argument of that action
+        if match[2] in known and cls is not None:  # this action is inside an argument of another action
             action, known = match[1], keywords_of(cls)
         old = OLD_KEYWORDS.get(match[2])
         near = old if old in known else nearest(match[2], known)

@@ -10,7 +10,7 @@ from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest
 
 HOMES = {
-    # elements that belong inside others: (where, and which element does the same for everything that follows)
+    # Elements that belong inside others: (the outer elements, the element that has the same effect on everything after it).
     'param': (('node',), 'set_parameter'),
     'remap': (('node',), 'set_remap'),
     'env': (('node', 'executable'), 'set_env'),
@@ -21,7 +21,7 @@ HOMES = {
 }
 ROS_1_ELEMENTS = {'rosparam': 'param', 'test': 'node', 'machine': None}
 INSTEAD = {
-    # (element, what people write there): what it is called; many are names of ROS 1 or of the Python classes
+    # (element, attribute that people write): its correct name. Many of these names come from ROS 1 or from the Python classes.
     ('node', 'type'): 'exec',
     ('node', 'ns'): 'namespace',
     ('node', 'required'): 'on_exit',

@@ -88,6 +88,6 @@ def include_if_there(assumptions: Assumptions, action: Any, context: LaunchConte
     except Exception:
         if not assumptions.lacks_file(action.launch_description_source.described_location):
             raise
-        from launch.actions import SetLaunchConfiguration  # edulaunch.advice.plan is imported before launch can be
+        from launch.actions import SetLaunchConfiguration  # imported here, because this module may be loaded before launch
 
         return [SetLaunchConfiguration(name, value) for name, value in action.launch_arguments]

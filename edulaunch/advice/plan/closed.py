@@ -109,7 +109,7 @@ class Closed:
             if isinstance(file, int):
                 return real_open(file, mode, *arguments, **options)
             path = os.path.abspath(process.path(os.fsdecode(file)))
-            # `tempfile` names a folder where it opens a file in it by itself
+            # `tempfile` passes a folder here, and then creates a file in it
             if not set(mode) & set('wax+') or self._may_change(path) or os.path.isdir(path):
                 return real_open(self._copies.get(path, file), mode, *arguments, **options)
             return open(self._copy(path, mode), mode.replace('x', 'w'), *arguments, **options)
@@ -165,10 +165,10 @@ class Closed:
         is_path = event not in STARTS and event != 'ctypes.dlsym' and isinstance(what, (str, bytes, os.PathLike))
         path = os.path.abspath(os.fsdecode(what)) if is_path else _address(what)
         if event in TEMPORARY:
-            if not os.path.lexists(path):  # else `tempfile` tries the next name
+            if not os.path.lexists(path):  # if the path exists, `tempfile` tries another name
                 self._temporary.append(path)
         elif event == 'socket.connect' and arguments[0].type == socket.SOCK_DGRAM:
-            return  # this sends nothing; programs find the address of this computer so
+            return  # this sends nothing; programs use it to find the address of this computer
         elif event in ('open', 'os.remove') and _finds_temporary_folder():
             return
         elif event in STARTS or not self._may_change(path) or not all(map(self._may_change, _second_path(event, arguments))):
@@ -223,9 +223,9 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
 def _writes(arguments: tuple[Any, ...]) -> bool:
     path, _, flags = (*arguments, None, None, None)[:3]
     if not isinstance(path, (str, bytes)) or not isinstance(flags, int) or os.path.isdir(path):
-        return False  # `tempfile` names a folder where it opens a file in it by itself
+        return False  # `tempfile` passes a folder here, and then creates a file in it
     if flags & os.O_EXCL and os.path.lexists(path):
-        return False  # the call fails without our help
+        return False  # the file exists, so the call fails without our help
     return bool(flags & WRITING) and not (NOWHERE and flags & NOWHERE == NOWHERE)
 
 

@@ -70,7 +70,7 @@ def _entries(branch: Branch) -> Iterator[Entry]:
     below = _below(branch)
     kind, text = kind_and_text(branch)
     if kind == 'event' and not _is_from_a_file(branch):
-        return  # how launch itself ends a process
+        return  # launch itself registers this handler to end a process
     is_ours = kind == 'OpaqueFunction' and branch.condition is None and (not below or branch.origin is None)
     if kind in HIDDEN or is_ours:
         yield from below
@@ -174,7 +174,7 @@ def parameters_of(branch: Branch) -> list[Entry]:
     chains: dict[str, list[Any]] = {}
     for one in branch.given_parameters:
         chain = chains.setdefault(one.name, [])
-        if chain[-1:] != [one]:  # a SetParameter that is visited twice is reported twice
+        if chain[-1:] != [one]:  # launch reports a SetParameter twice if it visits it twice
             chain.append(one)
     return [_parameter(name, item['parameters'][name], chains.get(name, [])) for name in item['parameters']]
 

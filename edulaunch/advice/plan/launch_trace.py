@@ -115,7 +115,8 @@ class LaunchTrace(Watch):
         return self._sim.now_ns - self._sim.start_ns
 
     def _touch(self, step: Step) -> None:
-        if step.number < MOST_STEPS:  # even if it was changed last, because it may have been returned already
+        # record it even if it was also the last change, because that one may have been returned already
+        if step.number < MOST_STEPS:
             self.touched.append(step.number)
 
     def executed(self, action: Any, context: LaunchContext) -> None:
@@ -245,7 +246,7 @@ class LaunchTrace(Watch):
     def ignores(self, handler: Any, event: Any) -> bool:
         return False
 
-    # -- where it stops
+    # -- breakpoints
 
     def _stop(self, step: Step) -> None:
         self.stepper.at = step
@@ -335,7 +336,7 @@ def _is_from_a_file(handler: Any, step: Step) -> bool:
     """Return whether a launch file wrote the handler; launch itself registers others for each process and timer."""
     if hasattr(step.action, 'event_handler'):
         return step.action.event_handler is handler and step.origin is not None
-    return type(handler).__name__ == 'OnActionEventBase'  # on_exit= of a process
+    return type(handler).__name__ == 'OnActionEventBase'  # the handler for a process's on_exit=
 
 
 def _kept(value: Any) -> Any:

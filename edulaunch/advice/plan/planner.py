@@ -168,7 +168,8 @@ class Planner:
         from edulaunch.advice.plan.watching import Watch
 
         launch.logging.launch_config.dry = True
-        launch.logging.launch_config.level = logging.WARNING  # a plan keeps these; a line for each start takes time
+        # a plan records warnings, and a line for each started process takes time
+        launch.logging.launch_config.level = logging.WARNING
         launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
         source = AnyLaunchDescriptionSource(self._path)
         self._arguments = _declared_arguments(source)
@@ -239,7 +240,7 @@ def _declared_arguments(source: Any) -> list[Plan]:
     try:
         found = source.get_launch_description(LaunchContext()).get_launch_arguments()
     except Exception:
-        return []  # the visit meets the same error, and reports it
+        return []  # visiting the entity raises the same error, and reports it
     return [
         {
             'name': argument.name,
@@ -259,7 +260,7 @@ def _plain(value: Any) -> Any:
         return value
     if kind is list:
         return [item if type(item) in _SCALARS else _plain(item) for item in value]
-    if kind is dict or isinstance(value, Mapping):  # the check that is ten times as fast comes first
+    if kind is dict or isinstance(value, Mapping):  # check `kind` first: it is ten times as fast
         texts = sorted([(str(key), item) for key, item in value.items()], key=_KEY)
         return {key: item if type(item) in _SCALARS else _plain(item) for key, item in texts}
     if isinstance(value, (list, tuple)):

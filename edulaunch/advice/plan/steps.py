@@ -69,7 +69,7 @@ class Step(Branch):
             make, self.make_item = self.make_item, None
             try:
                 self._item = make()
-            except Exception as error:  # the file changed in the meantime; the launch itself succeeded
+            except Exception as error:  # the file has changed since then; the launch itself succeeded
                 self._item = {'kind': 'action', 'name': f'{type(self.action).__name__} ({error})'}
         return self._item
 

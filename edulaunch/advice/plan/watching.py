@@ -97,7 +97,8 @@ class Watch:
 
     def leave(self, entity: Any, context: LaunchContext, error: Exception | None) -> None:
         branch = self._open.pop()
-        if error is not None and error is not self._failure:  # the surrounding actions end with the same error
+        # the surrounding actions fail with the same error, so only the first one counts
+        if error is not None and error is not self._failure:
             self._failure, branch.condition = error, None
 
     def event(self, event: Event, context: LaunchContext) -> None:

@@ -48,7 +48,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
             if keys and not any(pattern_matches(key, item['runtime_name']) for key in keys):
                 free = [key for key in keys if not any(pattern_matches(key, name) for name in names)]
                 if not free:
-                    continue  # a file for other nodes of the launch file
+                    continue  # the file is meant for other nodes of the launch file
                 near = nearest(item['runtime_name'], free) or (keys[0] if len(keys) == 1 else None)
                 yield found(
                     'file',

@@ -80,7 +80,7 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
         if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
-            is_made = file.startswith('launch_params_')  # launch writes this file, and nobody can edit it
+            is_made = file.startswith('launch_params_')  # launch generates this file, so nobody can edit it
             places = node_place(recording, node) if is_made else (file, line)
             told = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
             yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **told)

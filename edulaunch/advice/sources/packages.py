@@ -64,7 +64,8 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
             continue
         relative = package.relative(path)
         top = relative.split(os.sep)[0]
-        is_module = os.path.isfile(os.path.join(path.removesuffix(relative), top, '__init__.py'))  # a package called `maps`
+        # for example a package called `maps`
+        is_module = os.path.isfile(os.path.join(path.removesuffix(relative), top, '__init__.py'))
         if (
             top in DATA_FOLDERS
             and not is_module

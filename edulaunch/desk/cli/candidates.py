@@ -127,7 +127,7 @@ def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
 
 def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:
     """Add the options of plug-ins if the line has an option."""
-    with suppress(UnusableInput):  # of a plug-in that is not installed
+    with suppress(UnusableInput):  # the option belongs to a plug-in that is not installed
         add_plugin_options(command, parser, [*words, *(HELP[:1] if typed.startswith('-') else ())])
 
 

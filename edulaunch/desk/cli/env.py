@@ -102,6 +102,6 @@ def python_verb(arguments: argparse.Namespace) -> int:
     words = [sys.executable, *arguments.rest]
     if os.name != 'nt':
         os.execve(sys.executable, words, env)
-    import subprocess  # on Windows, a shell takes a replaced program for one that has ended
+    import subprocess  # on Windows, a shell does not wait for a process that replaces itself
 
     return subprocess.run(words, env=env, check=False).returncode

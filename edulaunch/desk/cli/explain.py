@@ -60,7 +60,7 @@ def explain_verb(arguments: argparse.Namespace) -> int:
     """Print it. Return 0 if the launch file can be visited, 1 if it fails, 2 for invalid input."""
     if is_rule(arguments.package_or_path):
         return explain_rule(arguments.package_or_path)
-    gc.disable()  # this program ends soon, and collecting garbage takes longer than drawing the tree
+    gc.disable()  # collecting garbage takes longer than drawing the tree, and this process ends soon
     if arguments.diff:
         return _compare(arguments)
     explanation, subject = explained(arguments)
@@ -69,7 +69,7 @@ def explain_verb(arguments: argparse.Namespace) -> int:
         return 0
     if arguments.graph:
         write_graph([explanation.system(_earlier(arguments))], arguments.graph, arguments.services)
-        gc.collect()  # nodes of edulaunch ran for a moment: their objects end before Python does
+        gc.collect()  # some nodes ran for a moment, and their objects must be deleted before Python ends
         return report(explanation)
     _print(explanation, arguments)
     if not arguments.json:
@@ -136,7 +136,7 @@ def _words(first: str, rest: Sequence[str]) -> tuple[str, str | None, dict[str, 
     names = [word for word in rest if ':=' not in word]
     file = names.pop(0) if names and not os.path.isfile(first) and not _is_path(first) else None
     if len(names) > 2 or any('=' in name for name in names):
-        split_words(first, list(rest))  # raises an error that names the wrong word
+        split_words(first, list(rest))  # if a word is misspelt, this raises an error that names it
         raise UnusableInput(f'too many words: {" ".join(names)}.', help='name a node and a parameter, or a launch argument')
     return first, file, split_words(first, words)[2], names
 

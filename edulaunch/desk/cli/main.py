@@ -95,7 +95,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             raise
         print(f'error: {error.strerror}: cannot write the output of the command', file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again when it ends
         return 1
 
 

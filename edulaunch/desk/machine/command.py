@@ -63,12 +63,12 @@ def run(words: Sequence[str]) -> int:
 
     page = subprocess.Popen(
         [*SHOW, '--tab', tab, '--until-eof'], stdin=subprocess.PIPE, start_new_session=True
-    )  # the command handles Ctrl-C
+    )  # so that Ctrl-C reaches only the command
     try:
         return client.run(['ros2', *(word for word in words if word != VIEW)])
     finally:
         assert page.stdin is not None
-        page.stdin.close()  # the same happens when this process is killed
+        page.stdin.close()  # if this process is killed, the system closes the pipe
         page.wait()
 
 

@@ -162,7 +162,7 @@ class Follower:
     def _pass_keys(self) -> None:
         try:
             keys = os.read(0, 1 << 12)
-        except OSError:  # closed, or not readable by this process
+        except OSError:  # stdin is closed, or this process may not read it
             keys = b''
         self._reads = bool(keys)
         self._send(frame(wire.INPUT, keys))
@@ -181,7 +181,7 @@ class Follower:
         try:
             self._send(frame(kind, text.encode()))
         except (OSError, KeyError):
-            return  # reading from it shows that the machine has ended
+            return  # the next read shows that the machine has ended
 
     def _look(self, signum: int, frame: FrameType | None) -> None:
         """Called while an answer of the machine is due: explain its state, or give up."""

@@ -105,7 +105,7 @@ class Guardian:
             self._pipe = -1
         text = data.decode('utf-8', 'replace')
         now_s = time.monotonic()
-        self._traceback = ''.join((self._traceback + text).rpartition(HEADER)[1:])  # it arrives in pieces
+        self._traceback = ''.join((self._traceback + text).rpartition(HEADER)[1:])  # the traceback arrives in pieces
         if self._traceback.startswith(HEADER):
             self._where = innermost_own(self._traceback, LIBRARIES) or self._where
         if BUSY_SIGN in text or IDLE_SIGN in text:
@@ -137,7 +137,7 @@ class Guardian:
         if busy_s < SLOW_S:
             return
         if now_s - self._told_s >= SLOW_S:
-            self._signal(signal.SIGUSR1)  # the answer is the line, also from within C code
+            self._signal(signal.SIGUSR1)  # the machine answers with the line of the program, also during C code
         self._tell(now_s, self._busy(busy_s))
         silent, busy = self._silent_s / self._limit_s, busy_s / self._limit_s
         if not self._interrupted and (silent > INTERRUPT or busy > BUSY_INTERRUPT):

@@ -44,7 +44,7 @@ class Heartbeat:
         threading.Thread(target=self._beat, name='edulaunch heartbeat', daemon=True).start()
 
     def _beat(self) -> None:
-        if hasattr(signal, 'pthread_sigmask'):  # the line of interest is in the main thread
+        if hasattr(signal, 'pthread_sigmask'):  # only the main thread should receive these signals, because it runs the programs
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR1, signal.SIGUSR2})
         while True:
             rounds = self._server.rounds
@@ -54,7 +54,7 @@ class Heartbeat:
                 os.write(self._pipe, (IDLE_SIGN if is_idle else BUSY_SIGN).encode())
             except BlockingIOError:
                 pass
-            except OSError:  # ignored, because the guardian has ended
+            except OSError:  # the guardian has ended
                 return
             time.sleep(BEAT_S)
 

@@ -71,6 +71,6 @@ def _restore_when_we_die(before: list[object]) -> int:
             os._exit(0)
     for number in (reader, is_ready):
         os.close(number)
-    os.read(ready, 1)  # an earlier signal would end the restoring process, too
+    os.read(ready, 1)  # wait until it is ready: an earlier signal would end the restoring process, too
     os.close(ready)
     return writer

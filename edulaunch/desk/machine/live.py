@@ -107,7 +107,7 @@ class LiveMachine(ViewedMachine):
         for page in list(self.pages):
             page.show()
 
-    # -- what its pages ask for
+    # -- requests of its pages
 
     def soon(self, action: Callable[[], object]) -> None:
         """Run a function on the machine's thread; callable from any thread."""

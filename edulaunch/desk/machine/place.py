@@ -137,7 +137,7 @@ def remove_stale_sockets(place: str) -> None:
                 asked.connect(entry.path)
             except ConnectionRefusedError:
                 os.unlink(entry.path)
-            except OSError:  # its queue is full, so a machine listens
+            except OSError:  # the queue of the socket is full, so a machine listens there
                 continue
 
 

@@ -89,7 +89,7 @@ class Server:
         ready = self.selector.select(seconds)
         self.is_listening = False
         if ready:
-            self.machine.time.advance()  # input has the current time, not the time of the last due item
+            self.machine.time.advance()  # input gets the current time, not the time of the last due item
         for key, events in ready:
             take: Callable[[int], object] = key.data
             take(events)

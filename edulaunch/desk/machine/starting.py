@@ -119,7 +119,8 @@ def _become(module: str, place: str, number: str, *words: str, files: tuple[int,
     complaints = os.open(log_file(place, number), flags | os.O_APPEND, 0o600)
     nothing = os.open(os.devnull, os.O_RDWR)
     ours = [nothing, complaints, complaints, *files]
-    high = [fcntl.fcntl(file, fcntl.F_DUPFD, len(ours)) for file in ours]  # above all targets
+    # numbers above all targets, so that no dup2 overwrites one
+    high = [fcntl.fcntl(file, fcntl.F_DUPFD, len(ours)) for file in ours]
     for target, file in enumerate(high):
         os.dup2(file, target)
     os.closerange(len(ours), MOST_FILES)

@@ -266,7 +266,7 @@ class Terminal:
         reached = [self.process]
         if self.input.isatty() and signum in (signal.SIGINT, getattr(signal, 'SIGQUIT', None)):
             reached = [program for program in self.programs() if not program.is_passed_on]
-        if running is not None:  # the process that would pass it on gets no turn
+        if running is not None:  # the process that passes the signal on does not get a turn while another one runs
             reached = [*([] if running.is_passed_on else [each for each in reached if each is not running]), running]
         if running is None:
             self._terminals.session.let_go()

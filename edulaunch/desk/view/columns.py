@@ -22,7 +22,7 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
     still = 0
     last: float | None = None
     for value in values:
-        if value == last:  # most of a turtle's numbers rarely change
+        if value == last:  # most values of a turtle rarely change
             still += 1
             continue
         scaled = value * scale

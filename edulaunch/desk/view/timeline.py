@@ -33,7 +33,7 @@ LONGEST_TEXT = 160
 
 def marks_of(recording: Recording) -> list[Mark]:
     """Return the advice on a run as strings without paths of this machine, because notebooks store them."""
-    from edulaunch.advice.rendering import marks  # late, so that a page loads the rules only on request
+    from edulaunch.advice.rendering import marks  # imported here, so that a page loads the rules only on request
 
     return marks(recording)
 

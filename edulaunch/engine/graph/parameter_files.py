@@ -74,7 +74,7 @@ class _Reader:
         except self._error as error:
             reason = f'Error parsing a event near line {self._line}' if self.of_a_file else 'Error parsing an event'
             raise with_facts(ParameterFileError(reason), 'launch.yaml', **_problem(error)) from None
-        self._line = line_of(event)  # rcl names the line of what it could still read
+        self._line = line_of(event)  # an error of rcl names the last line that it could read
         if type(event).__name__ == 'AliasEvent':
             reason = f'Will not support aliasing at line {self._line}' if self.of_a_file else 'Unknown YAML event'
             raise ParameterFileError(reason)

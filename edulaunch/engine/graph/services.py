@@ -102,7 +102,8 @@ class ServiceClient(ServiceEnd):
         """
         self._sequence = sequence = self._sequence + 1
         servers = self.servers()
-        self.graph.tracer.request(self, sequence, wire, bool(servers))  # before anybody answers: built-in ones do so at once
+        # record the request first, because built-in servers answer immediately
+        self.graph.tracer.request(self, sequence, wire, bool(servers))
         if servers:
             self.unanswered.add(sequence)
         else:

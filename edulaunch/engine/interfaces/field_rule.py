@@ -34,7 +34,7 @@ def python_values(values: Any, kind: Primitive) -> Any:
         return values
     try:
         return [kind.python(value) if isinstance(value, numbers) else value for value in values]
-    except (TypeError, OverflowError):  # not iterable, or an integer that no float can hold
+    except (TypeError, OverflowError):  # `values` is not iterable, or has an integer that is too large for a float
         return values
 
 
@@ -201,7 +201,7 @@ class FieldRule:
             self._refuse_array(words, count=int(value.size), size=self.type.size)
         return value
 
-    # Refused values
+    # Rejected values
 
     def _refuse(self, words: str, value: Any) -> NoReturn:
         from edulaunch.engine.interfaces.mistakes import value_facts

@@ -261,7 +261,7 @@ def _complete(cls: type[Message], spec: MessageSpec) -> None:
     cls._SPEC = spec
     cls._FIELDS = {field.name: field.type.ros_text for field in spec.fields}
     own_slots = [f'_{field.name}' for field in spec.fields]
-    # Read by copy, deepcopy and pickle instead of __slots__, which rclpy's own extra slot must be part of.
+    # copy, deepcopy and pickle read this instead of __slots__, which has an extra slot in rclpy.
     cls.__slotnames__ = own_slots
     cls.__slots__ = [*own_slots, '_check_fields']
     lazy = {'SLOT_TYPES': Lazy(lambda: _slot_types(spec))}
@@ -278,7 +278,7 @@ def _complete(cls: type[Message], spec: MessageSpec) -> None:
 
 
 def _slot_types(spec: MessageSpec) -> tuple[object, ...]:
-    from edulaunch.engine.interfaces.slot_types import slot_types  # computed late, because few programs read it
+    from edulaunch.engine.interfaces.slot_types import slot_types  # imported here, because few programs read the slot types
 
     return slot_types(spec)
 

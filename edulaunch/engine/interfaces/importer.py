@@ -132,7 +132,7 @@ class InterfaceModule(ModuleType):
         from edulaunch.engine.facts import with_facts  # imported here, because every start loads this module
         from edulaunch.engine.nearest import nearest
 
-        # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.
+        # `from m import X` replaces any AttributeError by an ImportError, which does not have our facts.
         error: Exception = AttributeError(f'module {self.__name__!r} has no attribute {name!r}', name=name, obj=self)
         if _is_from_import(asker):
             error = ImportError(f'cannot import name {name!r} from {self.__name__!r} (unknown location)', name=self.__name__)

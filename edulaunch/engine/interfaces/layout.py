@@ -116,7 +116,7 @@ def default_wire(field: Field) -> Any:
             raise ValueError('the elements of a nested field have no plain default')
         values = (zero(field_type),) * (field_type.size if field_type.array == 'fixed' else 0)
     if field_type.base == 'float32':
-        values = array('f', values)  # as numpy keeps them; a single float32 stays as it was written until it is sent
+        values = array('f', values)  # round to float32, as numpy does; a single float32 keeps its value until it is sent
     return _as_bytes(field_type, values) if is_byte_like(field_type) else tuple(values)
 
 

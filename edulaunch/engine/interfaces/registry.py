@@ -155,7 +155,7 @@ class Registry:
         self._folders = None
         self._packages.clear()
 
-    # Inside
+    # Internal
 
     def _package_folders(self) -> dict[str, str]:
         """Return the folder of each package. Every import asks for it, so it is read only once."""

@@ -52,7 +52,7 @@ def _integer(name: str, code: str, size: int, type_id: int) -> Primitive:
     return Primitive(name, int, code, size, low, high, name, type_id)
 
 
-# No `char`: ROS 2 turns it into uint8 before anything else sees it, and so does `primitive_name`.
+# `char` is missing, because `primitive_name` turns it into uint8, as ROS 2 does.
 KINDS: dict[str, Primitive] = {
     kind.name: kind
     for kind in (

@@ -60,7 +60,7 @@ def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
         try:
             parts = [registry.spec(part) for part in _parts(registry, name)]
         except InterfaceError:
-            continue  # nobody can have used a type that does not exist or cannot be read
+            continue  # the type does not exist or cannot be read, so no program has used it
         found[name] = registry.text(name)
         waiting += [_whole(nested) for part in parts for nested in _nested(part)]
     return dict(sorted(found.items()))

@@ -95,7 +95,7 @@ class Image:
 
 def _release(path: str, claim: str, pid: int) -> None:
     if os.getpid() != pid:
-        return  # a forked child must not take the folder from its parent
+        return  # the folder belongs to the parent process, not to a forked child
     if os.path.exists(claim):
         os.unlink(claim)
     if not _living(os.path.dirname(claim)):
@@ -120,7 +120,7 @@ def _living(users: str) -> bool:
 
 def _runs(pid: int) -> bool:
     if os.name == 'nt':
-        return True  # asking would send it a ctrl-c there; the folder of links is left to the system
+        return True  # os.kill would send it a Ctrl-C on Windows; the system removes the folder of links later
     try:
         os.kill(pid, 0)
     except ProcessLookupError:

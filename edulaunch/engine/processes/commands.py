@@ -121,7 +121,7 @@ class CommandSet:
             script = None if self.shell is None else self.shell.script_of(rest)
             if script is not None:
                 return self._line(script, index, modules)
-            if position == 0 and (name not in WRAPPERS or rest[1:2] == ['-c']):  # Python runs its own text
+            if position == 0 and (name not in WRAPPERS or rest[1:2] == ['-c']):  # `-c` passes a script as text
                 break
         return _python(words, spec.cwd, modules)
 

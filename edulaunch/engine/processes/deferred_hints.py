@@ -68,7 +68,7 @@ class DeferredHints:
         :param env: its environment, which sets the language of the reader.
         """
         lines = _COLOUR.sub('', text).splitlines()
-        # Another terminal's error may have ended with the same line, for another reason.
+        # Prefer this terminal's error: another terminal may have shown the same last line for another reason.
         for pending in sorted(self.pending, key=lambda pending: pending.group != pid):
             line = next((line for line in lines if line.endswith(pending.last_line)), None)
             if line is not None and pid not in pending.shown_to:

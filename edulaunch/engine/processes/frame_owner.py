@@ -21,7 +21,7 @@ LIBRARIES = tuple(
     dict.fromkeys(
         os.path.join(folder, '')
         for folder in (os.path.dirname(os.__file__), *map(sysconfig.get_path, _KEPT), site.getusersitepackages())
-        if folder  # a browser has no folder of the user
+        if folder  # a browser has no user folder
     )
 )
 """Python's own folders. A workspace that was built has a `site-packages`, too, which is not among them."""

@@ -293,7 +293,7 @@ class Loader:
         self.modules[name] = module
         if source is not None:
             module.__file__ = path
-            spec._initializing = True  # type: ignore[attr-defined]  # Python tells of circular imports then
+            spec._initializing = True  # type: ignore[attr-defined]  # lets Python report circular imports
             try:
                 self._execute(module, self._code(path, lambda _: code_of(source)))
             except BaseException:

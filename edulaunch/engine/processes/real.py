@@ -161,7 +161,7 @@ class RealProcess:
     def kill(self) -> None:
         """Kill it without reporting its end."""
         self.on_output = self.on_exit = None
-        self._room.release(4 * MOST_WAITING)  # nothing reads more output, so its threads end
+        self._room.release(4 * MOST_WAITING)  # lets the reading threads end, because nothing reads more output
         self.send_signal(Signals.SIGKILL)
         self._waiter.join()
 

@@ -113,7 +113,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     task = running_task()
     if task is None or isinstance(task, AmbientTask) or getattr(task.owner, 'tracer', None) is None:
         return
-    library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` notes real programs itself
+    library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` records real programs itself
     if library is not None:
         note_use(task.owner, f'{what} ({library})' if library else what)
 
@@ -150,7 +150,7 @@ def machine_roots() -> list[list[str]]:
         (sys.executable, '@sys.executable'),
         (tempfile.gettempdir(), '@tmp'),
         (os.path.dirname(os.__file__), '@stdlib'),
-        *((folder, '@site-packages') for folder in packages if folder),  # a browser has no folder of the user
+        *((folder, '@site-packages') for folder in packages if folder),  # a browser has no user folder
         (sys.prefix, '@sys.prefix'),
         (sys.base_prefix, '@sys.base_prefix'),
     ]

@@ -135,7 +135,7 @@ def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseE
         yield f'{indent}  +---------------- ... ----------------\n'
         yield within(f'and {more} more exception{"s" if more > 1 else ""}\n', depth + 1)
         closed = False
-    if not closed:  # the frame of a group that comes last closes the outer one too
+    if not closed:  # the last frame of a group also closes the outer group
         yield f'{indent}  +------------------------------------\n'
 
 

@@ -80,7 +80,8 @@ class Watchdog:
 
     def _watch(self) -> None:
         if hasattr(signal, 'pthread_sigmask'):
-            # The signal that ends a long call tells where the thread is that gets it: on a busy machine that would be this one.
+            # The signal that ends a long call reports the frame of the thread that receives it, so this thread must not receive
+            # it.
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGXCPU})
         seen: Turn | None = None
         began_s = changed_s = 0.0
@@ -104,7 +105,7 @@ class Watchdog:
         import ctypes
 
         if self._running()[0] is task:
-            # This thread has just got the interpreter, and keeps it for longer than these two lines take.
+            # This thread has just received the interpreter lock, and keeps it longer than these two lines take.
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(RunawayProgram))
 
     def _look(self) -> Turn | None:

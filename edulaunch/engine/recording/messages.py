@@ -105,7 +105,7 @@ class Messages:
         cls = self._class(self.topics[topic].type)
         places = {path: place for place, (path, kind) in enumerate(cls.wire_type()) if ']' not in kind}
         if set(fields) <= places.keys() and all(column['type'] == cls.TYPE for column in self._columns(topic)):
-            wires = self.wires(topic, cls.TYPE)  # without messages, it takes a fifth of the time
+            wires = self.wires(topic, cls.TYPE)  # reading wire tuples takes a fifth of the time of creating messages
             return [(time / 1e9, *(wire[places[field]] for field in fields)) for time, wire in wires]
         gets = [getter(cls, field) for field in fields]
         return [(time, *(get(message) for get in gets)) for time, message in self.messages(topic)]
@@ -182,7 +182,7 @@ class Messages:
             raise UnusableInput('to_pandas() needs pandas', help='pip install pandas') from None
         messages = self.messages(topic)
         if isinstance(messages, NoMessages):
-            messages[0]  # lists the existing topics
+            messages[0]  # raises an error that lists the existing topics
         cls = self._class(self.topics[topic].type)
         paths = fields or tuple(path for path, kind in cls.wire_type() if ']' not in kind and path in leaf_paths(cls))
         gets = [getter(cls, path) for path in paths]

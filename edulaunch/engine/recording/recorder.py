@@ -172,7 +172,7 @@ class Recorder(Tracer):
         for name in ('parameters', 'descriptors'):
             last = {(row[1], row[2]): id(row) for row in getattr(self, name)}
             latest = {number for (node, _), number in last.items() if node in names}
-            self._keep(name, lambda row: row[0] > since or id(row) in latest)  # noqa: B023  # called at once
+            self._keep(name, lambda row: row[0] > since or id(row) in latest)  # noqa: B023  # called immediately
         self.facts = {key: row for key, row in self.facts.items() if row[5] > since or key[0] in self._process_row}
 
     def _keep(self, name: str, is_kept: Callable[[Any], bool]) -> None:

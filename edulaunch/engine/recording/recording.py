@@ -186,7 +186,7 @@ class Recording(Messages, Views):
         found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
         rows = [row for row, values in enumerate(self.parameter_rows) if values[1] == node]
         hosted = [row for row in rows if self.owners and self.owners['parameters'][row] in (self.hosted or ())]
-        for row in hosted or rows:  # another node of the same name does not represent a hosted node
+        for row in hosted or rows:  # prefer the hosted node over another node of the same name
             _, _, parameter, value, origin = self.parameter_rows[row]
             if value is None:
                 found.pop(parameter, None)

@@ -47,7 +47,7 @@ class Simulation:
         self._soon: deque[Item] = deque()
         self.last_number = 0
         self._stopped = False
-        self.hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
+        self.hands_on = False  # whether a parking task may switch directly to the next task of this instant
         self.keep_up: Callable[[], object] | None = None
         """Moves the time to that of the clock on the wall, where a plain script follows it. Called before the time is read."""
 

@@ -50,7 +50,7 @@ class Task(Parking):
     def start(self) -> None:
         """Give the task its first turn, at the present simulated time."""
         starter = running_task()
-        if starter is not None and starter.is_real_thread:  # only the main thread makes greenlets, and knows what time it is
+        if starter is not None and starter.is_real_thread:  # only the main thread creates greenlets and knows the time
             self._soon.append([self.sim.start_ns, 0, 1, lambda: self._make_greenlet()()])
         else:
             self.sim.schedule(self.sim.now_ns, self._make_greenlet())
@@ -143,7 +143,7 @@ class AmbientTask(Task):
             next_ns = sim.next_time_ns()
             is_over = deadline_ns is not None and (next_ns is None or next_ns > deadline_ns)
             if next_ns != sim.now_ns and threading.active_count() != self._threads:
-                self._threads = threading.active_count()  # some tasks have started or ended: let them run before time passes
+                self._threads = threading.active_count()  # some threads have started or ended: let them run before time passes
                 if self.real_threads is not None:
                     self.real_threads.let_begin()
                 continue

@@ -29,9 +29,9 @@ class TransformBuffer:
 
     def __init__(self, cache_ns: int = DEFAULT_CACHE_NS) -> None:
         self.cache_ns = cache_ns
-        # in order of first mention; None for a frame without parent
+        # Frames in the order of their first mention; a frame without a parent has the value None.
         self._frames: dict[str, History | None] = {}
-        # valid until a parent changes
+        # These paths are valid until a parent changes.
         self._paths: dict[tuple[str, str], Path] = {}
 
     def set(
@@ -53,7 +53,7 @@ class TransformBuffer:
         else:
             pose = canonical(pose)
             square = pose[6]
-        check = square + x + y + z  # nan when any of them is
+        check = square + x + y + z  # the sum is nan if one of them is
         history = self._frames.get(child)
         if history is None or history.static or static or not history.stamps or history.parents[-1] != parent or check != check:
             return self._set_with_care(parent, child, stamp_ns, pose, authority, static)
@@ -112,7 +112,7 @@ class TransformBuffer:
         """
         path = self._paths.get((target, source))
         if path is None:
-            if target == source:  # before the names are checked, as in tf2
+            if target == source:  # checked before the names, as in tf2
                 return time_ns or self._newest(source), IDENTITY
             check_names(self._frames, target, source)
             path = self._remember_path(target, source)

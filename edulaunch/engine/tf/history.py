@@ -27,7 +27,7 @@ class History:
         self.name = name
         self.static = static
         self.stamps: list[int] = []
-        self.poses: list[Transform] = []  # parent_from_child
+        self.poses: list[Transform] = []  # each one is parent_from_child
         self.parents: list[str] = []
         self.first = 0
         self.mixed = False  # True while samples may name different parents
@@ -139,7 +139,7 @@ def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | No
         rest = 1.0 - ratio
         x, y, z, ax, ay, az, aw = known[newer - 1]
         u, v, w, bx, by, bz, bw = known[newer]
-        turned = ax or ay or bx or by  # about another axis than z; the zeros of the others need not be multiplied
+        turned = ax or ay or bx or by  # whether a rotation has an axis other than z; otherwise x and y are 0
         dot = ax * bx + ay * by + az * bz + aw * bw if turned else az * bz + aw * bw
         if -1.0 < dot < 1.0:  # spherical interpolation along the shorter arc
             theta = acos(dot) if dot > 0.0 else acos(-dot)

@@ -10,7 +10,7 @@ def explain_missing(buffer: TransformBuffer, name: str) -> str | None:
 
     Names the nearest frames, or says that nothing has been received at all.
     """
-    from difflib import get_close_matches  # imported here, because only failures need it
+    from difflib import get_close_matches  # imported here, because only failed lookups need it
 
     if buffer.frame_exists(name):
         return None

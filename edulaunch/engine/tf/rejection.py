@@ -9,7 +9,7 @@ from edulaunch.engine.tf.transforms import Transform
 
 Rejection = tuple[str, str]  # ('error' or 'warn', the text)
 
-UNIT_TOLERANCE = 0.01  # of the squared length of a quaternion
+UNIT_TOLERANCE = 0.01  # largest difference of a quaternion's squared length from 1
 
 
 def reasons_against(parent: str, child: str, pose: Transform, authority: str) -> tuple[Rejection, ...]:

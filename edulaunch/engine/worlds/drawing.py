@@ -23,7 +23,7 @@ SIDE_PX = 500
 METRE_PX = 45.0
 SIDE = as_float32((SIDE_PX - 1) / METRE_PX)
 _ROW = 3 * SIDE_PX
-_MARGIN = 256  # keeps int() rounding down where a broad pen reaches over the left or upper edge
+_MARGIN = 256  # makes numbers positive, so that int() rounds down when a broad pen crosses the left or upper edge
 
 Color = tuple[int, int, int]  # red, green, blue, 0 to 255
 
@@ -58,11 +58,11 @@ class Pen:
         self.width = width or 1  # a pen of width 0 is drawn one pixel wide
         self.on = on
         self.stroke = bytes(color) * self.width
-        self.length = 3 * self.width  # of the stroke, in bytes
-        self.reach = 0.5 * self.width  # how far apart squares are set, in pixels
-        self.reach_rows = self.width * _ROW  # from a square's first row to the row below it, in bytes
-        self.edge = SIDE_PX - self.width  # the last column and row where a square begins that lies on the canvas
-        self.shift = _MARGIN + 1.0 - self.width / 2.0  # from a position in pixels to its square's first pixel
+        self.length = 3 * self.width  # length of the stroke, in bytes
+        self.reach = 0.5 * self.width  # distance between squares, in pixels
+        self.reach_rows = self.width * _ROW  # distance from a square's first row to the row below the square, in bytes
+        self.edge = SIDE_PX - self.width  # last column and row where a square can begin without crossing the edge
+        self.shift = _MARGIN + 1.0 - self.width / 2.0  # offset from a position to the first pixel of its square, in pixels
         self.column = self.row = 0
         self.lift()
 
@@ -83,7 +83,7 @@ class DrawingLayer:
     def __init__(self) -> None:
         self.version = 0
         self._pixels: bytearray | None = None
-        self._newest: Pen | None = None  # who set the last square
+        self._newest: Pen | None = None  # the pen that drew the last square
 
     def clear(self) -> None:
         """Wipe every line. Turtles that continue to draw must lift their pens."""

@@ -101,9 +101,9 @@ class Turtle:
         self.turned = False
         self.still = False
         self._layer = layer
-        self._seen = -1  # the layer's version the colour was read from
+        self._seen = -1  # version of the layer when the colour was last read
         self._requests: list[tuple[bool, float, float, float]] = []
-        self._moved = True  # a turtle that stands still where it was last tick needs no arithmetic
+        self._moved = True  # whether it moved in the last tick; a resting turtle needs no computation
 
     @property
     def y(self) -> float:

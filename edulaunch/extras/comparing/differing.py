@@ -105,7 +105,7 @@ def _ends(simulated: Observation, real: Observation) -> Iterator[Difference]:
         here = {end.type: rest for end, rest in simulated.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         there = {end.type: rest for end, rest in real.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         if node not in simulated.nodes or node not in real.nodes:
-            continue  # reported for the node
+            continue  # the missing node itself is reported
         if not there and min(when for _, when in here.values()) > simulated.asked_s:
             continue
         what = f'{name} of {node}'
@@ -162,7 +162,7 @@ def _holds(outer: Range, inner: Range) -> bool:
     if inner.texts:
         return inner.texts <= outer.texts
     if inner.low > inner.high:
-        return True  # an empty array, or no message in that time
+        return True  # the array is empty, or there was no message in that time
     spare = SHARE * (outer.high - outer.low) + 1e-6 * max(1.0, abs(outer.high), abs(outer.low))
     return outer.low - spare <= inner.low and inner.high <= outer.high + spare
 

@@ -69,7 +69,8 @@ def run_for_real(
     :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
     :raises KeyboardInterrupt: when the user pressed Ctrl-C before.
     """
-    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # in a shell's background job; programs inherit it
+    # a shell ignores SIGINT for background jobs, and programs would inherit that
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     with _domain() as domain:
         env = {**os.environ, 'ROS_DOMAIN_ID': str(domain), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}

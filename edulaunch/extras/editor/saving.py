@@ -33,7 +33,7 @@ def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLI
             text=True,
             encoding='utf-8',
             start_new_session=True,
-            cwd=home,  # not the folder of the file: Python would import modules from there
+            cwd=home,  # not the folder of the file, from which Python would import modules
         )
         try:
             said, _ = child.communicate(job, timeout=deadline_s)

@@ -29,5 +29,5 @@ def lsp_verb(arguments: argparse.Namespace) -> int:
     from edulaunch.extras.editor.server import serve
 
     serve(runs=not arguments.no_run, workspaces=arguments.workspace)
-    sys.stdout = open(os.devnull, 'w')  # noqa: SIM115 - pygls has closed the one that was there
+    sys.stdout = open(os.devnull, 'w')  # noqa: SIM115  # pygls has closed the old one
     return 0

@@ -97,7 +97,7 @@ class Conversation:
         """Return what has happened since the last turn."""
         self._renew()
         told = self._feed.advance()
-        data = self._data()  # before a topic goes
+        data = self._data()  # read before `_look`, which may remove topics
         self._look()
         self._tell_changes()
         heard, self._waiting, self._waiting_bytes = self._waiting, [], 0

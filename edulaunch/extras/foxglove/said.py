@@ -76,7 +76,7 @@ def _parameter(name: str, value: Any) -> dict[str, Any]:
     if not several or not all(isinstance(one, float) for one in several):
         return {'name': name, 'value': plain}
     if not all(map(math.isfinite, several)):
-        return {'name': name, 'value': str(plain)}  # JSON has no such number
+        return {'name': name, 'value': str(plain)}  # JSON has neither NaN nor infinity
     return {'name': name, 'value': plain, 'type': 'float64' if plain is not several else 'float64_array'}
 
 
@@ -98,7 +98,7 @@ def graph_update(now: Graph, before: Graph | None) -> str | None:
         fields[field] = [{'name': name, ids: list(who)} for name, who in now[part].items() if old.get(name) != who]
     topics_before = {**before.get('published', {}), **before.get('subscribed', {})}
     gone = [name for name in topics_before if name not in now['published'] and name not in now['subscribed']]
-    for part, field, ids in parts[:2]:  # a topic that lost all of one side and has the other one still
+    for part, field, ids in parts[:2]:  # these topics lost all publishers or all subscribers, but not both
         lost = [name for name in before.get(part, {}) if name not in now[part] and name not in gone]
         fields[field] += [{'name': name, ids: []} for name in lost]
     fields['removedTopics'] = gone

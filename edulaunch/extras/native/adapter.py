@@ -75,7 +75,7 @@ def _park(context: Any, deadline_ns: int | None) -> None:
 class _NodeFacts:
     """What one of our nodes knows about itself: its names, and the parameter values from outside."""
 
-    destroyed = True  # so that no facts are collected from it
+    destroyed = True  # prevents collecting facts from it
 
     def __init__(self, node: Any) -> None:
         self._node = node

@@ -108,7 +108,7 @@ class NativeHost(Host):
         if self._commands is None:
             self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
             lock, path = (os.path.join(self._commands.name, name) for name in ('lock', 'ros2'))
-            self._lock = open(lock, 'w')  # noqa: SIM115  # until `close`
+            self._lock = open(lock, 'w')  # noqa: SIM115  # `close` closes it
             fcntl.flock(self._lock, fcntl.LOCK_EX)
             words = command(self.environment, ROS2, spec._replace(name='ros2'), index, parent=lock)
             text = _ROS2_FILE.format(

@@ -40,7 +40,7 @@ def main() -> None:
 
 def _run(program: dict[str, Any], process: Any) -> Any:
     """Run it like an executable of a package: the function of an entry point, or a file or module as `__main__`."""
-    sys.path[:0] = program['python_roots']  # like PYTHONPATH: before Python's own folders
+    sys.path[:0] = program['python_roots']  # before Python's own folders, like PYTHONPATH
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':
         from edulaunch.desk.cli.ros2.commands import main as ros2

@@ -193,7 +193,7 @@ class Bridge:
         """Send a client's request to a service on the network; several services of one name get it together, as in DDS."""
         wire, (client, number) = item
         if client.index not in self._handles:
-            self._show_own()  # it was created in this turn
+            self._show_own()  # the client was created in this turn
         _, handle = self._handles.get(client.index, (None, 0))
         if handle and self._asked.get(handle) != number:
             self._asked[handle] = number
@@ -235,7 +235,7 @@ class Bridge:
         topic = subscription.topic_name
         publisher = self.mirror.publisher(event.gid, topic)
         if publisher is None and not event.gid:
-            self._early.append(event)  # a link that does not know the sender may learn it later
+            self._early.append(event)  # the link may learn the sender later
             return
         key = event.gid, event.source_ns
         several = event.gid and len(self.graph.subscriptions.get(topic, ())) > 1
@@ -250,7 +250,7 @@ class Bridge:
             if len(self._recent) > REMEMBERED:
                 self._recent.popitem(last=False)
         if len(subscription.queue) == subscription.queue.maxlen:
-            self.session.sim.run(self.session.sim.now_ns)  # let the program take waiting messages before the oldest is dropped
+            self.session.sim.run(self.session.sim.now_ns)  # let the program take messages before the full queue drops the oldest
         if is_new:
             self.heard += 1
             publisher.heard(wire)

@@ -160,7 +160,7 @@ class RclpyLink:
         except BlockingIOError:
             return
         except OSError:
-            self._out.clear()  # it has died, which `take` reports
+            self._out.clear()  # the side process has ended; `take` reports this
 
     def take(self) -> Sequence[Event]:
         """Implement `Link.take`."""
@@ -189,10 +189,8 @@ class RclpyLink:
             LinkDiagnostic('died', 'the side process with the real rclpy has died, so no messages cross' + AGAIN),
         )
         silent, bell = socket.socketpair()
-        silent.setblocking(False)  # the copy under the other number has the same setting
-        os.dup2(
-            silent.fileno(), self._socket.fileno()
-        )  # never readable, but with the same number, so the machine need not register it again
+        silent.setblocking(False)  # dup2 copies this setting, too
+        os.dup2(silent.fileno(), self._socket.fileno())  # same number, but never readable, so the machine keeps its registration
         silent.close()
         self._sockets.append(bell)
 

@@ -54,7 +54,7 @@ class Side:
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
         self.executor = SingleThreadedExecutor()
-        self.helper = _node(f'{MARK}_{os.urandom(4).hex()}', '/')  # another machine has a helper, too
+        self.helper = _node(f'{MARK}_{os.urandom(4).hex()}', '/')  # a random name, because each machine has such a helper
         self.executor.add_node(self.helper)
         self.inbox: deque[tuple[int, int, int, bytes]] = deque()
         self.lock, self.mouth = threading.Lock(), threading.Lock()
@@ -194,7 +194,7 @@ class Side:
         if not isinstance(request, client.srv_type.Request):
             raise ValueError('these bytes are not a request of its type')
         if not client.service_is_ready():
-            self.early.append((handle, number, data))  # a request before discovery would be lost
+            self.early.append((handle, number, data))  # before discovery, DDS would lose the request
             return
         future = client.call_async(request)
         future.add_done_callback(

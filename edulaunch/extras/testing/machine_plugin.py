@@ -33,7 +33,7 @@ def machine_of(config: pytest.Config) -> TestMachine:
         option = {
             **vars(config.known_args_namespace),
             **vars(config.option),
-        }  # the second method includes the options of conftest files
+        }  # conftest files define options that only `vars` returns
         machine = config.stash[MACHINE] = TestMachine(option.get('launch_seed', 0), option.get('launch_workspace'))
         machine.open()
         config.add_cleanup(machine.close)

@@ -63,7 +63,7 @@ class Run:
     """
 
     def __init__(self, kinds: list[Primitive | None]) -> None:
-        self._kinds = kinds  # None: the byte that stands for a message without fields
+        self._kinds = kinds  # None stands for the byte of a message without fields
         self.takes = sum(kind is not None for kind in kinds)
 
     @cached_property
@@ -279,7 +279,7 @@ def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
         )
     body = bytes(data[4:])
     try:
-        wire, _ = _codec(cls).read(body, 0)  # what follows does not matter: Fast DDS leaves room behind some messages
+        wire, _ = _codec(cls).read(body, 0)  # ignore the rest, because Fast DDS adds padding after some messages
     except (struct.error, Truncated, UnicodeDecodeError, OverflowError) as error:
         raise InterfaceError(f'these {len(data)} bytes are not a {cls.TYPE}: {error}') from None
     return wire

@@ -30,7 +30,7 @@ def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style
     content = message_dict(message, short)
     plain = repr(content)
     simple = plain.isascii() and '\\' not in plain
-    # The C writer is faster, but writes other letters than ASCII in another way than ROS 2 shows them.
+    # The C writer is faster, but it writes non-ASCII letters differently from ROS 2.
     dumper = getattr(yaml, 'CSafeDumper', yaml.SafeDumper) if simple else yaml.SafeDumper
     text: str = yaml.dump(
         content, Dumper=dumper, sort_keys=False, width=WIDEST, allow_unicode=True, default_flow_style=flow_style

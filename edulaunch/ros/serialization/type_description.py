@@ -11,7 +11,7 @@ from edulaunch.engine.interfaces.spec import Field, FieldType, InterfaceSpec, Me
 _NESTED_TYPE_ID = 1
 _BOUNDED_STRING_IDS = {'string': 21, 'wstring': 22}
 _ARRAY_OFFSETS = {'': 0, 'fixed': 48, 'bounded': 96, 'unbounded': 144}
-# ROS gives an interface without fields this one, since IDL allows no empty struct.
+# ROS adds this field to an interface without fields, because IDL allows no empty struct.
 EMPTY_FIELD = Field('structure_needs_at_least_one_member', FieldType('uint8'))
 
 SpecOf = Callable[[str], InterfaceSpec]

@@ -43,7 +43,7 @@ class _Sourcing:
     """A finder at one end of `sys.meta_path` that knows no module itself."""
 
     def __init__(self, names=None):
-        self._names = names  # None for all modules, for the last finder
+        self._names = names  # None means all modules; the last finder has it
 
     def find_spec(self, name, path=None, target=None):
         if path is not None or self._names is not None and name not in self._names:
@@ -57,7 +57,7 @@ class _Sourcing:
             from edulaunch import source
             from edulaunch.engine.packages.discovery import find_workspaces
         except ImportError:
-            return None  # a Python of another environment
+            return None  # this is the Python of another environment
         workspaces = find_workspaces(os.getcwd(), os.environ, sys.argv[0] if os.path.isfile(sys.argv[0]) else None)
         if self._names is None and not workspaces:
             return None
@@ -71,5 +71,5 @@ sys.meta_path.insert(0, _Sourcing(_names))
 sys.meta_path.append(_Sourcing())
 
 _other = PathFinder.find_spec('sitecustomize', [path for path in sys.path if os.path.abspath(path) != _HERE])
-if _other is not None and _other.loader is not None:  # the one that this file hides
+if _other is not None and _other.loader is not None:  # run the sitecustomize that this file hides
     _other.loader.exec_module(sys.modules[__name__])

@@ -22,7 +22,7 @@ def read_source(manifest: Manifest) -> Contents:
     from edulaunch.ros.sources.cmake import read_cmake_lists
 
     contents = read_cmake_lists(manifest)
-    if manifest.build_type == 'catkin':  # much of its CMakeLists.txt has another meaning there
+    if manifest.build_type == 'catkin':  # many commands in CMakeLists.txt have another meaning in catkin
         contents.unread = 'catkin'
         contents.warnings = [PackageWarning(os.path.join(manifest.folder, 'package.xml'), 0, manifest.name, 'ROS 1')]
     return contents

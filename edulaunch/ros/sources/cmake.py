@@ -92,7 +92,7 @@ class _CMakeLists:
 
     def warn(self, line: int, sentence: str) -> None:
         if self.conditions:
-            return  # a build may leave this branch of an if() out
+            return  # a build may skip this branch of an if()
         self.contents.warnings.append(PackageWarning(self.file, line, sentence))
 
     def _follow(self, todo: list[Command]) -> None:
@@ -166,7 +166,7 @@ class _CMakeLists:
     def _project(self, line: int, words: list[str]) -> None:
         self.variables['PROJECT_NAME'] = words[:1]
         if self.file != self.top:
-            return  # a project of its own, in a folder below
+            return  # a folder below has its own project
         self.variables['CMAKE_PROJECT_NAME'] = words[:1]
         if words and words[0] != self.package:
             self.warn(

@@ -24,7 +24,8 @@ def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
 
     file = os.path.join(folder, 'setup.cfg')
     parser = ConfigParser(interpolation=None)
-    parser.optionxform = str  # type: ignore[assignment, method-assign]  # folders and executables keep their capitals
+    # names of folders and executables keep their capital letters
+    parser.optionxform = str  # type: ignore[assignment, method-assign]
     try:
         parser.read(file, encoding='utf-8-sig')
     except (Error, UnicodeDecodeError) as error:

@@ -113,7 +113,7 @@ class SourcePackage:
         if name.endswith('.py') and 'generate_test_description' in read_text(path):
             return False
         if name == 'launch.py' and 'LaunchDescription' not in read_text(path):
-            return False  # a module with this name
+            return False  # it is a module with this name
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
         return (

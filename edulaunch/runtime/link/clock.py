@@ -22,9 +22,9 @@ from edulaunch.engine.sim.simulation import EPOCH_NS, FAR_NS, Simulation
 
 Key = tuple[int, int, int, int]
 NEVER: Key = (FAR_NS, 0, 0, 0)
-BEFORE_ALL = -FAR_NS  # a priority below all items, for the key where a run ends
-IS_MARK = -1  # in the place of a queued item's priority
-FOR_THE_OTHER = 1 << 16  # how many numbers the other peer gets for items that a frame causes
+BEFORE_ALL = -FAR_NS  # a priority before all items, for the key of the end of a run
+IS_MARK = -1  # stands for a mark in place of the priority of a queued item
+FOR_THE_OTHER = 1 << 16  # count of numbers reserved for the items that a frame causes in the other peer
 
 
 class PeerSimulation(Simulation):

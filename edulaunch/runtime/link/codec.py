@@ -51,7 +51,7 @@ class Kind(IntEnum):
     OUTPUT = 25  # a call: a hosted program wrote
     EXIT = 26  # a call: a hosted program ended
     ENTRIES = 27  # a call: the entries of a parameter file
-    FINISH = 28  # a call: the run is over; what was launched
+    FINISH = 28  # a call: the run has ended, with the facts of its launch
 
 
 def dump(value: Any) -> bytes:

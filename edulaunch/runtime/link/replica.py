@@ -74,7 +74,7 @@ class Replica:
         self.theirs: dict[int, Any] = {}
         self._process = process
         self._ours: dict[int, Any] = {}
-        self._known: dict[int, tuple[Any, int, int]] = {}  # the last message of each publisher that the other peer has received
+        self._known: dict[int, tuple[Any, int, int]] = {}  # last message of each publisher that the other peer received
         peer.handlers.update(
             {
                 Kind.NODE: self._node,

@@ -153,7 +153,7 @@ class Trusted:
         self.replica = self.recorder.replica = Replica(self.peer, self.graph, self.messages, self._program)
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
-        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the other peer's nodes, by their numbers
+        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the nodes of the other peer, by node number
         self.peer.calls[Kind.SIGNAL] = self.host.send_signal
         self.peer.handlers.update(
             {

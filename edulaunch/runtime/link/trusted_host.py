@@ -73,9 +73,7 @@ def runs_beside_the_student(package: str | None, executable: str | None, word: s
     """Return whether the confined peer itself runs the stock program of this word."""
     if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
         return False
-    is_stand_in = (
-        package is not None and absent_kind(package) is not None
-    )  # it ends immediately, with a message about the missing program
+    is_stand_in = package is not None and absent_kind(package) is not None  # such a program reports what is missing, and ends
     return is_stand_in or _underlay().program(package or '', executable or '') is not None
 
 

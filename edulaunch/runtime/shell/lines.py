@@ -42,7 +42,7 @@ def run_line(process: Process, text: str) -> int:
     return shell.status
 
 
-class _Exit(Exception):  # noqa: N818 - no error
+class _Exit(Exception):  # noqa: N818  # not an error
     """The line contains `exit`."""
 
 

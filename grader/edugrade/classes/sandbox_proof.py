@@ -15,7 +15,8 @@ from ..job import Limits
 from ..runner import Runner
 from ..submission import Submission
 
-# What a hostile launch file would do. `settings` is given; each line is (layer, attempt, code that raises when it is refused).
+# Attacks of a hostile launch file: each line is (layer, attempt, code that raises an exception when the sandbox refuses it). The
+# code can use `settings`.
 _ATTEMPTS = (
     ('descriptors', "use the grader's open files", 'next(number for number in range(5, 200) if is_readable(number))'),
     ('files', 'read a file beside the submission', 'posix.open(settings["secret"], 0)'),

@@ -28,7 +28,7 @@ from ..worker import TooLong, cpu_limit
 from .batch.store import Store
 from .verify import find_submission
 
-TOKENS, WINDOW = 9, 4  # tokens in a fingerprint, fingerprints of which the smallest is kept
+TOKENS, WINDOW = 9, 4  # tokens in a fingerprint; fingerprints of which the smallest one is kept
 MOST_TOKENS = 50_000
 # Strings and comments have a maximum length, so that an endless one is not searched repeatedly.
 _TOKEN = re.compile(
@@ -205,7 +205,7 @@ def _graph(work: Work, both: set[str]) -> Markup:
     return element('details', element('summary', f'launch graph, {len(work.graph)} lines'), element('ul', *rows))
 
 
-LONGEST_READING_S = 20.0  # for the fingerprints of one submission
+LONGEST_READING_S = 20.0  # time limit for the fingerprints of one submission
 
 
 def main(words: Sequence[str]) -> int:
@@ -251,7 +251,7 @@ def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], 
         try:
             with cpu_limit(LONGEST_READING_S):
                 texts = _codes(submission)
-        except TooLong:  # a text that was written to be slow to compare
+        except TooLong:  # the file was written to be slow to compare
             lost.append(str(result['path']))
             continue
         works.append(Work(result['student'], result['path'], texts, tuple(map(str, result.get('graph') or ()))))

@@ -76,7 +76,7 @@ def is_signed_by(report: dict[str, Any], key: str) -> bool:
     bare = {name: value for name, value in report.items() if name != 'signature'}
     try:
         public.verify(b64decode(report['signature']['value'], validate=True), _signed_bytes(bare))
-    except Exception:  # InvalidSignature, or whatever else a made-up signature runs into
+    except Exception:  # InvalidSignature, or any error that a forged signature causes
         return False
     return True
 
@@ -108,8 +108,8 @@ def _library() -> tuple[Any, Any]:
     return serialization, ed25519
 
 
-MOST_BESIDE = 1000  # entries of the folder of a report
-MOST_PLACES = 20_000  # files that are looked at in search of a submission
+MOST_BESIDE = 1000  # most entries in the folder of a report
+MOST_PLACES = 20_000  # most files that a search for a submission reads
 NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
 
 
@@ -246,7 +246,7 @@ def find_submission(report: dict[str, Any], path: str) -> str:
 def _places(report: dict[str, Any], file: str, path: str) -> Iterator[str]:
     folder = os.path.dirname(path)
     yield from (os.path.join(folder, file), file)
-    with suppress(OSError):  # a package beside it
+    with suppress(OSError):  # the report may be beside a package
         yield from (os.path.join(folder, name, file) for name in sorted(os.listdir(folder))[:MOST_BESIDE])
     while os.path.dirname(folder) != folder:
         if os.path.exists(os.path.join(folder, '.lock')):  # the results of a batch

@@ -32,7 +32,7 @@ def call(name: str, function: Any, *given: Any, wanted: Any = _ANY) -> Any:
         raise Failure(f'{words} cannot be called', seen=f'{name} is {function!r}', try_=f'define {name} with def or with class')
     try:
         found = function(*given)
-    except Exception as error:  # the student's own code may raise anything
+    except Exception as error:  # the code of the student may raise any exception
         raise Failure(
             f'{words} raises {type(error).__name__}', seen=str(error) or 'no message', try_=f'call {name} in a cell of your own'
         ) from None

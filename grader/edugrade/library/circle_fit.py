@@ -50,6 +50,6 @@ def _centre(centred: Sequence[tuple[float, float]]) -> tuple[float, float] | Non
         syz += y * z
     determinant = sxx * syy - sxy * sxy
     spread = sxx + syy
-    if not determinant > 1e-9 * spread * spread:  # no second direction; or not a number, for points beyond 1e77 m
+    if not determinant > 1e-9 * spread * spread:  # the points are on a line, or some are beyond 1e77 m
         return None
     return (sxz * syy - syz * sxy) / (2 * determinant), (syz * sxx - sxz * sxy) / (2 * determinant)

@@ -30,7 +30,7 @@ ENDLESS = {
     'tf2_ros': ('static_transform_publisher',),
 }
 """Programs of edulaunch that never end by themselves, by package."""
-ENDED_BY_LAUNCH = (-2, -15)  # SIGINT and SIGTERM, when launch shuts down
+ENDED_BY_LAUNCH = (-2, -15)  # SIGINT and SIGTERM, which launch sends at shutdown
 
 
 class Death(NamedTuple):
@@ -108,7 +108,7 @@ def last_line(recording: Recording, name: str) -> str:
     for output in getattr(recording, 'output', ()):
         if output.process == name:
             lines += output.text.splitlines()
-        elif output.process == 'launch':  # a real program's lines are launch's only
+        elif output.process == 'launch':  # launch writes the lines of a real program
             prefix = f'[{name}] '
             lines += [line.removeprefix(prefix) for line in output.text.splitlines() if line.startswith(prefix)]
     spoken = [line for line in lines if not USAGE.match(line)]

@@ -7,9 +7,9 @@ from .launched import refuse_strangers
 from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
 
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
-LAST_S = 1.0  # a turtle exists until the end when its last pose is at most this old
+LAST_S = 1.0  # greatest age of the last pose of a turtle that exists until the end
 LEAST_WAY_M = 0.5  # distance that a turtle must drive to reach a goal
-LEAST_SHARE = 0.4  # of the distance of a moving goal; a follower that cuts corners travels less than its goal
+LEAST_SHARE = 0.4  # share of the distance of a moving goal; a follower that takes short cuts travels less than its goal
 
 
 def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Frame
 
 Frames = Mapping[str, 'Frame']
-LATE_S, OFF_M = 0.5, 0.1  # how late a frame may be, and how far off
-LAST_S = 1.0  # a moving frame is there to the end when it was last sent this long before it, or later
+LATE_S, OFF_M = 0.5, 0.1  # largest delay of a frame, and largest error of its position
+LAST_S = 1.0  # greatest age of the last transform of a moving frame that exists until the end
 
 
 class Sent(NamedTuple):
@@ -100,7 +100,7 @@ def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sen
         x, y, _ = item.frame.translation
         away = min((hypot(sample[1] - x, sample[2] - y) for sample in recent), default=0.0)
         wrong = recent[-1] if not away <= OFF_M else None
-        if item.frame.is_static:  # it holds from now on, and is not sent again
+        if item.frame.is_static:  # a static transform holds from now on, and is sent once
             wrong = next((sample for sample in track if not hypot(sample[1] - x, sample[2] - y) <= OFF_M), wrong)
         if wrong is not None:
             raise Failure(

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
 
-STARTERS = ('ros2', 'bash', 'sh')  # programs that start others under their own name
+STARTERS = ('ros2', 'bash', 'sh')  # programs that start other programs under their own name
 
 
 def program_of(recording: Recording, position: int) -> tuple[str, str] | None:

@@ -17,7 +17,7 @@ ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
 
 
 Found = tuple[int, 'NodeRecord']
-OF_A_TOOL = '_ros2cli'  # how the nodes of the command line's tools begin; ROS 2 hides them
+OF_A_TOOL = '_ros2cli'  # prefix of the nodes of command line tools, which ROS 2 hides
 
 
 def named_nodes(recording: Recording, name: str, package: str | None = None, executable: str | None = None) -> list[Found]:

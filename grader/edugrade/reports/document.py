@@ -38,7 +38,7 @@ def launch_graph(recording: Recording | None) -> list[str]:
     try:
         with cpu_limit(LONGEST_S):
             return sorted(_programs(recording) + _connections(recording))[:MOST_LINES]
-    except (TooLong, AttributeError, TypeError, ValueError, LookupError, RecursionError):  # a recording that was made to be odd
+    except (TooLong, AttributeError, TypeError, ValueError, LookupError, RecursionError):  # hostile recordings
         return []
 
 
@@ -83,7 +83,7 @@ def receipt(made: Work | Report) -> dict[str, Any]:
 
 
 FORMAT = 2
-LONGEST_DIGEST_S = 5.0  # usually it takes a hundredth of this
+LONGEST_DIGEST_S = 5.0  # the digest usually takes a hundredth of this
 
 
 def document(report: Report) -> dict[str, Any]:

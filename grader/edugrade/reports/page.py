@@ -158,7 +158,7 @@ def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
 
 COLOURS_OF_SMALL = 32
 REPLAY = 'For a replay of these runs: edugrade {} --seed {} --html report.html'
-LONGEST_DRAWING_S = 10.0  # usually it takes 0.2 s
+LONGEST_DRAWING_S = 10.0  # a drawing usually takes 0.2 s
 
 
 def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
@@ -221,7 +221,7 @@ def _replay(recording: Recording) -> Markup | None:
     try:
         with cpu_limit(LONGEST_DRAWING_S):
             return Markup(recording.replay().html())
-    except ValueError:  # nothing moved
+    except ValueError:  # no turtle or robot moved
         return None
     except Exception as error:
         return _not_drawn('replay', error)

@@ -58,7 +58,8 @@ _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
     """Return the result with the advice of a level. At KIND it has no cause, unless an error ended a program."""
-    if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:  # not part of the task, so nothing is hidden
+    # this result is not part of the task, so nothing is hidden
+    if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:
         return result
     given = (*result.steps, result.try_)
     step = given[min(level, len(given)) - 1] if result.steps else None
@@ -164,7 +165,7 @@ def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int
 LONGEST_TEXT = 8000
 _ENGINE = os.path.join(engine_folder(), '')
 _WORD = re.compile(r'[^\s\'"]+')
-# Files of a source package are run from a generated prefix, where they are links under this path.
+# edulaunch runs the files of a source package from a generated prefix, which links to them under this path.
 _INSTALLED = re.compile(r'edulaunch-\w+/[^\s/]+-[0-9a-f]{8}/share/(?P<package>\w+)/')
 _HOME = re.compile(r'edugrade-[0-9a-f]{16}/\d+')  # the private folder of a run
 

@@ -105,7 +105,7 @@ def _by_the_course(name: str, rubric: Rubric) -> Rubric:
         raise UnusableInput(f'{path}: check_points of {name}: {error}') from None
     table = {key: points[key] for key in sorted(points)}
     words = f'RUBRIC = RUBRIC.with_points({table})' if rubric.file.endswith('.py') else f'points: {table}'
-    found.text = rubric.text + f'\n{words}\n'.encode()  # what is sent elsewhere, and hashed, gives these points too
+    found.text = rubric.text + f'\n{words}\n'.encode()  # the text that is sent elsewhere and hashed includes these points
     return found
 
 

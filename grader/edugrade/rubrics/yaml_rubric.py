@@ -45,7 +45,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     if missing:
         raise problem(root, f'the rubric lacks {" and ".join(missing)}')
     runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')] if 'runs' in parts else []
-    _choose(runs, Random(0))  # this finds a mistake now, and not when the first submission is graded
+    _choose(runs, Random(0))  # finds a mistake in the rubric now, before the first submission
     names = [scenario.name for scenario in _choose(runs, Random(0))]
     checks: dict[str, Check] = {}
     items = _items(parts['checks'], problem, 'checks')
@@ -113,7 +113,7 @@ def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
         return lambda random: f'{found:.{decimals}f}' if isinstance(found := number(random), float) else str(found)
     if not isinstance(node, yaml.ScalarNode):
         raise problem(node, 'an argument is a text, {between: [LOW, HIGH]}, {one_of: [...]} or {word: 3}')
-    text = str(node.value)  # as it is typed after name:=
+    text = str(node.value)  # the text that people type after name:=
     return lambda random: text
 
 

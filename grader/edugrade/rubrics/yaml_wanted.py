@@ -133,7 +133,7 @@ class OfRun:
         """Return a value as a number, which may be a calculation."""
         try:
             return calculated(self.text(key))
-        except ValueError:  # a default that is not a number
+        except ValueError:  # the default is not a number
             raise Mismatch(f'the value of {self.wanted[key]}', 'a number', self.text(key), **self.advice) from None
 
     def same_type(self, key: str) -> Any:

@@ -14,10 +14,10 @@ from collections.abc import Callable
 from types import FrameType
 from typing import Any, NoReturn
 
-WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
-WORDS, LINK = 3, 4  # the only descriptors besides input and output
+WARM_UP_S = 3.1  # simulated time after which turtle2 of the demo looks up transforms
+WORDS, LINK = 3, 4  # the only descriptors other than input and output
 MOST_DESCRIPTORS = 4096
-RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
+RESERVE_BYTES = 8 << 20  # memory that is kept free for the report that memory has run out
 
 
 def warm_up() -> None:
@@ -28,7 +28,7 @@ def warm_up() -> None:
     """
     from edulaunch.runtime.session import Session
 
-    with Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
+    with Session(turn_limit_s=0) as session:  # without a watchdog, because a process with threads must not be forked
         launch = session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
         session.run(WARM_UP_S)
         recording = session.recording()
@@ -42,9 +42,9 @@ def warm_up() -> None:
     import edulaunch.runtime.link.confined
     import edulaunch.runtime.link.trusted  # noqa: F401
 
-    tempfile.tempdir = None  # each run has its own
+    tempfile.tempdir = None  # each run has its own folder
     gc.collect()
-    gc.freeze()  # the runs share the loaded modules
+    gc.freeze()  # keeps the loaded modules in memory that the runs share
 
 
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
@@ -56,7 +56,7 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     """
     os.setsid()
     state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
-    high = os.dup(words), os.dup(link.fileno())  # above the two that they become
+    high = os.dup(words), os.dup(link.fileno())  # use numbers above the two targets
     words, end = os.dup2(high[0], WORDS), os.dup2(high[1], LINK)
     link.detach()
     os.closerange(LINK + 1, MOST_DESCRIPTORS)
@@ -70,7 +70,7 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     reserve = bytes(RESERVE_BYTES)  # address space, which is limited; unlike a bytearray, it needs no memory
     try:
         letter, content = attempt(job, socket.socket(fileno=end))
-    except MemoryError:  # also a failure that occurred while another one was being described
+    except MemoryError:  # memory may also run out while another failure is being described
         del reserve
         letter, content = b'S', b'{"reason": "memory"}'
     if hasattr(signal, 'setitimer'):
@@ -148,7 +148,7 @@ def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
     """Return the file and line of the innermost frame that is the student's, if any."""
-    folder = os.path.realpath(job['folder']) + os.sep  # files of a package are run through links
+    folder = os.path.realpath(job['folder']) + os.sep  # links lead to the files of a package
     while frame is not None:
         file = os.path.realpath(frame.f_code.co_filename)
         if file.startswith(folder):
@@ -160,7 +160,8 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
 def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
     """Take part in the run until the trusted peer ends it; or what kept this peer from it, as a frame's letter and content."""
     try:
-        # What a failure needs, while there is memory: an import that runs out of it ends CPython with SIGSEGV, not a MemoryError.
+        # Import the modules that a failure needs while there is memory: CPython ends with SIGSEGV if an import runs out of
+        # memory.
         import pathlib  # noqa: F401
         import traceback  # noqa: F401
 
@@ -171,7 +172,7 @@ def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
     try:
         session = ConfinedSession(link, seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s'])
         session.launch(job['file'], None, job['arguments'])
-        if job['is_interrupted']:  # when all is recorded that counts: the trusted peer lets time go on for this
+        if job['is_interrupted']:  # interrupt after the recorded time; the trusted peer runs a little longer for this
             session.sim.schedule(session.sim.now_ns + round(job['duration_s'] * 1e9) + 1, session.interrupt)
         session.run_as_asked()
         os._exit(0)

@@ -125,7 +125,7 @@ def _drop_capabilities(keep_reading: bool) -> int:
         if not kept >> capability & 1:
             try:
                 prctl(PR_CAPBSET_DROP, capability)
-            except OSError:  # no more capabilities exist, or the process is not root
+            except OSError:  # there are no more capabilities, or the process is not root
                 break
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
     current = (ctypes.c_uint32 * 6)()

@@ -23,7 +23,7 @@ from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 LOOK_S = 0.05
 GLANCE_S = 0.01  # a program can start thousands of threads between two measurements
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
-MANY_DESCRIPTORS = 64  # of a process: with fewer, it has little memory in buffers
+MANY_DESCRIPTORS = 64  # a process with fewer descriptors has little memory in buffers
 SOCKET_BYTES = 212_992  # bytes in the buffer of one socket if the system does not report them; a run cannot enlarge it
 
 

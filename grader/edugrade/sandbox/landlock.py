@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from .system import IS_LINUX, syscall
 
 CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446
-VERSION = 1  # flag of CREATE_RULESET: tell which version the kernel has
+VERSION = 1  # flag of CREATE_RULESET that asks for the kernel's version
 PATH_BENEATH = 1
 EXECUTE, WRITE_FILE, READ_FILE, READ_DIR, TRUNCATE, IOCTL_DEV = 1 << 0, 1 << 1, 1 << 2, 1 << 3, 1 << 14, 1 << 15
 READ = EXECUTE | READ_FILE | READ_DIR

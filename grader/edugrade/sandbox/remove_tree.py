@@ -26,7 +26,7 @@ def remove_tree(folder: str) -> None:
                 elif inside == folder:
                     pending.append(path)
                 else:
-                    os.chmod(path, 0o700)  # its `..` changes, which takes the right to write
+                    os.chmod(path, 0o700)  # moving a folder changes its `..`, for which it must be writable
                     moved += 1
                     above = os.path.join(folder, f'.moved-{os.getpid()}-{moved}')
                     os.rename(path, above)

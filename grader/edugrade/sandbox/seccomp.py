@@ -19,11 +19,12 @@ from .system import prctl, syscall
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
 SECCOMP, SET_MODE_FILTER, NEW_LISTENER = (317, 277), 1, 8
 ALLOW, ERRNO, KILL, NOTIFY = 0x7FFF0000, 0x00050000, 0x80000000, 0x7FC00000
-LOAD, EQUAL, GREATER_OR_EQUAL, ANY_BIT, AND, RETURN = 0x20, 0x15, 0x35, 0x45, 0x54, 0x06  # of the packet filter's machine
+LOAD, EQUAL, GREATER_OR_EQUAL, ANY_BIT, AND, RETURN = 0x20, 0x15, 0x35, 0x45, 0x54, 0x06  # instructions of the packet filter
 NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16  # offsets of these fields in the data of the filter
-X32 = 0x40000000  # calls of another kind on x86-64
-NAMESPACES = 0x7E020080  # the flags of clone() that make new ones
-ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}  # column of `calls.py`, number that the kernel gives it
+X32 = 0x40000000  # marks the system calls of the x32 ABI on x86-64
+NAMESPACES = 0x7E020080  # flags of clone() that create namespaces
+# column of `calls.py`, and the kernel's number for the architecture
+ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}
 
 OPTIONS = (1, 2, 3, 15, 16, 23, 29, 30, 39, 0x53564D41)
 """Of prctl: what tells, the name of a thread, its timer's slack, the signal when its parent dies, names of memory."""
@@ -38,7 +39,7 @@ A read lock alone has no effect there, since only a file of the run's own takes 
 SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
 """Of setsockopt: names of the sender, timeouts and such. Not: sizes of buffers, whose memory belongs to no process."""
 STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
-RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl of the listener
+RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl numbers of the listener
 NOTE_BYTES = 80
 
 
@@ -61,8 +62,9 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
     allow = _instruction(RETURN, ALLOW)
     return {
         'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
-        'clone3': [_instruction(RETURN, ERRNO | errno.ENOSYS)],  # the C library then takes clone, whose flags can be looked at
-        'prlimit64': [_argument(0), *_one_of([0], refuse)],  # only for this process
+        # without clone3, the C library uses clone, whose flags the filter can read
+        'clone3': [_instruction(RETURN, ERRNO | errno.ENOSYS)],
+        'prlimit64': [_argument(0), *_one_of([0], refuse)],  # allowed only for this process
         'prctl': [_argument(0), *_one_of(OPTIONS, refuse)],
         'ioctl': [_argument(1), *_one_of(REQUESTS, refuse)],
         'setsockopt': [_argument(2), *_one_of(SOCKET_OPTIONS, refuse)],

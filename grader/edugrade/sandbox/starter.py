@@ -29,7 +29,7 @@ from typing import Any, NoReturn
 
 LENGTH_BYTES = 4
 LAST_LOOKS = 300
-MOST_DESCRIPTORS = 4096  # as many as a run closes before it begins
+MOST_DESCRIPTORS = 4096  # a run closes this many descriptors before it begins
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -48,7 +48,7 @@ def main() -> NoReturn:
         os._exit(1)  # the grader starts another one, and gives no mark if that one fails, too
     gc.enable()
     confinement = confine.Confinement(**_message(control))
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards report errors themselves; the system removes them from its table
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards report errors themselves, so nothing waits for their exit codes
     while True:
         header, descriptors, _, _ = socket.recv_fds(control, LENGTH_BYTES, 3)
         if len(header) < LENGTH_BYTES:
@@ -81,7 +81,7 @@ def leave_nothing() -> NoReturn:
     folder = os.path.dirname(os.getcwd())
     for _ in range(LAST_LOOKS):
         with suppress(OSError):
-            for name in os.listdir(folder):  # this starter's own folder, and those of starters before it
+            for name in os.listdir(folder):  # the folders of this starter and of earlier ones
                 with suppress(OSError):
                     os.rmdir(os.path.join(folder, name))
         try:
@@ -106,7 +106,7 @@ def _be_a_run(
     """Move house, and be the trusted peer of a run, which has the confined one as its child."""
     try:
         peer = _peer(job, ends, child, confinement, trusted_peer, notes)
-    except BaseException as error:  # nothing of the submission has been read
+    except BaseException as error:  # the run has not read anything of the submission
         trusted_peer.send(ends[0], *trusted_peer.broke(error))
         os._exit(0)
     peer.run()
@@ -127,7 +127,8 @@ def _peer(
     os.environ.update(job['environment'])
 
     view = {} if job['sandbox'] == 'off' else confinement.narrow_view(job['readable'], job['home'])
-    null = os.open(os.devnull, os.O_RDONLY)  # of this view, where it is read-only: a run can change the mode of what it has open
+    # opened in this view, where it is read-only, because a run can change the mode of open files
+    null = os.open(os.devnull, os.O_RDONLY)
     os.dup2(null, 0)
     os.close(null)
 
@@ -143,7 +144,8 @@ def _peer(
     peer = trusted_peer.TrustedPeer(job, channel, confined)
     notes.close()
     if job['sandbox'] != 'off':
-        confinement.put_on([], job['home'])  # it reads no file of the student; the report describes the sandbox of the other peer
+        # this peer reads no file of the student; the report describes the sandbox of the other peer
+        confinement.put_on([], job['home'])
     confinement.let_go()
     child.limit_resources(job['limits'])
     return peer

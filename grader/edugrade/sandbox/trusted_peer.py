@@ -27,10 +27,10 @@ from . import bags
 
 HEADER_BYTES = 9
 LONGEST_WORDS = 64_000
-LATER_S = 0.4  # than the confined peer's own alarm, which knows where the program was
-PATIENCE_S = 0.5  # with a peer that has closed its end, until it has ended
+LATER_S = 0.4  # delay after the confined peer's own alarm, which can report where the program was
+PATIENCE_S = 0.5  # time limit for a peer to end after it has closed its channel
 ITS_WORDS = b'US'
-INTERRUPTED_S = 2.0  # of simulated time, for programs to end after Ctrl-C
+INTERRUPTED_S = 2.0  # simulated time in which programs can end after Ctrl-C
 
 
 class TrustedPeer:
@@ -120,7 +120,7 @@ class TrustedPeer:
     def _end_like_it(self) -> NoReturn:
         """The other peer is gone: pass its last words on, or end as it did."""
         words = read_words(self._words)
-        if words[:1] == b'B':  # a file can break what it shares a process with, or say that it broke: that is worth no mark
+        if words[:1] == b'B':  # a submission can break its process or pretend that it broke, so this gives no mark
             self._answer(b'S', b'{"reason": "broken", "said": %s}' % (words[HEADER_BYTES:] or b'null'))
             os._exit(0)
         if words[:1] and words[:1] in ITS_WORDS:

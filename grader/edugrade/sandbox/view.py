@@ -69,7 +69,7 @@ class _Tree:
         rest = [part for part in place.split('/') if part]
         while rest:
             if any(path == bound or path.startswith(bound + '/') for bound in self._bound):
-                return  # together with parent places and links, which lead to visible places or nowhere
+                return  # links and parent folders lead to visible places or nowhere
             part = rest.pop(0)
             path = os.path.normpath(os.path.join(path, part))
             if os.path.islink(path) and links < MOST_LINKS:
@@ -95,7 +95,7 @@ class _Tree:
 def _unshare() -> None:
     """Make a mount namespace; as an ordinary user in a user namespace, in which everybody is who they were."""
     user, group = os.geteuid(), os.getegid()
-    if user == 0:  # not within a user namespace: there root cannot read the files of students
+    if user == 0:  # avoid a user namespace, in which root cannot read the files of students
         return _checked(libc.unshare(NEW_NAMESPACE))
     if effective_capabilities() & READ_ALL:
         raise OSError('this user reads files by a right that is lost in a namespace')

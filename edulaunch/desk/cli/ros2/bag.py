@@ -70,7 +70,7 @@ def opened(path: str) -> Iterator[Any]:
     try:
         reader = Reader(Path(folder))
         reader.open()
-    except Exception as error:  # the error of rosbags for a damaged file depends on the storage format
+    except Exception as error:  # the type of error depends on the storage format
         raise unreadable(path, error) from None
     try:
         yield reader
@@ -89,7 +89,7 @@ def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
             row = next(rows)
         except StopIteration:
             return
-        except Exception as error:  # as above
+        except Exception as error:  # the type of error depends on the storage format
             raise unreadable(path, error) from None
         yield row
 

@@ -38,7 +38,7 @@ class ProcessEventLoop(SimulatedEventLoop):
     def _tell_what_is_pending(self) -> None:
         """The program ends: say now what Python says when it clears up. One that is killed says nothing."""
         for task in sorted(real.all_tasks(self), key=lambda task: task.get_name()):
-            task._log_destroy_pending = False  # type: ignore[attr-defined]  # or Python says so later, as if it were ours
+            task._log_destroy_pending = False  # type: ignore[attr-defined]  # otherwise Python reports the task later
             if (self._process.returncode or 0) >= 0:
                 shown = OUR_CALLBACK.sub('', repr(task))
                 self._process.write('stderr', f'Task was destroyed but it is pending!\ntask: {shown}\n')

@@ -149,7 +149,7 @@ def _walk(top: Any, topdown: bool = True, onerror: Any = None, followlinks: bool
         return
     start = inside(top)
     for folder, folders, files in os.walk(start, True, onerror, followlinks):
-        folders.sort()  # os.walk goes into them in this order
+        folders.sort()  # os.walk enters the folders in the order of this list
         files.sort()
         yield folder if start == top else os.path.join(top, os.path.relpath(folder, start)).removesuffix('/.'), folders, files
 

@@ -61,7 +61,7 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
 
     def chdir(path: Any) -> None:
         target = os.path.abspath(os.path.join(getcwd(), path))
-        os.listdir(target)  # raises what the real one does
+        os.listdir(target)  # raises the same errors as os.chdir
         process.cwd = target
 
     view.__dict__.update(FUNCTIONS, path=PATH, **_recorded_reads(process), **_files(process), **_commands(process))

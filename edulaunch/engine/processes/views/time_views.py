@@ -61,7 +61,7 @@ def make_time(view: ModuleType, process: Process) -> ModuleType:
         'ctime': seconds(lambda when: time.asctime(time.gmtime(when))),
         'asctime': lambda when=None: time.asctime(time.gmtime(sim.now_ns // 10**9) if when is None else when),
     }
-    # as with the real ones, a class that keeps such a function does not turn it into a method
+    # like the functions of the real module, these do not become methods when a class stores them
     view.__dict__.update({name: staticmethod(function) for name, function in functions.items()})
     view.__dict__.update(timezone=0, altzone=0, daylight=0, tzname=('UTC', 'UTC'))
     copy_names(view, time)

@@ -39,7 +39,7 @@ def _interrupt(signum: int, frame: FrameType | None) -> None:
 
 def _again() -> None:
     timer = threading.Timer(SOON_S, interrupt_main)
-    timer.daemon = True  # a program that ends does not wait for it
+    timer.daemon = True  # so that an ending program does not wait for it
     timer.start()
 
 

@@ -151,7 +151,7 @@ class Discovery:
                 LinkDiagnostic('ros_discovery_info', f'a participant has published an invalid list of nodes: {error}')
             )
             return
-        if participant == self.own or participant in self._gone:  # its last message may be read after its end
+        if participant == self.own or participant in self._gone:  # its last message may arrive after its end
             return
         if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
             self.diagnostics.append(

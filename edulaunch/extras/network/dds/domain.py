@@ -77,7 +77,7 @@ def leave(number: int) -> None:
     joined = _joined[number]
     joined.links -= 1
     if not joined.links:
-        joined.domain.__del__()  # cyclonedds has no other way, and the garbage collector may come late
+        joined.domain.__del__()  # cyclonedds has no other way to close it, and garbage collection may come late
         del _joined[number]
 
 

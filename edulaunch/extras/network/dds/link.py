@@ -257,7 +257,7 @@ class CycloneLink:
             found = end.reader.get_matched_publication_data(handle)
             if found is None:
                 return b''
-            if len(end.writers) > 1000:  # most of them are closed
+            if len(end.writers) > 1000:  # most of these writers are closed
                 end.writers.clear()
             gid = end.writers[handle] = found.key.bytes
         return gid
@@ -288,7 +288,7 @@ class CycloneLink:
     def close(self) -> None:
         """Implement `Link.close`."""
         if self._participant is not None:
-            self._participant.__del__()  # cyclonedds has no other way; this also closes its entities
+            self._participant.__del__()  # cyclonedds has no other way to close it; this also closes its entities
             self._participant = None
             leave(self._domain)
         self._ends.clear()

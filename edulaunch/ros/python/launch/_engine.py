@@ -33,7 +33,7 @@ def running_process() -> Process:
 
 @lru_cache(maxsize=1)
 def _current_process() -> Callable[[], Process]:
-    # An import statement takes as long as the question, which every action asks.
+    # Every action calls this function, and an import statement would take as long as the rest of it.
     from edulaunch.engine.processes.current import current_process
 
     return current_process

@@ -57,7 +57,7 @@ def launch_facts(error: BaseException) -> dict[str, Any]:
     cause = root_cause(error)
     action = getattr(error, 'edulaunch_entity', None)
     known = facts_of(cause)
-    if not known:  # stored, because it may be needed after the run, when the packages of this process are unknown
+    if not known:  # store the facts now: after the run, the packages of this process are unknown
         known = cause.edulaunch_facts = _found_in_frames(cause)  # type: ignore[attr-defined]
     return {**known, **({'action': action} if action else {})}
 
@@ -153,7 +153,7 @@ def _names_in_call(error: BaseException, text: str) -> list[str]:
     if match is None or place is None:
         return []
     lines = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + CALL_LINES))
-    calls = re.split(rf'\b{match[1]}\(', lines, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
+    calls = re.split(rf'\b{match[1]}\(', lines, flags=re.IGNORECASE)  # the class PushROSNamespace has another spelling, too
     return re.findall(r'(\w+)\s*=', calls[1]) if len(calls) > 1 else []
 
 

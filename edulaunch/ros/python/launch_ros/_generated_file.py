@@ -13,7 +13,7 @@ from edulaunch.engine.graph.parameter_files import PARAMETERS_KEY, Entry, read_p
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-# What YAML writes without quotes, and on one line: it cannot be taken for anything but a text.
+# Text that YAML writes without quotes on one line, and reads as a string.
 _WORD = re.compile(r'[A-Za-z_/](?:[A-Za-z0-9_/.*-]|[A-Za-z0-9_/.*-] (?=[A-Za-z0-9_/.*-])){0,59}')
 _MEANINGS = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null', 'y', 'n', 'nan', 'inf', 'infinity'))
 _LARGEST = 2**63
@@ -135,7 +135,7 @@ def temporary_path(key: str, state: dict[str, Any]) -> str:
     import zlib
 
     folder, keys = state.get(_PATHS) or _first_paths(state)
-    digest = zlib.crc32(key.replace(folder, '').encode())  # workspaces are presented there: another on each machine
+    digest = zlib.crc32(key.replace(folder, '').encode())  # the folder of workspaces differs on each machine
     while keys.setdefault(digest, key) != key:
         digest = zlib.crc32(b'another', digest)
     return f'{folder}{os.sep}launch_params_{digest:08x}'
@@ -155,4 +155,4 @@ def _remove(path: str, inode: int) -> None:
         if os.stat(path).st_ino == inode:
             os.unlink(path)
     except OSError:
-        return  # gone already
+        return  # the file does not exist any more

@@ -12,7 +12,7 @@ from edulaunch.engine.graph.names import namespace_problem, node_name_problem
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
-# Most names are valid, which one quick check shows; the slower checks find out what is wrong.
+# This quick check accepts most valid names; slower checks find out what is wrong with the others.
 _GOOD_NAME = re.compile(r'[A-Za-z_][A-Za-z0-9_]{0,99}')
 _GOOD_NAMESPACE = re.compile(r'/|(?:/[A-Za-z_][A-Za-z0-9_]{0,39}){1,5}')
 

@@ -127,6 +127,6 @@ class ParameterArguments:
 
         :param node: where the launch file made the node.
         """
-        if self._origins is None:  # a plan and a restarted program ask again
+        if self._origins is None:  # computed once, although plans and restarted programs need it again
             self._origins = ParameterOrigins(lambda: self.in_force(node))
         return self._origins

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.parameter_files import Entry
     from edulaunch.engine.processes import Origin
 
-# A text (with the colon behind it when it is a key; what stands before its quote is not looked at), a comment, a bracket.
+# A string (with the colon after it if it is a key), a comment or a bracket. The character before a quote is not checked.
 _TOKEN = re.compile(
     r"""(?P<text>"{3}(?:\\.|(?!"{3}).)*"{3}|\'{3}(?:\\.|(?!\'{3}).)*\'{3}|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')"""  # noqa: Q001
     r"""(?P<colon>\s*:)?|\#[^\n]*|(?P<open>[(\[{])|(?P<close>[)\]}])""",

@@ -145,7 +145,7 @@ class ParameterFile:
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:
             text = _substituted(context, path)
-            # The source may be a temporary file, never called the same: the text is the key.
+            # The source may be a temporary file with a new name each time, so its text is the key.
             file = GeneratedFile(temporary_path(text, state_of(context)), text)
             path = Path(file.path)
         self.__evaluated = path

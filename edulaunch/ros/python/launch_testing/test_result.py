@@ -127,7 +127,7 @@ def title(test: Any) -> str:
     """
     if not isinstance(test, unittest.TestCase):
         return str(test)
-    name = getattr(test, 'test_case', test).id()  # of a sub-test: that of its test
+    name = getattr(test, 'test_case', test).id()  # a sub-test has the name of its test
     return f'{name.rpartition(".")[2]} ({name}){test.id()[len(name) :]}'
 
 

@@ -11,8 +11,8 @@ from launch.frontend.entity import Entities, Pair, check_is_list_entity
 from launch.frontend.entity import Entity as BaseEntity
 from launch.utilities.type_utils import get_typed_value
 
-# What YAML 1.1 reads as a string for sure, unless it is one of the words below: ASCII, beginning like a word
-# or a substitution, no colon and no comment, no space at the end. (YAML's own reader needs 50 us for it.)
+# A string that YAML 1.1 certainly reads as a string, unless it is one of the words below. It is ASCII, begins like a word or a
+# substitution, has no colon or comment, and does not end with a space. (YAML's own reader needs 50 us for it.)
 _PLAIN = re.compile(r'[A-Za-z$_/](?:[ !"$-9;-~]*[!"$-9;-~])?')
 _WORDS_WITH_A_MEANING = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null'))
 

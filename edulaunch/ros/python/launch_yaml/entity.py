@@ -82,7 +82,7 @@ class Entity(BaseEntity):
         if not isinstance(item, dict) or not item:
             return places.at(error, self, 'launch.yaml-item')
         first, *rest = map(str, item)
-        is_empty = next(iter(item.values())) is None  # what belongs to the element stands in the column of its name
+        is_empty = next(iter(item.values())) is None  # the content of the element is in the same column as its name
         below = rest if is_empty else None
         opened = first if is_empty else None
         places.at(error, self, 'launch.yaml-item', several=[first, *rest], opened=opened, below=below)

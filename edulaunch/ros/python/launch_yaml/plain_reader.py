@@ -23,7 +23,7 @@ _SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null
 _KEY = r'[A-Za-z_][A-Za-z0-9_-]*'
 _KEY_ALONE = re.compile(_KEY)
 _LINE = re.compile(rf'^( *)((?:- )*)(?:({_KEY}):(?: (\S.*))?|(\S.*))?$', re.MULTILINE)
-# Begins like a word; no colon, no comment, nothing that means something in YAML; no space at the end.
+# A string that begins like a word, has no colon, comment or special character of YAML, and does not end with a space.
 _TEXT = re.compile(r'[A-Za-z_/$][A-Za-z0-9_/$().+-]*(?: [A-Za-z0-9_/$().+-]+)*')
 _QUOTED = re.compile(r'"[^"\\]*"|\'[^\']*\'')
 _INTEGER = re.compile(r'-?(?:0|[1-9][0-9]*)')

@@ -9,5 +9,5 @@ from typing import Any
 def __getattr__(name: str) -> Any:
     if name != 'process_utils':
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    # Upstream it is there once launch was imported, which imports it.
+    # Upstream has this attribute after an import of launch, which imports the module.
     return import_module(f'{__name__}.{name}')

@@ -211,7 +211,7 @@ def _run(main: Callable[[], int | None]) -> int:
         if name is None:
             if rclpy.ok():
                 raise
-            raise KeyboardInterrupt from None  # the real rclpy was about to wait or publish; rclcpp ends well then
+            raise KeyboardInterrupt from None  # the real rclpy was about to wait or publish, where rclcpp ends normally
         process = current_process()
         text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
         process.write('stderr', text)

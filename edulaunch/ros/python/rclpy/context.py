@@ -96,7 +96,7 @@ class Context:
         contexts = process_state().contexts
         if self in contexts:
             contexts.remove(self)
-        if not contexts:  # rcl ends its logging then, so a later node of the same name starts again
+        if not contexts:  # rcl shuts its logging down here, so a later node of the same name starts again
             from rclpy.impl.logging_state import logging_state
 
             logging_state().rosout.clear()
@@ -174,7 +174,7 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     if not all(isinstance(argument, str) for argument in given):
         raise TypeError('bad argument type for built-in operation')
     for argument in given:
-        argument.encode()  # half a character (a surrogate) cannot go to the C layer: UnicodeEncodeError
+        argument.encode()  # like the C layer, raises a UnicodeEncodeError for half a character (a surrogate)
     try:
         parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
     except RosArgumentsError as error:

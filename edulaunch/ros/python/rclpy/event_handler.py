@@ -299,7 +299,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
         handler = _added(node, entity, EventHandler(group, callback, watch.take))
         if not impl.qos.lease_ns:
-            return  # Fast DDS does not follow the liveliness of publishers that need not show it
+            return  # Fast DDS ignores the liveliness of publishers that need not assert it
         counted = impl.on_matched
 
         def on_matched(change: int) -> None:

@@ -125,7 +125,8 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
     @property
     def executor(self) -> Executor | None:
         """The executor that calls the callbacks; setting it moves the node there."""
-        executor: Executor | None = self._rclpy.executor  # type: ignore[assignment]  # an executor, known by its protocol
+        # the core knows executors only by a protocol
+        executor: Executor | None = self._rclpy.executor  # type: ignore[assignment]
         return executor
 
     @executor.setter

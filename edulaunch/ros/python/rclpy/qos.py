@@ -184,7 +184,8 @@ def _property(name: str) -> property:
         else:
             assert isinstance(value, bool if name == 'avoid_ros_namespace_conventions' else int)
         setattr(self, slot, value)
-        if is_depth and getattr(self, '_avoid_ros_namespace_conventions', None) is not None:  # otherwise it is being created
+        # without this attribute, the profile is still being created
+        if is_depth and getattr(self, '_avoid_ros_namespace_conventions', None) is not None:
             _warn_of_zero(self)
 
     return property(getter, setter)
@@ -221,7 +222,7 @@ _values_of = attrgetter(*QoSProfile.__slots__)
 
 def _finite_ns(duration: Duration) -> int:
     nanoseconds = duration.nanoseconds
-    return 0 if nanoseconds >= _INFINITE_NS - 1 else nanoseconds  # one less is 'best available'
+    return 0 if nanoseconds >= _INFINITE_NS - 1 else nanoseconds  # one nanosecond less than infinity means 'best available'
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:

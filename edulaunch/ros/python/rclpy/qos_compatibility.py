@@ -26,7 +26,7 @@ class QoSPolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
 
 
-PolicyKindOfEvent: Any = CEnum(  # type: ignore[call-arg]  # named as C has it, for events tell C's numbers
+PolicyKindOfEvent: Any = CEnum(  # type: ignore[call-arg]  # has the name and numbers of C, because events have them, too
     'rmw_qos_policy_kind_t',  # type: ignore[arg-type]
     {f'RMW_QOS_POLICY_{kind.name}': kind.value for kind in QoSPolicyKind},
 )
@@ -45,8 +45,8 @@ class QoSCompatibility(CEnum):
     ERROR = 2
 
 
-# For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value that a
-# subscription asks for, the laxest that a publisher offers, and the sentence about each beside a side that leaves it open.
+# For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value of a subscription, the
+# most lenient value of a publisher, and the sentences for the case that only one side sets the policy.
 _OPEN_POLICIES = (
     (
         'reliability',

@@ -55,7 +55,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
         return
     before = handlers.get(number)
     if before == state.process.signals.die_at_once:
-        default = None  # rclpy calls the handler that was there before, but never a default action
+        default = None  # rclpy calls the previous handler, but never a default action
 
     def handler(signum: int) -> None:
         for context in list(state.contexts):

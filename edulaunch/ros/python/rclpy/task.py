@@ -39,7 +39,7 @@ class Future:
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
     """
 
-    # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
+    # Programs create thousands of futures and tasks, so values that rarely change are class attributes.
     _done = False
     _cancelled = False
     ended = False  # either a future or a task
@@ -48,7 +48,7 @@ class Future:
     _unfetched: _UnfetchedException | None = None
     _executor: ExecutorProtocol | None = None
     _awaiting: tuple[ExecutorProtocol, ...] = ()
-    _source: Any = None  # the client whose answer it waits for
+    _source: Any = None  # the client that will set the result
     _looks: tuple[Any, int, int] = (None, 0, 0)
 
     def __init__(self, *, executor: ExecutorProtocol | None = None) -> None:

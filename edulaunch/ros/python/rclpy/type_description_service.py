@@ -61,7 +61,7 @@ class TypeDescriptionService:
             response.failure_reason = 'Type not currently in use by this node'
             return response
         spec_of = registry.spec
-        description = type_description(found[0], spec_of)  # found by its hash alone, as in rcl
+        description = type_description(found[0], spec_of)  # the hash alone identifies the type, as in rcl
         target = response.type_description
         target.type_description = _individual(description['type_description'])
         target.referenced_type_descriptions = [_individual(one) for one in description['referenced_type_descriptions']]

@@ -78,7 +78,7 @@ def read_joints(description: str) -> list[Joint]:
     from urdf_parser_py import xml_reflection
     from urdf_parser_py.urdf import URDF
 
-    xml_reflection.core.on_error = lambda message: None  # it would print each tag that it does not know, such as <gazebo>
+    xml_reflection.core.on_error = lambda message: None  # the default prints each unknown tag, such as <gazebo>
     try:
         robot = URDF.from_xml_string(_TRANSMISSIONS.sub('', description).encode())
     except Exception as error:

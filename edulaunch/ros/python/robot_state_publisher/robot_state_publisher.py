@@ -152,10 +152,10 @@ def run_xacro() -> int:
     options, file = xacro.process_args(sys.argv[1:])
     try:
         document = xacro.process_file(_from_here(file), **vars(options))
-        for _ in range(BANNER):  # comments with the path of the file, which is another on each machine
+        for _ in range(BANNER):  # remove the comments with the path of the file, which differs on each machine
             document.removeChild(document.firstChild)
         text = document.toprettyxml(indent='  ')
-    except Exception as error:  # the file may raise anything: its expressions are Python
+    except Exception as error:  # expressions in the file are Python, so they may raise any exception
         print(f'error: {error}\nwhen processing file: {file}', file=sys.stderr)
         return 2
     if options.output is None:

@@ -31,7 +31,7 @@ def set_message_fields(
     for name, value in values.items():
         field_type = fields.get(name)
         if field_type is None:
-            setattr(msg, name, value)  # a constant or a misspelling: the message's own error
+            setattr(msg, name, value)  # for a constant or a misspelt field, the message raises its own error
         elif expand_header_auto and field_type.text in (HEADER, 'std_msgs/Header') and value == 'auto':
             stamps.append(_setter(getattr(msg, name), 'stamp'))
         elif expand_time_now and field_type.base == TIME and not field_type.array and value == 'now':

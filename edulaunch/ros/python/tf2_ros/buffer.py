@@ -144,7 +144,7 @@ class Buffer(BufferCore, BufferInterface):
         """
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
-        try:  # lookup_transform_core, written out: nodes that follow something call this all the time
+        try:  # a copy of lookup_transform_core without the call, because nodes that follow something need it very often
             stamp_ns, pose = self._tf.lookup(target_frame, source_frame, nanoseconds(time))
         except TransformFailure as failure:
             waited_s = timeout.nanoseconds / 1e9

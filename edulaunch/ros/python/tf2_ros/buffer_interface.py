@@ -21,7 +21,7 @@ _provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg'
 class TypeException(Exception):
     """Raised when an object of a type that nothing was registered for is to be transformed or converted."""
 
-    __module__ = 'tf2_ros.buffer_interface'  # where ROS 2 has it: tracebacks show the module
+    __module__ = 'tf2_ros.buffer_interface'  # the module of ROS 2, which tracebacks show
 
 
 def provide(table: str, key: Key, function: Callable[..., Any]) -> None:

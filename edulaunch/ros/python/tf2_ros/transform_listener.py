@@ -67,7 +67,8 @@ class TransformListener:
     @buffer.setter
     def buffer(self, buffer: Buffer) -> None:
         self._buffer = buffer
-        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it; those of a subclass hold it.
+        # The callbacks refer to the buffer, not to the listener, so that the listener ends when it is deleted. A subclass's own
+        # callback refers to the listener.
         own = type(self).callback is not TransformListener.callback
         own_static = type(self).static_callback is not TransformListener.static_callback
         self.tf_sub.callback = self.callback if own else _receiver(buffer.set_transform)
@@ -96,7 +97,8 @@ class TransformListener:
                 executor.spin()
             executor.remove_node(node)
 
-        threading = current_process().loader.import_('threading')  # threads of this process, in simulated time
+        # the module of this process, whose threads run in simulated time
+        threading = current_process().loader.import_('threading')
         self.dedicated_listener_thread = threading.Thread(target=run)
         self.dedicated_listener_thread.start()
 

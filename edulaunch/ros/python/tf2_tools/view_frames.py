@@ -56,7 +56,7 @@ def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -
         axes.text(x, y, str(name), ha='center', va='center', fontsize=11, bbox=box)
     title = f'view_frames Result\nRecorded at time: {recorded_time}'
     axes.text(width / 2 - 0.5, 0.75, title if data else 'No tf data received', ha='center', va='top', fontsize=10)
-    page = BytesIO()  # matplotlib's own files would lie in the folder of the real program
+    page = BytesIO()  # matplotlib would write its own files into the current folder of the real process
     figure.savefig(page, format='pdf', metadata={'CreationDate': None})
     with open(path, 'wb') as file:
         file.write(page.getvalue())

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy
 
-# The names that transforms3d keeps private are those that tf_transformations passes on.
+# tf_transformations passes on these names, which are private in transforms3d.
 from transforms3d import _gohlketransforms as _matrices
 from transforms3d._gohlketransforms import (
     arcball_constrain_to_axis,

@@ -33,7 +33,7 @@ class WaffleSimulator(CppNode):
         core.takes_any_type = True
         kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
         self._create_for(*kinds[0])
-        self._other: tuple[Any, Any] | None = kinds[1] if core.takes_any_type else None  # a real program has one type on a topic
+        self._other: tuple[Any, Any] | None = kinds[1] if core.takes_any_type else None  # a real program has one type per topic
         self._commanders = 0
         self._odometry = self.create_publisher(Odometry, 'odom', 10)
         self._broadcaster = TransformBroadcaster(self)

@@ -117,9 +117,9 @@ class MimicNode(CppNode):
         self._commands.publish(twist)
 
 
-KEY_PERIOD_S = 0.5  # prepared input is read at this rate, so that a command has time to act
+KEY_PERIOD_S = 0.5  # period for reading prepared input, so that each command has time to act
 ESCAPE = '\x1b'
-# linear and angular of the arrows up, down, right, left
+# Linear and angular velocity for the arrows up, down, right and left.
 ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}
 HEADINGS = {'g': 0.0, 't': 0.7854, 'r': 1.5708, 'e': 2.3562, 'd': 3.1416, 'c': -2.3562, 'v': -1.5708, 'b': -0.7854}
 WELCOME = (
@@ -153,7 +153,7 @@ class TeleopTurtle(CppNode):
         if self._timer is not None:
             rclpy.spin(self)
             return
-        import termios  # there may be no terminal
+        import termios  # imported here, because there may be no terminal
         import tty
 
         before = termios.tcgetattr(self._keyboard)

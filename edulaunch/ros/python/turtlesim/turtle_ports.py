@@ -30,7 +30,7 @@ class RotateAbsoluteServer:
         self._log = node.get_logger()
         self._numbers: Any = None
         self._result: Any = None
-        self._results: dict[bytes, Future] = {}  # by goal id: done when the goal has ended
+        self._results: dict[bytes, Future] = {}  # futures by goal id, done when the goal has ended
         self._server = ActionServer(
             node,
             RotateAbsolute,
@@ -123,7 +123,7 @@ class TurtlePorts:
         ]
         self._rotation = RotateAbsoluteServer(node, turtle)
         self._publish_pose, self._publish_color = self._poses.send_wire, self._colors.send_wire
-        self._resting: tuple[float, ...] | None = None  # the pose of a turtle that stands still: always the same
+        self._resting: tuple[float, ...] | None = None  # the pose that a resting turtle publishes again and again
 
     def destroy(self) -> None:
         """Take the turtle off the graph."""

@@ -25,8 +25,8 @@ from .store import Store
 from .warm import ask_warm
 from .work import Options, keep, keep_document, keep_page, refusal
 
-TRIES = 3  # attempts at a submission whose workers die; after that it gets no mark
-PATIENCE_S = 600.0  # for one submission, on top of its own limits
+TRIES = 3  # attempts at a submission whose workers end; after that, it gets no mark
+PATIENCE_S = 600.0  # time for one submission, in addition to its own limits
 LARGEST_FILE = 2_000_000
 
 Parcel = dict[str, Any]
@@ -63,7 +63,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
                 entry = entries.pop(future)
                 try:
                     _keep(store, entry, future.result(), options)
-                except Exception as error:  # for any cause of death the submission gets no mark
+                except Exception as error:  # whatever ended the worker, the submission gets no mark
                     words = f'the grader broke: {type(error).__name__}: {error}'
                     keep(store, entry, refusal(BROKEN_GRADER, words, REPORT_IT))
                 advance()

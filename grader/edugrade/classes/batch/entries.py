@@ -16,9 +16,9 @@ from ...worker import TooLong, cpu_limit
 from .students import ARCHIVES, Student, namer, plain_name
 from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
 
-DEEPEST = 8  # folders below the given one
-MOST_NESTED = 2  # archives in archives
-MOST_OF_ONE = 50  # submissions of one student
+DEEPEST = 8  # levels of folders below the given one
+MOST_NESTED = 2  # levels of archives inside archives
+MOST_OF_ONE = 50  # number of submissions of one student
 LONGEST_UNPACKING_S = 20.0
 STRANGE_ARCHIVES = ('.7z', '.rar', '.xz', '.zst')
 BY_THE_WAY = ('__MACOSX', '__pycache__', 'build', 'install', 'log')

@@ -19,7 +19,7 @@ from ...sandbox.remove_tree import remove_tree
 from .entries import Entry
 
 LARGEST_RESULT = 10_000_000
-LONGEST_PART = 240  # bytes of a file name, with our ending
+LONGEST_PART = 240  # bytes of a file name, including our ending
 UNPACKED, LOCK, TIMES = '.unpacked', '.lock', '.times'
 OURS = ('teacher.csv', 'index.html', 'students')
 """Names in a folder of results or pages that are no student's, whatever a student's folder is called."""

@@ -19,7 +19,7 @@ LARGEST_METADATA = 20_000_000
 _MOODLE = re.compile(r'(?P<student>[^/]+?)_(?P<id>\d+)_assignsubmission_[a-z]+(?:_|/|$)')
 _CANVAS = re.compile(r'(?P<student>[^/_]+)_(?:LATE_)?(?P<id>\d+)_\d+_[^/]+')
 _CANVAS_BEFORE = re.compile(r'[^/_]+_(?:LATE_)?\d+_\d+_')
-_AGAIN = re.compile(r'-\d+(?=\.(?:py|xml|ya?ml)$)')  # Canvas counts what was handed in again: circle.launch-1.py
+_AGAIN = re.compile(r'-\d+(?=\.(?:py|xml|ya?ml)$)')  # Canvas numbers repeated submissions: circle.launch-1.py
 _GRADESCOPE = re.compile(r'(?:[^/]*/)?(?P<key>submission_\d+)(?:/|$)')
 
 

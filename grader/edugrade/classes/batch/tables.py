@@ -126,7 +126,7 @@ STYLE = PAGE + (
 )
 SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'sandbox', 'first_problem')
 MOST_CAUSES = 20
-LONGEST_STEM = 80  # characters of a student's page's name
+LONGEST_STEM = 80  # characters in the name of a student's page
 
 
 def write_pages(folder: str, results: Results, store: Store) -> None:

@@ -17,10 +17,10 @@ from edulaunch.errors import UnusableInput
 
 MEBI = 1 << 20
 CHUNK = 1 << 16
-DEEPEST = 30  # folders
-LONGEST_PART, LONGEST_NAME = 200, 1000  # bytes
-ENTRY_BYTES = 300  # of a zip's directory for each file, on average and at most
-HIGHEST_RATIO, RATIO_FROM = 200, MEBI  # unpacked to packed; small files of one letter are no bomb
+DEEPEST = 30  # levels of folders
+LONGEST_PART, LONGEST_NAME = 200, 1000  # in bytes
+ENTRY_BYTES = 300  # largest average size of a file's entry in the directory of a zip file
+HIGHEST_RATIO, RATIO_FROM = 200, MEBI  # unpacked size divided by packed size; small files may exceed this ratio
 END_OF_ZIP = b'PK\x05\x06'
 
 
@@ -153,7 +153,7 @@ def _zip_kind(info: zipfile.ZipInfo) -> str:
 
 
 def _tar_members(file: BinaryIO, bounds: Bounds) -> Iterator[Member]:
-    # Headers may say that they are huge, so what leaves the decompression is counted, not what the headers say.
+    # Count the decompressed bytes, because the sizes in headers may be false.
     with tarfile.open(fileobj=_Counted(_decompressed(file), bounds), mode='r|') as archive:
         for info in archive:
             kind = 'file' if info.isreg() and not info.issparse() else 'folder' if info.isdir() else 'what is no file'

@@ -77,7 +77,7 @@ class WarmProcess:
         self._process.wait()
         for end in (self._process.stdin, self._process.stdout):
             assert end is not None
-            with suppress(OSError):  # results that were not written
+            with suppress(OSError):  # some results may not have been written
                 end.close()
 
 

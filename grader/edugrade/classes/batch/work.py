@@ -81,7 +81,7 @@ def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iter
             strange = error
         except UnusableInput as error:
             keep(store, entry, refusal(UNUSABLE_INPUT, error.message, error.help))
-        except Exception as error:  # a fault of the grader with one submission
+        except Exception as error:  # the grader failed at this submission
             keep(store, entry, refusal(BROKEN_GRADER, *words_of(error)))
     if strange is not None and not known:
         raise strange

@@ -222,7 +222,7 @@ class ProcessWatch(BaseEventHandler):
     def _concerns(self, event: Event) -> bool:
         if isinstance(event, ProcessTargetedEvent):
             return event.process_matcher(self._action)
-        # Not every event of the action: with a handler for ExecutionComplete, launch emits it once for each process.
+        # Ignore the action's other events: with a handler for ExecutionComplete, launch emits it once for each process.
         return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:

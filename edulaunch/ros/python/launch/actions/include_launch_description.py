@@ -95,7 +95,7 @@ class IncludeLaunchDescription(Action):
             raise
         location = os.path.abspath(inside(self.__source.location))
         note_include(location)
-        # A description made in a script has a location like '<script>', which is passed on as it is.
+        # A description that a script creates has a location such as '<script>', which stays as it is.
         folder = os.path.dirname(location) if os.path.exists(location) else self.__source.location
         context.extend_locals({'current_launch_file_path': location, 'current_launch_file_directory': folder})
         try:
@@ -105,7 +105,7 @@ class IncludeLaunchDescription(Action):
                 tell_wrong_return(error)
             raise
         sets = [SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments]
-        if type(self.__source) is not LaunchDescriptionSource:  # which holds a description, and no file
+        if type(self.__source) is not LaunchDescriptionSource:  # the base class has a description, but no file
             enter_include(context.open_includes, Include(location, self.origin, dict(context.launch_configurations)))
         return [*sets, description]
 

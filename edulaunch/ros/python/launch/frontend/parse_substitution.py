@@ -270,7 +270,7 @@ def _piece(piece: str | Call) -> Substitution:
         made_by, kwargs = (substitution_parse_methods.get(name) or _parse_method_of_extension(name))(made)
         substitution: Substitution = made_by(**kwargs)
     except Exception as error:
-        # Like lark, of which upstream's users see the outer error only.
+        # Upstream uses lark, which shows only the outer error.
         near = nearest(name, substitution_parse_methods)
         known = name in substitution_parse_methods
         raise with_facts(VisitError('substitution', error), 'launch.call', call=name, near=near, is_known=known) from error

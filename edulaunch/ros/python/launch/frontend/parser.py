@@ -30,7 +30,7 @@ BUILT_IN_PARSERS = {'xml': 'launch_xml', 'yaml': 'launch_yaml'}
 
 
 def __getattr__(name: str) -> Any:
-    # The upstream module contains this name; here it is imported on first use.
+    # The upstream module has this name; here, it is imported on first use.
     if name == 'importlib_metadata':
         return import_module('importlib.metadata')
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

@@ -46,7 +46,7 @@ def takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeErr
 
 
 def _takes_all(arguments: list[Argument]) -> dict[str, Any]:
-    # As upstream, whose $(any ...) and $(all ...) fail on this very keyword.
+    # As in upstream, where this keyword makes $(any ...) and $(all ...) fail.
     return {'args': arguments}
 
 

@@ -260,7 +260,7 @@ class LoggingState:
             return known
         if '.' in name:
             return self._manager.getLogger(name)
-        logger = self._manager.loggerDict[name] = LaunchLogger(name)  # without the locks and searches of the manager
+        logger = self._manager.loggerDict[name] = LaunchLogger(name)  # avoids the locks and searches of the manager
         logger.parent = self.root
         logger.manager = self._manager
         return logger

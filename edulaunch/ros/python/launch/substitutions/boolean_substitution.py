@@ -58,7 +58,7 @@ class _Combined(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        # A list, so that every operand is evaluated and checked.
+        # The list makes sure that every operand is evaluated and checked.
         return _text(type(self)._combine([truth(context, operand) for operand in self._operands]))
 
 
@@ -98,7 +98,7 @@ class AnySubstitution(_CombinedMany):
 
     _combine = any
 
-    def __init__(self, *args: SomeSubstitutionsType) -> None:  # its own, because upstream's $(any ...) fails with its name
+    def __init__(self, *args: SomeSubstitutionsType) -> None:  # upstream's error for $(any ...) names this __init__
         super().__init__(*args)
 
 
@@ -107,7 +107,7 @@ class AllSubstitution(_CombinedMany):
 
     _combine = all
 
-    def __init__(self, *args: SomeSubstitutionsType) -> None:  # its own, because upstream's $(all ...) fails with its name
+    def __init__(self, *args: SomeSubstitutionsType) -> None:  # upstream's error for $(all ...) names this __init__
         super().__init__(*args)
 
 

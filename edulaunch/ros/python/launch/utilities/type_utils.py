@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 ScalarTypesTuple = (int, float, bool, str)
-# typing.List, as upstream: error texts show it.
+# These are typing.List, as in upstream, because error messages show them.
 ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
 AllowedTypesTuple = ScalarTypesTuple + ListTypesTuple
 
@@ -132,7 +132,7 @@ def _convert_by_yaml(value: str, can_be_str: bool) -> Any:
 
 def _convert_to_list(value: str, item_type: type, can_be_str: bool) -> list[Any]:
     output = _load(value, f"Cannot convert value '{value}' to a list of '{item_type}'")
-    # Exactly the type: in a list of numbers 1 is not a float, and true is not an int.
+    # The type must be equal: in a list of numbers, 1 is not a float, and true is not an int.
     accepted = (item_type, str) if can_be_str else (item_type,)
     if not isinstance(output, list) or any(type(item) not in accepted for item in output):
         raise ValueError(f"Cannot convert value '{value}' to a list of '{item_type}', got {output}")

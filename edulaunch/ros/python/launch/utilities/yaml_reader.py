@@ -51,7 +51,7 @@ def read(text: str) -> Any:
         node = loader.get_single_node()
         if node is None:
             return None
-        if depth > MAX_DEPTH or '*' in text:  # otherwise there is no alias, and less than one value per character
+        if depth > MAX_DEPTH or '*' in text:  # without an alias, there is less than one value per character
             _Size(SMALL + MAX_GROWTH * len(text)).check(node)
         return _data_of(node, loader)
     except RecursionError:

@@ -113,7 +113,7 @@ class _Sequence:
 
     def _forget(self, context: LaunchContext) -> None:
         for handler in (*self.handlers, self.on_error):
-            with suppress(ValueError):  # it has done its work
+            with suppress(ValueError):  # the handler has already been removed
                 context.unregister_event_handler(handler)
 
     def _give_up(self, context: LaunchContext) -> None:

@@ -83,12 +83,12 @@ class Executor(Waiting):
             node.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()
-        if not core.was_spun:  # once: `rclpy.spin_once(node)` adds the node each time, and took a fifth longer
+        if not core.was_spun:  # done once, because `rclpy.spin_once(node)` adds the node each time, and took a fifth longer
             core.was_spun = True
             try:
                 check_own_names(node, TO_SPIN)
             except (TypeError, AttributeError) as error:
-                self.create_task(_fail, error)  # the spinning executor is woken
+                self.create_task(_fail, error)  # this wakes the spinning executor
         return True
 
     def remove_node(self, node: Node) -> None:

@@ -183,7 +183,7 @@ class Waiting:
         given_out = False
         while not (self._is_shutdown or condition()):
             if given_out and deadline_ns is not None:
-                return  # the next call has a deadline of its own
+                return  # the next call sets its own deadline
             given_out = False
             if self._tasks:
                 for task in self._tasks_to_run():

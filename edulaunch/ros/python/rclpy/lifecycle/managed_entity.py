@@ -63,7 +63,7 @@ class SimpleManagedEntity(ManagedEntity):
             @wraps(method)
             def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> None:
                 if self._enabled:
-                    method(self, *args, **kwargs)  # as in rclpy, what it returns is lost
+                    method(self, *args, **kwargs)  # the return value is lost, as in rclpy
                 elif when_not_enabled is not None:
                     when_not_enabled()
 

@@ -71,7 +71,7 @@ class NodeCore:
         self.destroyed = False
         self.was_spun = False
         self.declared: set[str] = set()  # every parameter that was ever declared
-        self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
+        self.takes_any_type = False  # whether a topic may have two types; only stand-ins for several robots need this
         self.publishers: list[Any] = []
         self.subscriptions: list[Any] = []
         self.clients: list[Any] = []

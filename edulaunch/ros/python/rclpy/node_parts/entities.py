@@ -223,7 +223,7 @@ class NodeEntities:
         :param autostart: False makes it cancelled, until `reset()`.
         """
         _check_callback(self._rclpy, callback, 'create_timer')
-        check_own_names(self, FOR_TIMERS)  # type: ignore[arg-type]  # which a Node inherits this from
+        check_own_names(self, FOR_TIMERS)  # type: ignore[arg-type]  # a Node inherits this class
         return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:

@@ -251,7 +251,7 @@ def _prepared(
         _set_type(name, descriptor, value)
         value = None
     elif not descriptor.dynamic_typing:
-        is_message = type(value).__name__ == 'ParameterValue'  # rclpy takes its type, and refuses it as a value afterwards
+        is_message = type(value).__name__ == 'ParameterValue'  # rclpy uses its type, and later rejects it as a value
         descriptor.type = value.type if is_message else ParameterType.from_parameter_value(value).value
         if not descriptor.type:
             raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')

@@ -98,7 +98,7 @@ def print_a_launch_file(*, launch_file_path: str) -> None:
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
     """Write the launch arguments: what `ros2 launch -s` shows."""
     description = load_launch_file(launch_file_path)
-    _print(HEADING)  # first, because an error about an included file appears below it
+    _print(HEADING)  # printed first, because an error in an included file appears below it
     _print(arguments_text(description).removeprefix(HEADING + '\n'))
 
 
