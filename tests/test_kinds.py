@@ -63,3 +63,16 @@ def test_a_python_that_a_unit_test_starts_fails_it() -> None:
 
 def test_another_program_may_be_started() -> None:
     assert subprocess.run(['true']).returncode == 0
+
+
+def test_each_path_in_the_steps_is_there() -> None:
+    words = re.findall(r'(?<!\S)tests/[\w./*\[\]!{},-]+', RUN)
+    spread = [
+        f'{found[1]}{choice}{found[3]}'
+        for word in words
+        if (found := re.match(r'(.*)\{(.*)\}(.*)', word))
+        for choice in found[2].split(',')
+    ]
+    plain = [word.rstrip(';') for word in words if '{' not in word]
+    assert not [word for word in plain + spread if not list(ROOT.glob(word))]
+    assert spread  # the braces are read
