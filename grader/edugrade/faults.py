@@ -87,11 +87,16 @@ def raise_fault(error: BaseException) -> None:
         raise ComputerFault(fault) from None
 
 
+def fault_in(text: str) -> str | None:
+    """Return a sentence about the fault of the computer whose number is in the message of an error, or None without one."""
+    numbers = [int(number) for number in _NUMBER.findall(text)]
+    return next((SENTENCES[number] for number in numbers if number in OF_THE_COMPUTER), None)
+
+
 def looks_like_one(outcome: Outcome) -> bool:
     """Return whether the computer may have caused an outcome, judged by the numbers and messages of its errors."""
     text = _text_of(outcome)
-    numbers = {int(number) for number in _NUMBER.findall(text)}
-    return bool(numbers & OF_THE_COMPUTER) or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
+    return fault_in(text) is not None or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
 
 
 def _text_of(outcome: Outcome) -> str:

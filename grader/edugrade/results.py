@@ -104,9 +104,14 @@ class Report:
         """For each layer of the sandbox 'held', or why it failed in one of the runs; {} without a sandbox."""
         found: dict[str, str] = {}
         for outcome in self.outcomes:
-            for layer, state in outcome.sandbox.items():
+            for layer, state in (outcome.sandbox or {}).items():
                 found[layer] = state if found.get(layer, 'held') == 'held' else found[layer]
         return found
+
+    @property
+    def has_run(self) -> bool:
+        """Whether any code of the submission was run."""
+        return any(outcome.sandbox is not None for outcome in self.outcomes)
 
     @property
     def refused(self) -> tuple[str, ...]:

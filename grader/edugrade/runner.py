@@ -123,7 +123,9 @@ class Runner:
                 os.mkdir(home)
                 run = ChildRun(RunRequest(submission, scenario, self._limits, workspaces, home), self._living_starter())
             except OSError as error:
-                self._settle(job, no_mark_for(Outcome(scenario, 'broke', text=str(error)), fault_of(error) or str(error)))
+                self._settle(
+                    job, no_mark_for(Outcome(scenario, 'broke', text=str(error), sandbox=None), fault_of(error) or str(error))
+                )
                 continue
             self._running[run] = job
             for end, read in ((run.channel, run.read_channel), (run.output, run.read_output), (run.link, run.read_link)):
@@ -154,7 +156,7 @@ class Runner:
         most = _times_again(run, outcome)
         if most > job.again[run.scenario.name]:
             job.again[run.scenario.name] += 1
-            run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own starter, which may already have a successor
+            run.starter.is_alive = run.starter.is_alive and (run.has_begun or run.complete)  # its own one
             self._waiting.insert(0, (job, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .evidence import Outcome, Scenario
-from .faults import REPORT_IT, missing_for, no_mark_for
+from .faults import REPORT_IT, fault_in, missing_for, no_mark_for
 from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .shortened import shortened
 from .source import Place, is_engine
@@ -40,7 +40,7 @@ def verdict(run: ChildRun) -> Outcome:
     text = found.text
     if run.refused and found.kind in ('stopped', 'unusable'):
         text = f'{text}\n{refusal_of(run.refused)}'
-    return found._replace(sandbox=run.sandbox or {}, refused=tuple(run.refused), text=text)
+    return found._replace(sandbox=run.sandbox, refused=tuple(run.refused), text=text)
 
 
 def refusal_of(calls: Sequence[str]) -> str:
@@ -67,8 +67,11 @@ def _not_begun(run: ChildRun) -> Outcome:
     report = (
         _report(bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced])) if run.complete and run.frame[:1] == b'B' else None
     )
-    text = f'the run could not start: {_text(report, "text")}' if report else 'another program killed a process of the grader'
-    return Outcome(run.scenario, 'broke', text=text, try_='grade it again', detail=_text(report or {}, 'trace'))
+    words = _text(report or {}, 'text')
+    text = f'the run could not start: {words}' if report else 'another program killed a process of the grader'
+    outcome = Outcome(run.scenario, 'broke', text=text, try_='grade it again', detail=_text(report or {}, 'trace'))
+    fault = fault_in(words)
+    return outcome if fault is None else no_mark_for(outcome, fault)
 
 
 def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:

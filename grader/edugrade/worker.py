@@ -81,11 +81,13 @@ def in_worker(work: Callable[[], Any]) -> Any:
 
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     """Return the exit code of a worker (below zero: the signal that ended it), and what it answered."""
+    from .sandbox.system import fork
+
     for stream in (sys.stdout, sys.stderr):
         stream.flush()  # otherwise both processes would write the buffered output
     answer, end = os.pipe()
     parent = os.getpid()
-    pid = os.fork()
+    pid = fork()
     if pid == 0:
         _be_the_worker(work, end, parent)
     os.close(end)

@@ -2,13 +2,15 @@
 
 The file that the test names has three numbers: how many calls from now the fault comes (0: never), its number, and how many calls
 there were. It is shared with everything that the starter forks. The number `LOADING` makes the loading of an extension module fail,
-as it does when memory cannot be mapped; all other numbers make a function of `os`, `socket` or `open` fail.
+as it does when memory cannot be mapped; all other numbers make a function of `os`, `socket` or `open` fail. `FIRST_OF_EACH` makes the
+first fork and the first thread of every process fail, and `NO_PROCESSES` every fork.
 """
 
 from __future__ import annotations
 
 import _imp
 import builtins
+import errno
 import io
 import mmap
 import os
@@ -16,11 +18,12 @@ import runpy
 import socket
 import struct
 import sys
+import threading
 from collections.abc import Callable
 from typing import Any
 
 FORM = '=qqq'
-LOADING = -1
+LOADING, FIRST_OF_EACH, NO_PROCESSES = -1, -2, -3
 CALLS = {
     os: ('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
     socket: ('socketpair', 'send_fds'),
@@ -46,6 +49,30 @@ def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., An
     return call
 
 
+def short_of_processes(memory: mmap.mmap) -> None:
+    """Let the computer have no process and no thread for a moment, or for ever, as the file says."""
+    fork, start = os.fork, threading.Thread.start
+    done: set[tuple[int, str]] = set()
+
+    def lacks(what: str) -> bool:
+        key = (os.getpid(), what)
+        number = struct.unpack(FORM, memory[:24])[1]
+        is_first, _ = key not in done, done.add(key)
+        return (number == FIRST_OF_EACH and is_first) or (number == NO_PROCESSES and what == 'fork')
+
+    def forks() -> int:
+        if lacks('fork'):
+            raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+        return fork()
+
+    def starts(thread: threading.Thread) -> None:
+        if lacks('thread'):
+            raise RuntimeError("can't start new thread")
+        start(thread)
+
+    os.fork, threading.Thread.start = forks, starts  # type: ignore[method-assign]
+
+
 def main(starter: str, shared: str) -> None:
     """Be the starter, with faults."""
     with open(shared, 'r+b') as file:
@@ -53,6 +80,7 @@ def main(starter: str, shared: str) -> None:
     for module, names in CALLS.items():
         for name in names:
             setattr(module, name, failing(getattr(module, name), memory))
+    short_of_processes(memory)
     _imp.create_dynamic = failing(_create_dynamic, memory)
     builtins.open = io.open = failing(io.open, memory)
     runpy.run_path(starter, run_name='__main__')

@@ -5,9 +5,11 @@ from __future__ import annotations
 import builtins
 import errno
 import os
+import re
 import socket
 import struct
 from collections.abc import Callable, Iterator
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
@@ -17,9 +19,10 @@ import pytest
 from edugrade import Scenario
 from edugrade.cli import main
 from edugrade.evidence import Outcome
-from edugrade.faults import ComputerFault, fault_here, fault_of, looks_like_one, missing_for, words_of
+from edugrade.faults import REPAIR, ComputerFault, fault_here, fault_of, looks_like_one, missing_for, words_of
 from edugrade.job import Limits
 from edugrade.runner import Runner
+from edugrade.sandbox.confine import _tried
 from edugrade.submission import Submission
 
 from edulaunch.engine.recording import Recording
@@ -137,6 +140,37 @@ def test_each_extension_module_that_the_starter_loads_fails_once(shared: Shared)
             found = graded(runner, submission)
         what = f'module {turn} of {calls}: {found.kind} {found.text}'
         assert found.recording is not None and happened(found.recording) == happened(right.recording), what
+
+
+@pytest.mark.processes
+def test_a_moment_without_processes_neither_removes_the_sandbox_nor_costs_a_mark(shared: Shared) -> None:
+    submission = Submission(str(ROOT / 'solutions' / 'circle.launch.py'))
+    shared.arm(0, faulty_starter.FIRST_OF_EACH)
+    with Runner(Limits(), processors=1) as runner:
+        found = graded(runner, submission)
+        assert found.recording is not None and not runner.fault()
+    assert found.sandbox and found.sandbox['files'] == 'held'
+
+
+@pytest.mark.processes
+def test_without_any_process_there_is_no_mark_and_nothing_was_run(shared: Shared, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('edugrade.runner.MOST_STARTS', 1)
+    submission = Submission(str(ROOT / 'solutions' / 'circle.launch.py'))
+    shared.arm(0, faulty_starter.NO_PROCESSES)
+    with Runner(Limits(), processors=1) as runner:
+        found = graded(runner, submission)
+    assert (found.kind, found.text, found.sandbox) == ('broke', 'not graded: this computer has no processes left', None)
+    assert found.try_ == REPAIR
+
+
+def test_no_run_goes_on_without_a_layer_that_fails_for_a_moment() -> None:
+    def fails(number: int) -> int:
+        raise OSError(number, os.strerror(number))
+
+    assert _tried(lambda: fails(errno.ENOSYS)) == os.strerror(errno.ENOSYS)
+    for number in (errno.EAGAIN, errno.ENOMEM, errno.EMFILE):
+        with pytest.raises(OSError, match=re.escape(os.strerror(number))):
+            _tried(partial(fails, number))
 
 
 class Faulty:

@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 import weakref
+from contextlib import suppress
 from types import FrameType
 from typing import Any, NamedTuple
 
@@ -24,6 +25,8 @@ WORKING = 3
 IN_LIBRARY = 5
 ASLEEP = 10
 """How many times as long a turn may last in which variables change, or a library works (is imported); and by the wall's clock."""
+PAUSES_S = (0.01, 0.03, 0.1, 0.3)
+"""Between attempts to start the thread on a computer that has no threads left for a moment."""
 VALUES = frozenset({int, float, bool, str, bytes, complex})
 CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 
@@ -69,10 +72,22 @@ class Watchdog:
         self._started = False
 
     def start(self) -> None:
-        """Begin to watch; repeating it changes nothing. In a browser without threads, there is no watchdog."""
-        if not self._started and sys.platform != 'emscripten':
-            self._started = True
-            threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True).start()
+        """Begin to watch; repeating it changes nothing. In a browser without threads, there is no watchdog.
+
+        :raises RuntimeError: when the computer has no thread left for almost half a second.
+        """
+        if self._started or sys.platform == 'emscripten':
+            return
+        self._started = True
+        for pause in PAUSES_S:
+            with suppress(RuntimeError):
+                self._new_thread().start()
+                return
+            time.sleep(pause)
+        self._new_thread().start()
+
+    def _new_thread(self) -> threading.Thread:
+        return threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True)
 
     def stop(self) -> None:
         """Watch no longer."""

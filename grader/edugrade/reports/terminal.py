@@ -149,7 +149,9 @@ def _why_none(report: Report) -> str:
 
 def sandbox_line(reports: Sequence[Report]) -> str:
     """Return a sentence about the layers of the sandbox that confined the runs, or '' without runs."""
-    states = [report.sandbox for report in reports]
+    if reports and not any(report.has_run for report in reports):
+        return 'sandbox: not needed. Nothing of the submission was run.'
+    states = [report.sandbox for report in reports if report.has_run]
     if not any(states):
         return 'sandbox: off. The submission could read, write and send everything that you can.' if states else ''
     missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}

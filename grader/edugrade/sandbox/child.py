@@ -55,7 +55,11 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     :param confine: puts the layers of confinement on, given what may be read and the folder to write in, and says which hold.
     """
     os.setsid()
-    state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
+    try:
+        state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
+    except OSError as error:
+        send(words, *_broke(error))
+        os._exit(0)
     high = os.dup(words), os.dup(link.fileno())  # use numbers above the two targets
     words, end = os.dup2(high[0], WORDS), os.dup2(high[1], LINK)
     link.detach()

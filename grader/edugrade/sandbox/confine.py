@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from . import landlock, seccomp, view
 from .allowance import VIEW
-from .system import IS_LINUX, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, libc, prctl
+from .system import IS_LINUX, MOMENTARY, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, libc, prctl
 
 HELD = 'held'
 LAYERS = {
@@ -108,10 +108,15 @@ class Confinement:
 
 
 def _tried(act: Callable[[], int | None]) -> int | str:
-    """Return what an act gives, or in words why it failed."""
+    """Return what an act gives, or in words why it failed.
+
+    :raises OSError: when the computer only has too little of something now. No run may go on without a layer for this reason.
+    """
     try:
         return act() or 0
     except OSError as error:
+        if error.errno in MOMENTARY:
+            raise
         return error.strerror or str(error)
 
 

@@ -18,7 +18,7 @@ from typing import NoReturn
 from . import seccomp
 from .allowance import MOST_BYTES, MOST_FILES, MOST_PROCESSES, MOST_THREADS
 from .remove_tree import remove_tree
-from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
+from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, fork, prctl
 
 LOOK_S = 0.05
 GLANCE_S = 0.01  # a program can start thousands of threads between two measurements
@@ -37,11 +37,12 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
     :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
     :param memory_bytes: for all processes of the run together.
     :param begin: the code of the run, which gets a socket for the descriptor that receives its refused calls.
+    :raises OSError: when the computer has no process for the run.
     """
     with suppress(OSError):
         prctl(PR_SET_CHILD_SUBREAPER, 1)
     notes, end = socket.socketpair()
-    pid = os.fork()
+    pid = fork()
     if pid == 0:
         link.close()
         notes.close()

@@ -40,7 +40,7 @@ def main() -> NoReturn:
     gc.disable()  # there is little to collect while modules load; `warm_up` collects it
     sys.path[:] = _message(control)
     open_many()
-    confine, guard, trusted_peer = _load_sandbox()
+    confine, guard, trusted_peer, system = _load_sandbox()
     child = _load_child()
     try:
         child.warm_up()
@@ -54,14 +54,16 @@ def main() -> NoReturn:
         if len(header) < LENGTH_BYTES:
             leave_nothing()
         job = json.loads(_exactly(control, int.from_bytes(header, 'big')))
-        if os.fork() == 0:
-            control.close()
-            _begin(
-                job,
-                descriptors,
-                partial(_be_a_run, job, (descriptors[0], descriptors[1]), child, confinement, trusted_peer),
-                guard,
-            )
+        try:
+            if system.fork() == 0:
+                control.close()
+                run = partial(_be_a_run, job, (descriptors[0], descriptors[1]), child, confinement, trusted_peer)
+                _begin(job, descriptors, run, guard)
+        except OSError as error:  # also in the new process, which has not become the guard then
+            with suppress(OSError):
+                trusted_peer.send(descriptors[0], *trusted_peer.broke(error))
+            if control.fileno() < 0:
+                os._exit(1)
         for descriptor in descriptors:
             os.close(descriptor)
 
@@ -151,16 +153,16 @@ def _peer(
     return peer
 
 
-def _load_sandbox() -> tuple[Any, Any, Any]:
-    """The modules confine, guard and trusted_peer of this folder, which no run can find: they are not among the loaded ones."""
+def _load_sandbox() -> tuple[Any, Any, Any, Any]:
+    """Return the modules confine, guard, trusted_peer and system of this folder. No run can find them among the loaded ones."""
     spec = spec_from_file_location('edugrade_sandbox', os.path.join(HERE, '__init__.py'), submodule_search_locations=[HERE])
     assert spec is not None
     sys.modules['edugrade_sandbox'] = module_from_spec(spec)
-    from edugrade_sandbox import confine, guard, trusted_peer  # type: ignore[import-not-found]
+    from edugrade_sandbox import confine, guard, system, trusted_peer  # type: ignore[import-not-found]
 
     for name in [name for name in sys.modules if name.startswith('edugrade_sandbox')]:
         del sys.modules[name]
-    return confine, guard, trusted_peer
+    return confine, guard, trusted_peer, system
 
 
 def _load_child() -> Any:

@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import sys
+import time
+from contextlib import suppress
 from typing import Any
 
 PR_SET_PDEATHSIG, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, PR_SET_CHILD_SUBREAPER = 1, 24, 38, 36
 IS_LINUX = sys.platform.startswith('linux')
+
+MOMENTARY = frozenset({errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE})
+"""Errors of a computer that has too little of something now. They do not mean that the system lacks a function."""
+PAUSES_S = (0.01, 0.03, 0.1, 0.3)
 
 libc = ctypes.CDLL(None, use_errno=True)
 libc.syscall.restype = ctypes.c_long
@@ -30,6 +37,18 @@ def prctl(option: int, value: int = 0, more: Any = 0) -> int:
     return _checked(
         int(libc.prctl(option, ctypes.c_ulong(value), more if not isinstance(more, int) else ctypes.c_ulong(more), 0, 0))
     )
+
+
+def fork() -> int:
+    """Fork as `os.fork`, and wait for almost half a second while the computer has no processes left.
+
+    :raises OSError: when it still has none.
+    """
+    for pause in PAUSES_S:
+        with suppress(OSError):
+            return os.fork()
+        time.sleep(pause)
+    return os.fork()
 
 
 def effective_capabilities() -> int:

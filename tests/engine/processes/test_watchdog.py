@@ -173,3 +173,24 @@ def test_variables_that_come_while_it_looks_at_the_others_do_not_end_it(watched:
     monkeypatch.setattr('edulaunch.engine.processes.watchdog._held', lambda value: names.setdefault(f'new {len(names)}', value))
     seen = watched.host.watchdog._look()
     assert seen is not None and seen.state == (id(frame), 1)
+
+
+def test_a_moment_without_threads_is_waited_for(world: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    watchdog = Watchdog(world.sim, 0.2)
+    start, attempts, pauses = threading.Thread.start, [1, 2], []
+
+    def starts(thread: threading.Thread) -> None:
+        if attempts:
+            attempts.pop()
+            raise RuntimeError("can't start new thread")
+        start(thread)
+
+    monkeypatch.setattr(threading.Thread, 'start', starts)
+    monkeypatch.setattr('time.sleep', pauses.append)
+    watchdog.start()
+    watchdog.stop()
+    assert len(pauses) == 2
+
+    attempts[:] = range(99)
+    with pytest.raises(RuntimeError, match='new thread'):
+        Watchdog(world.sim, 0.2).start()

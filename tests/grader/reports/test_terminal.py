@@ -8,7 +8,7 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.evidence import Outcome
-from edugrade.reports.terminal import render
+from edugrade.reports.terminal import render, sandbox_line
 from edugrade.results import CheckResult
 from edugrade.source import Gap
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
@@ -83,3 +83,12 @@ def test_a_text_of_the_submission_cannot_repaint_the_report() -> None:
     text = render(report(CheckResult('a', 'A', 'failed', reason='\x1b[2Kok', seen='a\x07b')))
     assert '?[2Kok' in text
     assert 'seen:     a?b' in text
+
+
+def test_a_run_that_did_not_begin_was_not_without_a_sandbox() -> None:
+    broke = Outcome(Scenario('fast'), 'broke', sandbox=None)
+    held = Outcome(Scenario('fast'), 'recorded', sandbox={'files': 'held'})
+    assert sandbox_line([report(BROKE, outcome=broke)]) == 'sandbox: not needed. Nothing of the submission was run.'
+    assert sandbox_line([report(BROKE, outcome=broke), report(PASSED, outcome=held)]) == 'sandbox: files confined'
+    assert sandbox_line([report(PASSED)]).startswith('sandbox: off.')
+    assert sandbox_line([]) == ''

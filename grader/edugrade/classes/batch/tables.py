@@ -15,6 +15,7 @@ from urllib.parse import quote
 from ...files import write_whole
 from ...reports.markup import Markup, element, html_page, table_row
 from ...reports.theme import PAGE
+from ...results import BROKEN_GRADER
 
 if TYPE_CHECKING:
     from .store import Store
@@ -67,9 +68,9 @@ def _row(entry: Entry, found: Result) -> dict[str, str]:
 
 def confined_by(found: Result) -> str:
     """Return which layers of the sandbox confined the runs of a submission, and which failed and why."""
-    if 'checks' not in found:
-        return ''
     layers = found.get('sandbox') or {}
+    if 'checks' not in found or (not layers and found.get('exit_code') == BROKEN_GRADER):
+        return ''
     missing = [f'{layer} ({state})' for layer, state in layers.items() if state != 'held']
     held = [layer for layer, state in layers.items() if state == 'held']
     return (', '.join(held) or 'not confined') + (f'; without {", ".join(missing)}' if missing else '')

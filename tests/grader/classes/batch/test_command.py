@@ -308,6 +308,7 @@ def test_a_table_says_what_confined_a_mark_and_is_safe_in_every_country() -> Non
     held = {'checks': [], 'points': {}, 'sandbox': {'files': 'held', 'view': 'no namespaces'}}
     assert confined_by(held) == 'files; without view (no namespaces)'
     assert (confined_by({**held, 'sandbox': {}}), confined_by({'refused': 'x'})) == ('not confined', '')
+    assert confined_by({**held, 'sandbox': {}, 'exit_code': 3}) == ''  # it was not run
     assert plain('a;=1+1') == "a;'=1+1" and plain('a; "@b') == 'a; "\'@b' and plain('a;b-c') == 'a;b-c'
     assert one_line('Caught exceptions:\n - SyntaxError: (\n - InvalidXml\n') == 'SyntaxError: ('
 
