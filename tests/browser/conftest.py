@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import time
 import urllib.request
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 START_S = 240.0
 DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
 GO_S = 15.0
+AXE = 'axe-core@4.14.1'
 NOBODY_ELSE = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'
 """A browser that finds no other machine, whatever a page asks for."""
 OWN_FOLDERS = (
@@ -142,3 +144,21 @@ def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
         process.terminate()
         process.wait(timeout=WAIT_MS / 1000)
         process.stdout.close()
+
+
+@pytest.fixture(scope='package')
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The text of axe-core: from the file that EDULAUNCH_AXE names, else from npm."""
+    if 'EDULAUNCH_AXE' in os.environ:
+        return Path(os.environ['EDULAUNCH_AXE']).read_text(encoding='utf-8')
+    npm = shutil.which('npm')
+    if npm is None:
+        pytest.skip('no npm: set EDULAUNCH_AXE to the path of axe.min.js')
+    folder = tmp_path_factory.mktemp('axe')
+    done = subprocess.run([npm, 'pack', AXE], cwd=folder, capture_output=True, check=False, timeout=120)
+    if done.returncode:
+        pytest.skip('axe-core cannot be had from npm: set EDULAUNCH_AXE to the path of axe.min.js')
+    with tarfile.open(next(folder.glob('*.tgz'))) as packed:
+        member = packed.extractfile('package/axe.min.js')
+        assert member is not None
+        return member.read().decode()

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
-import subprocess
-import tarfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,31 +16,12 @@ from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
 
 pytestmark = pytest.mark.browser
-AXE = 'axe-core@4.14.1'
 TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
 
 
 @pytest.fixture(scope='module')
 def recording() -> Recording:
     return edulaunch.run('turtle_tf2_py', 'turtle_tf2_demo.launch.py', duration_s=3)
-
-
-@pytest.fixture(scope='module')
-def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The text of axe-core: from the file that EDULAUNCH_AXE names, else from npm."""
-    if 'EDULAUNCH_AXE' in os.environ:
-        return Path(os.environ['EDULAUNCH_AXE']).read_text(encoding='utf-8')
-    npm = shutil.which('npm')
-    if npm is None:
-        pytest.skip('no npm: set EDULAUNCH_AXE to the path of axe.min.js')
-    folder = tmp_path_factory.mktemp('axe')
-    done = subprocess.run([npm, 'pack', AXE], cwd=folder, capture_output=True, check=False, timeout=120)
-    if done.returncode:
-        pytest.skip('axe-core cannot be had from npm: set EDULAUNCH_AXE to the path of axe.min.js')
-    with tarfile.open(next(folder.glob('*.tgz'))) as packed:
-        member = packed.extractfile('package/axe.min.js')
-        assert member is not None
-        return member.read().decode()
 
 
 @pytest.mark.parametrize('scheme', ['light', 'dark'])

@@ -57,8 +57,12 @@ def launches_of(told: Any) -> Iterator[dict[str, Any]]:
             yield {**launch, 'rows': [row for row in launch['rows'] if -1 <= row['parent'] < row['number']]}
 
 
-def in_microseconds(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a step of a launch with its times in the form of the page."""
+def in_microseconds(told: dict[str, Any]) -> dict[str, Any]:
+    """Return a launch with the times of its steps in the form of the page."""
+    return {**told, 'rows': [_row_in_microseconds(row) for row in told['rows']]}
+
+
+def _row_in_microseconds(row: dict[str, Any]) -> dict[str, Any]:
     times = {name: row[name] // 1000 for name in ('time', 'due') if row.get(name) is not None}
     if row.get('fired_at'):
         times['fired_at'] = [time // 1000 for time in row['fired_at']]

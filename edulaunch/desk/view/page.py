@@ -60,15 +60,25 @@ def packed(delta: dict[str, Any], small: bool = True) -> str:
 
 
 def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, small: bool = True) -> str:
-    """Return an HTML page that replays a whole timeline, from disk and without a network.
+    """Return an HTML page that replays a whole timeline, from disk and without a network. Without scripts, it shows the launch.
 
-    :param small: as in :func:`packed`.
+    :param small: as in :func:`packed`. The page in a notebook's frame (without `small`) needs no other form.
     """
     options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (
-        f"unpacked('{packed(delta, small)}').then(all => openDesk(document.getElementById('desk'), null, {options}).load(all));"
+        "const desk = document.getElementById('desk');\ndesk.attachShadow({ mode: 'open' });\n"
+        f"unpacked('{packed(delta, small)}').then(all => openDesk(desk, null, {options}).load(all));"
     )
-    return _page(title, start)
+    return _page(title, start, _without_script(delta, title) if small else '')
+
+
+def _without_script(delta: dict[str, Any], title: str) -> str:
+    """Return the launch as HTML. Where the script runs, its shadow root takes the place of this."""
+    from edulaunch.desk.view.launch_outline import launch_outline  # late, because a live view has no such part
+
+    outline = launch_outline(delta.get('launches', ()), delta['now'])
+    style = 'color-scheme: light dark; color: CanvasText; background: Canvas; font: 16px/1.45 system-ui, sans-serif; padding: 1em'
+    return f'<div style="{style}"><h1>{html.escape(title)}</h1>{outline}</div>'
 
 
 def live_page(title: str, tab: str = 'graph') -> str:
@@ -79,12 +89,12 @@ def live_page(title: str, tab: str = 'graph') -> str:
     )
 
 
-def _page(title: str, start: str) -> str:
+def _page(title: str, start: str, inside: str = '') -> str:
     policy = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f'<title>{html.escape(title)}</title>\n<style>body {{ margin: 0; }}</style>\n<main id="desk"></main>\n'
+        f'<title>{html.escape(title)}</title>\n<style>body {{ margin: 0; }}</style>\n<main id="desk">{inside}</main>\n'
         f"<script>\n'use strict';\n{script()}\n{start}\n</script>\n</html>\n"
     )

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.canvas.filmstrip import filmstrip
 from edulaunch.canvas.picture import scene_data
 from edulaunch.canvas.worlds import World, read_worlds
-from edulaunch.desk.view.launches import launches_of
+from edulaunch.desk.view.launch_outline import launch_outline
+from edulaunch.desk.view.launches import in_microseconds, launches_of
 from edulaunch.desk.view.page import recorded_page
 from edulaunch.desk.view.timeline import Timeline, marks_of
 from edulaunch.engine.interfaces import current_registry
@@ -45,6 +46,12 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
     if defaults := defaults_of(source.part('nodes'), source.part('processes'), source.part('parameters')):
         delta['defaults'] = defaults
     return delta if other is None else {**delta, 'other': Timeline(RecordingSource(other)).delta()}
+
+
+def outline_of(recording: Recording) -> str:
+    """Return the launch of a recording as HTML without scripts, as it was at the end; '' if the recording has no launch."""
+    source = RecordingSource(recording)
+    return launch_outline([in_microseconds(told) for told in source.beside('launches', {})], source.now_ns() // 1000)
 
 
 class RecordingSource:

@@ -166,7 +166,7 @@ class Timeline:
             state = told['count'], told['at']
             if self._launches.get(told['pid']) != state:
                 self._launches[told['pid']] = state
-                found.append({**told, 'rows': [in_microseconds(row) for row in told['rows']]})
+                found.append(in_microseconds(told))
         return found
 
     def _new(self, name: str) -> Sequence[Any]:

@@ -43,7 +43,8 @@ def page(reports: Sequence[Report], refusals: Sequence[Refusal], is_small: bool 
     parts += [_section(report, number, is_small) for number, report in enumerate(reports)]
     parts += [_refused(refusal) for refusal in refusals]
     meta = [element('meta', name='viewport', content='width=device-width, initial-scale=1')]
-    return html_page('edugrade report', STYLE, element('h1', 'edugrade report'), *parts, policy=POLICY, meta=meta)
+    body = element('main', element('h1', 'edugrade report'), *parts)
+    return html_page('edugrade report', STYLE, body, policy=POLICY, meta=meta)
 
 
 def _summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> Markup:
@@ -185,6 +186,8 @@ def _seen(recording: Recording, is_small: bool) -> Iterator[Markup]:
     replay = None if is_small else _replay(recording)
     if replay is not None:
         yield replay
+    if not is_small:
+        yield from _launched(recording)
     yield element('p', f'recording {recording.digest()[:12]}', class_='small')
 
 
@@ -225,6 +228,20 @@ def _replay(recording: Recording) -> Markup | None:
         return None
     except Exception as error:
         return _not_drawn('replay', error)
+
+
+def _launched(recording: Recording) -> Iterator[Markup]:
+    """Yield the tree of the launch, which needs no script."""
+    from edulaunch.desk.view.replay import outline_of
+
+    try:
+        with cpu_limit(LONGEST_DRAWING_S):
+            outline = outline_of(recording)
+    except Exception as error:
+        yield _not_drawn('launch', error)
+        return
+    if outline:
+        yield element('details', element('summary', 'The launch: its files, actions and processes'), Markup(outline))
 
 
 def _not_drawn(view: str, error: Exception) -> Markup:

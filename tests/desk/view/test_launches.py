@@ -57,7 +57,6 @@ def test_anything_else_shows_nothing(told: Any) -> None:
 
 
 def test_times_are_microseconds() -> None:
-    row = in_microseconds(
-        {**STEP, 'time': 2000, 'due': 3000, 'fired_at': [4000], 'runs': [[7, 1000, None, None], [8, 1000, 2000, 0]]}
-    )
+    step = {**STEP, 'time': 2000, 'due': 3000, 'fired_at': [4000], 'runs': [[7, 1000, None, None], [8, 1000, 2000, 0]]}
+    row = in_microseconds({**LAUNCH, 'rows': [step]})['rows'][0]
     assert (row['time'], row['due'], row['fired_at'], row['runs']) == (2, 3, [4], [[7, 1, None, None], [8, 1, 2, 0]])

@@ -127,7 +127,7 @@ class LaunchView {
     if (key === this.key) return;
     this.key = key;
     const scrolled = this.tree.scrollTop, focused = this.box.getRootNode().activeElement?.dataset?.step;
-    this.tree.replaceChildren(this.branch(launch, -1, states, here));
+    this.tree.replaceChildren(this.branch(launch, -1, states, here, time));
     this.tree.scrollTop = scrolled;
     if (focused !== undefined) this.tree.querySelector(`[data-step="${focused}"]`)?.focus({ preventScroll: true });
     if (this.scrollTo || (here && here.number !== this.before)) this.tree.querySelector('.here')?.scrollIntoView({ block: 'nearest' });
@@ -177,14 +177,14 @@ class LaunchView {
     const shutdown = this.launch.order.find(event => event.event === 'Shutdown' && this.came(event, time));
     return shutdown ? ['left', 'cancelled by the shutdown'] : ['waiting', `fires at ${row.due.toFixed(2)} s`];
   }
-  branch(launch, parent, states, here) {
+  branch(launch, parent, states, here, time) {
     const list = make('ul', {});
     for (const row of launch.below.get(parent) || []) {
       if (row.kind === 'event') continue;
-      const quiet = HIDDEN_STEPS.has(row.kind) || (!row.file && row.kind !== 'include') || (row.kind === 'OpaqueFunction' && !(launch.below.get(row.number) || []).length && !row.file);
-      const [look, words] = states[row.number], inner = launch.below.get(row.number)?.length && !this.closed.has(row.number) ? this.branch(launch, row.number, states, here) : null;
+      const quiet = HIDDEN_STEPS.has(row.kind) || (!row.file && row.kind !== 'include');
+      const [look, words] = states[row.number], inner = launch.below.get(row.number)?.length && !this.closed.has(row.number) ? this.branch(launch, row.number, states, here, time) : null;
       if (quiet) { if (inner) list.append(...inner.children); continue; }
-      if (look === 'waiting' && !row.order && parent >= 0 && states[parent][0] === 'waiting' && row !== here) continue;
+      if (!row.order && parent >= 0 && !this.came(launch.steps[parent], time) && row !== here) continue;
       const choose = make('button', { type: 'button', class: `step ${look}${row === here ? ' here' : ''}`, 'data-step': row.number, 'aria-current': row === here ? 'step' : false, 'aria-pressed': this.chosen === row.number ? 'true' : 'false' },
         make('span', { class: 'what' }, titled(row)), make('span', { class: 'state-of' }, row === here ? `▶ next · ${words}` : words), make('span', { class: 'at mono' }, place(row)));
       choose.addEventListener('click', () => { this.chosen = row.number; if (row.file) this.place.value = place(row); this.again(); });
