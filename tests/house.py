@@ -15,13 +15,13 @@ EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 UNDERLAY = PACKAGE / 'ros' / 'python'
 WITH_ROOMS = ('engine', 'ros', 'runtime', 'advice', 'desk', 'extras')
 """Wings of several rooms; each other wing is one room."""
-AS_PREFIX = ('bin', 'programs', 'python', 'share', 'shell')
+AS_PREFIX = ('bin', 'programs', 'python', 'share')
 """What of the wing `ros` is an install prefix, and no package of edulaunch."""
 RULES = ('advice.errors', 'advice.plans', 'advice.recordings', 'advice.scripts', 'advice.sources', 'advice.workspaces')
 """Folders of rules, which are no rooms of their own."""
 ROOMS_OF_ADVICE = ('plan', 'explaining', 'workspace')
 """What else is in the wing of advice are rules."""
-FACADE = ('__main__',)
+FACADE = ('__main__', 'jupyter')
 FACES = sorted(path.name for path in UNDERLAY.iterdir() if path.is_dir() and path.name != '__pycache__')
 
 

@@ -46,7 +46,7 @@ TESTS = (
     'edulaunch.extras.testing',
     'launch_testing',
     'launch_pytest',
-    'edulaunch.jupyter',
+    'edulaunch.desk.notebook',
     'edulaunch.course',
     'edulaunch.desk.machine.sliders',
 )

@@ -26,7 +26,7 @@ from edugrade.submission import Submission
 from edugrade.turn import grade_turn
 from edugrade.worker import in_worker
 
-from edulaunch.jupyter.terminal import Terminal
+from edulaunch.desk.notebook.terminal import Terminal
 from edulaunch.runtime.session import Session
 from tests.attacks.turn_answers import MORE
 from tests.browser.answers import ANSWERS

@@ -142,7 +142,7 @@ FEATURES = [
         ('tests/lessons/test_mistakes.py', 'tests/grader/checks/test_small_exercises.py'),
         17,
     ),
-    Feature('the real commands of ROS 2', _code(r'%%?ros2 (?!view)'), ('tests/desk/terminals', 'tests/jupyter/test_magics.py'), 17),
+    Feature('the real commands of ROS 2', _code(r'%%?ros2 (?!view)'), ('tests/desk/terminals', 'tests/desk/notebook/test_magics.py'), 17),
     Feature(
         'personalised exercises',
         lambda lesson: _exercises(lesson, 'variants'),

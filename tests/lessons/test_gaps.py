@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.jupyter.terminal import Terminal
+from edulaunch.desk.notebook.terminal import Terminal
 from tests.lessons.notebook import LESSONS, Walk
 from tests.lessons.student import Student
 from tests.lessons.test_your_turn import turn

@@ -44,7 +44,7 @@ def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
     for label, templates in (('what', rule.what), ('why', rule.why), ('do', rule.do)):
         for number, template in enumerate(templates):
             heading = '  or' if number else 'what:' if label == 'what' else f'{reader.says(label)}:'
-            yield f'  {heading:<8}{_shown(reader.says(template))}'
+            yield f'  {heading:<8}{readable(reader.says(template))}'
     if rule.lesson:
         yield f'  see:    lessons/{rule.lesson}.ipynb'
     if address := address_of(rule):
@@ -57,8 +57,8 @@ def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
         yield from (f'  {line}' for line in example.splitlines())
 
 
-def _shown(template: str) -> str:
-    """Return a template in readable form: each fact is written as <fact>."""
+def readable(template: str) -> str:
+    """Return a template of a rule in readable form: each fact is written as <fact>."""
     return _FACT.sub(r'<\1>', template).replace('{{', '{').replace('}}', '}')
 
 

@@ -10,6 +10,7 @@ from edulaunch.advice.rendering import rendered
 from edulaunch.advice.rule import Finding, rule_named
 from edulaunch.advice.texts import Marked, Span, Text, marked
 from edulaunch.advice.texts.lsp import diagnostic, title, uri_of
+from edulaunch.desk.cli.explain_rule import readable
 from edulaunch.runtime.version import __version__
 
 SCHEMA = 'https://json.schemastore.org/sarif-2.1.0.json'
@@ -22,18 +23,18 @@ def sarif(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
     :param reader: has the language of the messages; paths are absolute.
     """
     names = list(dict.fromkeys(finding.rule for finding in findings))
-    driver = {'name': 'edulaunch doctor', 'version': __version__, 'rules': [_rule(name) for name in names]}
+    driver = {'name': 'edulaunch doctor', 'version': __version__, 'rules': [_rule(name, reader) for name in names]}
     results = [_result(finding, names.index(finding.rule), reader) for finding in findings]
     run = {'tool': {'driver': driver}, 'columnKind': 'unicodeCodePoints', 'results': results}
     return {'$schema': SCHEMA, 'version': '2.1.0', 'runs': [run]}
 
 
-def _rule(name: str) -> dict[str, Any]:
+def _rule(name: str, reader: Reader) -> dict[str, Any]:
     rule = rule_named(name)
-    why = rule.why[0] if rule.why else rule.what[0]
+    what, why = (readable(reader.says(sentence)) for sentence in (rule.what[0], (rule.why or rule.what)[0]))
     return {
         'id': name,
-        'shortDescription': {'text': rule.what[0]},
+        'shortDescription': {'text': what},
         'fullDescription': {'text': why},
         'help': {'text': f'edulaunch explain {name}'},
         'defaultConfiguration': {'level': LEVELS[rule.level]},

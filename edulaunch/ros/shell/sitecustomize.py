@@ -54,8 +54,8 @@ class _Sourcing:
             _join_machine()
         sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, _Sourcing)]
         try:
-            from edulaunch import source
             from edulaunch.engine.packages.discovery import find_workspaces
+            from edulaunch.ros.sourcing import source
         except ImportError:
             return None  # this is the Python of another environment
         workspaces = find_workspaces(os.getcwd(), os.environ, sys.argv[0] if os.path.isfile(sys.argv[0]) else None)

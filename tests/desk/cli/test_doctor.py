@@ -85,7 +85,9 @@ def test_sarif_has_the_place_and_the_rule(capsys: pytest.CaptureFixture[str]) ->
     log = json.loads(capsys.readouterr().out)
     (run,) = log['runs']
     (result,) = run['results']
-    assert log['version'] == '2.1.0' and run['tool']['driver']['rules'][result['ruleIndex']]['id'] == 'programs.same-name'
+    rule = run['tool']['driver']['rules'][result['ruleIndex']]
+    assert log['version'] == '2.1.0' and rule['id'] == 'programs.same-name'
+    assert rule['shortDescription']['text'].startswith('two nodes have the name <node>')
     place = result['locations'][0]['physicalLocation']
     assert place == {
         'artifactLocation': {'uri': Path(SAME).as_uri()},
@@ -102,7 +104,7 @@ def test_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
 def test_ros2_doctor_says_what_the_rules_find_behind_ros_own_checks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from edulaunch.jupyter.terminal import Terminal
+    from edulaunch.desk.notebook.terminal import Terminal
 
     said: list[str] = []
     terminal = Terminal(lambda stream, text: said.append(text))

@@ -11,12 +11,12 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.desk.notebook.line import read_line
+from edulaunch.desk.notebook.machine import Machine
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.extras.network.link import Interface
-from edulaunch.jupyter.line import read_line
-from edulaunch.jupyter.machine import Machine
 from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, cls_of
 from tests.extras.network.wires import LIMIT_S

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.jupyter.hints import missing_name_help
+from edulaunch.desk.notebook.hints import missing_name_help
 from tests.lessons.student import Student
 
 HERE = {'square': 1, '_hidden': 2}

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 from edulaunch.advice.workspace.not_needed import WINDOWS, answer
+from edulaunch.desk.notebook.line import QUIET, read_line
+from edulaunch.desk.notebook.machine import Machine
 from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.errors import UnusableInput
-from edulaunch.jupyter.line import QUIET, read_line
-from edulaunch.jupyter.machine import Machine
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these options, `ros2 launch` starts nothing."""

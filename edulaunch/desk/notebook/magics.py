@@ -1,4 +1,4 @@
-"""The magics: thin wrappers of :class:`~edulaunch.jupyter.terminal.Terminal`."""
+"""The magics: thin wrappers of :class:`~edulaunch.desk.notebook.terminal.Terminal`."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any
 
 from IPython.core.magic import Magics, line_cell_magic, line_magic, magics_class, no_var_expand
 
+from edulaunch.desk.notebook.terminal import Terminal
 from edulaunch.engine.recording import Recording
-from edulaunch.jupyter.terminal import Terminal
 
 
 @magics_class
@@ -99,7 +99,7 @@ def _show_keyboard(press: Callable[[str], str], title: str) -> None:
 
     display: Any = front_end.display
     try:
-        from edulaunch.jupyter.interact import keyboard
+        from edulaunch.desk.notebook.interact import keyboard
 
         display(keyboard(press, title))
     except ImportError:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from edulaunch.desk.notebook.terminal import Terminal
 from edulaunch.engine.recording import Recording
-from edulaunch.jupyter.terminal import Terminal
 
 LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from edugrade.notebook import CheckReport, Note
+from typing import Protocol
 
 
-def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
+class Shown(Protocol):
+    """A report, a hint or a note: HTML in a notebook, plain text elsewhere."""
+
+    def _repr_html_(self) -> str: ...
+
+
+def check(exercise: str, *, hint: int | None = None) -> Shown:
     """Grade your launch file, show the report, and write your progress to ``my_progress.toml`` beside the notebook.
 
     ::
@@ -26,5 +29,5 @@ def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
     from edulaunch.runtime import plugins
 
     check_in_notebook = plugins.offered('check')
-    found: CheckReport | Note = check_in_notebook(exercise, hint=hint, names=sys._getframe(1).f_globals)
+    found: Shown = check_in_notebook(exercise, hint=hint, names=sys._getframe(1).f_globals)
     return found

@@ -17,6 +17,8 @@ from edulaunch.desk.machine.client import ask, has_terminals_machine
 from edulaunch.desk.machine.connection import RemoteInput
 from edulaunch.desk.machine.live import end_programs, finish
 from edulaunch.desk.machine.terminals import doctors_text, is_doctor
+from edulaunch.desk.notebook.hosting import Hosting
+from edulaunch.desk.notebook.line import Line, number_of
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
@@ -24,8 +26,6 @@ from edulaunch.engine.recording import Recording
 from edulaunch.engine.sim.loops import outer_loop_set_aside
 from edulaunch.engine.sim.simulation import EPOCH_NS
 from edulaunch.errors import UnusableInput
-from edulaunch.jupyter.hosting import Hosting
-from edulaunch.jupyter.line import Line, number_of
 from edulaunch.runtime.launch_process import LaunchRun
 from edulaunch.runtime.launching import find_launch_file
 from edulaunch.runtime.session import Session, index_for

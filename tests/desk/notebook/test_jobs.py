@@ -114,7 +114,7 @@ def test_a_program_that_reads_keys_gets_a_keyboard(desk: Any) -> None:
 
 def test_the_keyboard_is_buttons_and_a_line(desk: Any) -> None:
     widgets = pytest.importorskip('ipywidgets')
-    from edulaunch.jupyter.interact import keyboard
+    from edulaunch.desk.notebook.interact import keyboard
 
     pressed: list[str] = []
     shown = keyboard(lambda keys: pressed.append(keys) or 'said', 'x')  # type: ignore[func-returns-value]

@@ -10,8 +10,8 @@ from typing import Any
 
 def load_ipython_extension(shell: Any) -> None:
     """Register the magics; `%load_ext edulaunch.jupyter` calls this."""
-    from edulaunch.jupyter.hints import matcher, watch_names
-    from edulaunch.jupyter.magics import RosMagics
+    from edulaunch.desk.notebook.hints import matcher, watch_names
+    from edulaunch.desk.notebook.magics import RosMagics
 
     magics = RosMagics(shell)
     shell.register_magics(magics)

@@ -19,7 +19,7 @@ from edulaunch.engine.nearest import nearest
 from edulaunch.runtime.session import index_for
 
 if TYPE_CHECKING:
-    from edulaunch.jupyter.terminal import Terminal
+    from edulaunch.desk.notebook.terminal import Terminal
 
 _LINE = re.compile(r'(?:^|.*=)\s*%{1,2}ros2\s+(.*)$')
 OWN_WORDS = ('view', 'jobs', 'stop', 'wait')
