@@ -1,7 +1,7 @@
 """A planned or recorded system as an image, and two systems side by side.
 
-Nodes are ovals, topics are boxes, services have a double border, frames a thick one. A dashed box has parts that are not known.
-A sign before the name marks a difference: + and - are only in this one, ~ is changed.
+Nodes are ovals, topics are boxes, services have a double border, and frames have a thick one. A dashed box has unknown parts. A
+sign before the name marks a difference: + and - exist only in this system, and ~ has changed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from edulaunch.canvas.system_scene import ADDED, CHANGED, GONE, SAME, Panel, Sys
 
 ABOVE, BELOW, BETWEEN = 24.0, 20.0, 16.0
 WIDEST_PAIR = 640.0
-"""Two panels that are wider stand one above the other."""
+"""The largest width of panels that are side by side; wider panels are one above the other."""
 SIGNS: dict[str, Colour] = {ADDED: style.GREEN, GONE: style.RED, CHANGED: style.SAND, SAME: style.MUTED}
 KINDS = {'node': 'oval: node', 'topic': 'box: topic', 'service': 'double border: service', 'frame': 'thick border: frame'}
 WORDS = {ADDED: '+ only in this one', GONE: '- only in this one', CHANGED: '~ changed'}
@@ -29,7 +29,7 @@ def _size(scene: SystemScene) -> tuple[float, float]:
 
 
 def system_sheet(scene: SystemScene) -> Sheet:
-    """Room for each panel with its title above and its legend below."""
+    """Return a sheet with room for each panel, its title above and its legend below."""
     width, height = _size(scene)
     if len(scene.panels) == 1:
         return Sheet(width, height, [Box(0, 0, width, height)])
@@ -41,7 +41,7 @@ def system_sheet(scene: SystemScene) -> Sheet:
 
 
 def draw_system(scene: SystemScene, axes: Sequence[Axes]) -> None:
-    """Each panel on its axes."""
+    """Draw each panel on its axes."""
     for ax, panel in zip(axes, scene.panels, strict=True):
         pixel = layout(ax, *_size(scene))
         ax.set_ylim(scene.height + BELOW, -ABOVE)
@@ -84,4 +84,4 @@ def _draw_box(ax: Axes, box: SystemBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[object, object]] = {SystemScene: (system_sheet, draw_system)}
-"""Of the scene its sheet, and what draws it on that sheet's axes."""
+"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""

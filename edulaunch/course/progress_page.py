@@ -30,7 +30,7 @@ class Row(NamedTuple):
 
 
 class ProgressPage:
-    """The table of lessons and, below it, what to repeat: text, and HTML in a notebook."""
+    """The table of lessons and a list of work to repeat, as text, and as HTML in a notebook."""
 
     def __init__(self, rows: list[Row], repeat: list[str]) -> None:
         self.rows = rows

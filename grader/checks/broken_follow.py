@@ -27,7 +27,7 @@ BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """A slow teacher and a fast one."""
+    """Return a run with a slow teacher and a run with a fast one."""
     slow, fast = random.randint(40, 70) / 100, random.randint(95, 130) / 100
     return [Scenario('slow', {'speed': f'{slow:.2f}'}, 18.0), Scenario('fast', {'speed': f'{fast:.2f}'}, 18.0)]
 

@@ -25,7 +25,7 @@ ORDER = [
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """One follower, and several."""
+    """Return a run with one follower and a run with several."""
     return [Scenario('one', {'count': '1'}, LATEST_S), Scenario('several', {'count': str(random.randint(2, 3))}, LATEST_S)]
 
 
@@ -88,7 +88,7 @@ def everybody_came_after_the_simulator(run: Evidence) -> None:
 
 
 def _after(run: Evidence, scenario: str) -> bool:
-    """Whether the process of the simulator started before the processes of the followers."""
+    """Return whether the process of the simulator started before the processes of the followers."""
     own, sims = (processes_of(run[scenario], *program) for program in (FOLLOWER, SIMULATOR))
     return not own or (bool(sims) and sims[0] < own[0])
 

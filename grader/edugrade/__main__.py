@@ -1,4 +1,4 @@
-"""``python -m edugrade``, the same as the command."""
+"""``python -m edugrade`` does the same as the command."""
 
 from __future__ import annotations
 

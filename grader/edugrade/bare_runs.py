@@ -22,8 +22,8 @@ NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
 def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outcome]:
-    """Return the outcomes with the repeated runs in place of the original ones. A run that accepts any default, but has none,
-    is left out.
+    """Return the outcomes with the repeated runs in place of the original ones. The result does not have a run that accepts any
+    default but has none.
 
     :param again: makes runs.
     """
@@ -46,7 +46,9 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outco
 def _with_calculated_given(
     outcomes: Sequence[Outcome], names: Sequence[Mapping[str, str | None]], again: Again
 ) -> dict[int, Outcome]:
-    """Repeat each run with a calculated default, with the argument. Return the runs that differ, by their positions."""
+    """Repeat each run that has a calculated default, this time with the argument. Return the runs that differ, by their
+    positions.
+    """
     found = {}
     places = [place for place, given in enumerate(names) if given]
     made = again([_giving(outcomes[place].scenario, names[place]) for place in places]) if places else []
@@ -61,7 +63,7 @@ def _with_calculated_given(
 
 
 def _calculated(outcome: Outcome) -> dict[str, str | None]:
-    """Return the arguments of a run whose default is a substitution, with the values that they should have."""
+    """Return the arguments of a run whose default is a substitution, with their expected values."""
     if outcome.recording is None or not any(outcome.scenario.defaults.values()):
         return {}
     declared = described_defaults(outcome.recording)
@@ -104,7 +106,7 @@ def _why(outcome: Outcome) -> str:
 
 
 def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str | None]:
-    """Return the arguments that a run has to be given after all, with their values.
+    """Return the arguments that the repeated run needs, with their values.
 
     :param known: the defaults that another run's recording has.
     """
@@ -122,7 +124,7 @@ def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str
 
 
 def _of_another_type(outcome: Outcome, declared: Mapping[str, str | None]) -> dict[str, str | None]:
-    """Defaults that are written in another way, such as 1 for 1.0, in a run in which a node died of it."""
+    """Return the defaults of another type, such as 1 for 1.0, if a node died because of the type."""
     if outcome.recording is None or _death(outcome) is None:
         return {}
     texts = {name: written_text(text) for name, text in declared.items() if text is not None}

@@ -1,4 +1,4 @@
-"""One run as the runner sees it: the starter begins it, what it sends is collected, and it ends with all it started."""
+"""One run from the runner's side: the starter begins it, the runner collects its answer, and the guard ends its processes."""
 
 from __future__ import annotations
 
@@ -25,9 +25,10 @@ GRACE_S = 1.0  # time limit to answer after the child's own alarm, or to end aft
 
 
 class ChildRun:
-    """A scenario on its way. `channel` and `output` are the read ends of its pipes, `link` leads to its guard.
+    """A running scenario. `channel` and `output` are the read ends of its pipes, and `link` leads to its guard.
 
-    :ivar sandbox: which layers of confinement hold, by name; None before the run has said so, {} when none was asked for.
+    :ivar sandbox: which layers of confinement hold, by name; None before the run has reported them, {} for a run without a
+        sandbox.
     """
 
     def __init__(self, job: RunRequest, starter: StarterLink) -> None:
@@ -63,12 +64,12 @@ class ChildRun:
 
     @property
     def complete(self) -> bool:
-        """Whether one whole frame has come."""
+        """Whether one complete frame has arrived."""
         return len(self.frame) >= HEADER_BYTES and len(self.frame) >= HEADER_BYTES + self.announced
 
     @property
     def announced(self) -> int:
-        """The length that the frame's header announces; 0 while the header is not complete."""
+        """The length in the frame's header; 0 while the header is incomplete."""
         return int.from_bytes(self.frame[1:HEADER_BYTES], 'big') if len(self.frame) >= HEADER_BYTES else 0
 
     @property
@@ -80,7 +81,7 @@ class ChildRun:
     def was_killed(self) -> bool:
         """Whether another process killed the child, its guard or the starter, or Python crashed, perhaps without memory.
 
-        What ended before the submission was read was no doing of the submission.
+        A submission cannot cause an end before it is read.
         """
         if self.sandbox is None and self.cut != 'wall':
             return True
@@ -89,7 +90,7 @@ class ChildRun:
         return self.returncode is None or -self.returncode in (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
 
     def read_channel(self) -> bool:
-        """Take in what the child sent; False when it has let go of the channel."""
+        """Read what the child sent. Return False when it has closed the channel."""
         data = os.read(self.channel, CHUNK_BYTES)
         self.frame += data
         if self.sandbox is None and self.frame[:1] == CONFINED:
@@ -114,7 +115,9 @@ class ChildRun:
         return bool(data)
 
     def read_link(self) -> bool:
-        """Take in what the guard says; False when it is gone, and with it the run. A run's time begins when it has begun."""
+        """Read the messages of the guard. Return False when the guard has ended, and the run with it. The time limit starts
+        when the run starts.
+        """
         data = b''
         with suppress(OSError):
             data = self.link.recv(CHUNK_BYTES)
@@ -134,12 +137,12 @@ class ChildRun:
         return bool(data)
 
     def watch(self) -> None:
-        """Note when the deadline has come."""
+        """Record that the deadline has passed."""
         if self.cut is None and not self.complete and monotonic() > self.deadline:
             self.cut = 'wall'
 
     def end(self) -> None:
-        """Have the guard end the run and everything it started; nothing of it is left afterwards."""
+        """Make the guard end the run with all its processes. Afterwards, nothing of the run is left."""
         with suppress(OSError):
             self.link.shutdown(socket.SHUT_WR)
         deadline = monotonic() + GUARD_S
@@ -155,7 +158,7 @@ class ChildRun:
         os.close(self.output)
 
     def _take_state(self) -> None:
-        """Take the frame that says what confines the run off the front; it was sent before the submission was read."""
+        """Remove the first frame, which reports what confines the run. The child sends it before it reads the submission."""
         if self.announced > LONGEST_STATE_BYTES:
             self.cut = 'garbage'
         elif self.complete:

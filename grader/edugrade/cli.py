@@ -1,4 +1,4 @@
-"""The command ``edugrade``: read, run, judge, show."""
+"""The command ``edugrade``: read a submission, run it, judge the runs, and show the report."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
 MAYBE_A_VERB = re.compile('[a-z][a-z_-]*')
 FORKING = ('batch', 'doctor')
-"""Verbs that run submissions of others, which must be confined."""
+"""Verbs that run submissions of other people, so these must be confined."""
 
 HEAD = ('submission', 'result', 'checks', 'points')
 # with words, because a terminal may have no colours
@@ -86,7 +86,7 @@ def _command(words: list[str]) -> int:
 def _verb(word: str) -> Callable[[list[str]], int] | None:
     """Return the function of a command that a plug-in adds, or None for an unknown name.
 
-    :raises UnusableInput: when the system lacks what it needs, or it is one of a plug-in that is not installed.
+    :raises UnusableInput: when the system lacks what it needs, or the plug-in is not installed.
     """
     from edulaunch.runtime import plugins
 
@@ -136,7 +136,7 @@ def _grade(options: argparse.Namespace) -> int:
 
 
 def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
-    """Return what can be graded, and what cannot; one bad path among several spoils only itself."""
+    """Return the work for the valid paths, and a refusal for each invalid one."""
     works, refusals = [], []
     secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     for path in options.paths:
@@ -169,7 +169,7 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
 
 
 def _recorded(report: Report, options: argparse.Namespace) -> Report:
-    """Return the report with as much advice as is asked for, or else as a student gets who has tried so often."""
+    """Return the report with the requested level of advice, or with the level for the number of attempts."""
     from dataclasses import replace
 
     from .attempts import progress_folder, record_attempt
@@ -208,7 +208,7 @@ def _text(reports: list[Report], refusals: list[Refusal]) -> str:
 
 
 def summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
-    """Return one line for each submission, and the sum of the points; then what could not be graded at all."""
+    """Return one line for each submission, the sum of the points, and the paths that could not be graded."""
     from .reports.terminal import printable
 
     rows = [HEAD, *(_row(report) for report in reports)]

@@ -12,7 +12,7 @@ NOT_GRADED = 3
 
 
 def edugrade() -> int:
-    """Run the command `edugrade`, and return its exit code, 3 when this computer cannot even load it."""
+    """Run the command `edugrade`, and return its exit code, which is 3 when this computer cannot load it."""
     if not has_runs(sys.argv[1:]):
         return run_quietly('edugrade.cli', 'main', broken=NOT_GRADED)
     from .starter_link import end_early, start_early

@@ -1,4 +1,4 @@
-"""The manifest of the course, course.toml: which exercises there are, in which order, with which hints."""
+"""The manifest of a course, course.toml: its exercises in order, with their hints."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Exercise(NamedTuple):
 
     :param file: the launch file, relative to exercises/ and to solutions/. If it is in a directory, the package there.
     :param lesson: the notebook, without its ending, after which the exercise can be done; '' without lessons.
-    :param points: all of them.
+    :param points: the points of all checks together.
     :param hints: LEVELS strings, namely a question, where to look, and almost the answer.
     :param why: one sentence about why it matters on a robot, or ''.
     :param variants: rows of strings, one of which each student gets. The first one is the usual one. See `variant`.
@@ -53,13 +53,13 @@ class Exercise(NamedTuple):
 
 
 def read_toml(path: str) -> dict[str, Any]:
-    """Return the tables of a TOML file. Raises OSError or ValueError as the reader does."""
+    """Return the tables of a TOML file. Raise OSError or ValueError if that is not possible."""
     with open(path, encoding='utf-8') as file:
         return parse_toml(file.read())
 
 
 def parse_toml(text: str) -> dict[str, Any]:
-    """Return the tables of a TOML text. Raises ValueError as the reader does."""
+    """Return the tables of a TOML text. Raise ValueError if it is invalid."""
     if sys.version_info >= (3, 11):
         import tomllib
     else:
@@ -71,7 +71,7 @@ def parse_toml(text: str) -> dict[str, Any]:
 def read_course(path: str) -> list[Exercise]:
     """Return the exercises of a manifest, in the order of the course.
 
-    :raises UnusableInput: when the manifest cannot be read or lacks something; it is named.
+    :raises UnusableInput: when the manifest cannot be read or lacks a field, which the message names.
     """
     try:
         entries = read_toml(path)['exercise']
@@ -96,7 +96,7 @@ def read_course(path: str) -> list[Exercise]:
 
 
 def here_and_above(folder: str) -> Iterator[str]:
-    """Yield a folder and those above it in which something of a course is looked for; HIGHEST in all."""
+    """Yield a folder and its parents, at most HIGHEST folders, for a search for parts of a course."""
     folder = os.path.abspath(folder)
     for _ in range(HIGHEST):
         yield folder
@@ -110,7 +110,7 @@ def course_manifest(inside: str = '') -> str | None:
 
 
 def find_course(folder: str) -> str:
-    """Return the manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
+    """Return the manifest in this folder or a parent, or else that of our course in the installed package or the source tree.
 
     :raises UnusableInput: when there is no such file.
     """

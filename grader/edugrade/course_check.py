@@ -1,8 +1,8 @@
 """``edugrade course [FOLDER]``: exercises, solutions, rubrics and manifest belong together.
 
 FOLDER (default: the current one) has course.toml (or exercises/course.toml), the folders exercises/ and solutions/, rubrics/ of
-its own, and lessons/ if there are any. The program prints what is wrong, one line each, and ends with exit code 1 then. With
---quick nothing is launched.
+its own, and lessons/ if there are any. The program prints each problem on a line, and the exit code is 1 if there is one. With
+--quick, it launches nothing.
 """
 
 from __future__ import annotations
@@ -40,16 +40,16 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('check_points', dict, 'a table of points'),
     ('variants', list, 'a list of lists'),
 )
-"""Of an exercise in the manifest: name, type, and the type in words."""
+"""The fields of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
 LONGEST_GAP = 10  # lines that a solution adds or changes for each gap, on average
 _BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml', 'my_variant.toml')
 MOST_STUDENTS, TRIES = 2, 400
-"""For how many students variants are tried, and among how many they are looked for."""
+"""The number of students whose variants are tried, and the number of students among whom they are chosen."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Check the course in a folder. Returns the exit code."""
+    """Check the course in a folder. Return the exit code."""
     options = _parser().parse_args(argv)
     folder: str = options.folder
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
@@ -104,7 +104,7 @@ def listed(found: Iterator[str]) -> Iterator[str]:
 
 
 def check_manifest(path: str) -> Iterator[str]:
-    """Yield every entry of the manifest has what it needs, of the right types; all that is wrong is named."""
+    """Check that every entry of the manifest has all fields with the right types. Yield each problem."""
     try:
         entries = read_toml(path).get('exercise')
     except (OSError, ValueError) as error:
@@ -165,7 +165,9 @@ def _entry(folder: str, item: Exercise, rubrics: dict[str, str]) -> Iterator[str
 
 
 def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
-    """Yield each row of variants has several strings. The starter file, the solution and the rubric contain the first one."""
+    """Check that each row of variants has several strings, and that the starter file, the solution and the rubric contain the
+    first one.
+    """
     if not item.variants or rubric is None:
         return
     texts = [Submission(os.path.join(folder, kind, item.path)).source.texts().values() for kind in (STUBS, SOLUTIONS)]
@@ -184,14 +186,16 @@ def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
 
 
 def _tried(item: Exercise, secret: CourseSecret) -> list[Variant]:
-    """Variants in which everything differs from the usual one."""
+    """Return variants in which every string differs from the usual one."""
     found = (personal(item, f'student {number}', secret) for number in range(TRIES))
     other = (variant for variant in found if variant is not None and all(key != text for key, text in variant.values.items()))
     return list(islice(other, MOST_STUDENTS))
 
 
 def check_variants(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Yield the solution of a student's variant passes everything by that student's rubric, and the usual solution does not."""
+    """Check that the solution of a student's variant passes the rubric of that student, and that the usual solution does
+    not.
+    """
     rubrics, secret = _rubrics(folder), CourseSecret.of(TRIED)
     with TemporaryDirectory(prefix='edugrade-variants-') as place:
         works = []
@@ -209,7 +213,7 @@ def check_variants(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
 
 
 def _personal_copy(source: str, target: str, variant: Variant) -> None:
-    """A solution, a file or a package, with a student's values."""
+    """Write a copy of a solution (a file or a package) with a student's values."""
     files = [source] if os.path.isfile(source) else [os.path.join(source, name) for name in _files(source)]
     for file in files:
         path = target if file == source else os.path.join(target, os.path.relpath(file, source))

@@ -27,7 +27,7 @@ class Scenario(NamedTuple):
 
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
     :param duration_s: simulated seconds.
-    :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
+    :param seed: the seed of the simulation, on which the randomness of the students' nodes depends. 0 means the rubric's seed.
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
@@ -42,7 +42,7 @@ class Scenario(NamedTuple):
 
     @property
     def command(self) -> str:
-        """The arguments as they are typed after ``ros2 launch``."""
+        """The arguments as people type them after ``ros2 launch``."""
         return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
 
     @property
@@ -112,7 +112,7 @@ class Evidence(Mapping[str, 'Recording']):
         return len(self._recordings)
 
     def only(self, names: Sequence[str]) -> Evidence:
-        """Return the same for some of the scenarios."""
+        """Return the evidence for some of the scenarios."""
         recordings = {name: self[name] for name in self if name in names}
         return Evidence(self._scenarios, recordings, self.source, self.names, self.bags, self.bare)
 
@@ -234,7 +234,7 @@ class Missing(Failure):
 
 
 LONGEST_VALUE = 60
-"""Characters of an expected value that the headline of a mismatch names."""
+"""The longest expected value, in characters, that the headline of a mismatch contains."""
 
 
 class Mismatch(Failure):

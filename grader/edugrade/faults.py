@@ -58,7 +58,7 @@ class ComputerFault(Exception):
 
 
 def missing_for(recording: Recording) -> tuple[str, str] | None:
-    """Return which package this computer lacks for a program of the run, and how to install it; None when it lacks none."""
+    """Return which package this computer lacks for a program of the run, and how to install it; None if nothing is missing."""
     for process in recording.processes:
         words = [os.path.basename(process.argv[0]), *process.argv[1:2]] if process.argv else []
         for name in (' '.join(words), *words[:1], process.executable or ''):
@@ -78,7 +78,7 @@ def fault_of(error: BaseException) -> str | None:
 
 
 def raise_fault(error: BaseException) -> None:
-    """Raise ComputerFault for an error that is a fault of the computer.
+    """Do nothing unless an error is a fault of the computer.
 
     :raises ComputerFault: for such an error.
     """

@@ -1,4 +1,4 @@
-"""Reads files of a stranger (regular ones, so much and no more), and writes files whole or not at all."""
+"""Reads files of strangers (only regular files, up to a size), and writes each file completely or not at all."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 from .faults import raise_fault
 
 BINARY = getattr(os, 'O_BINARY', 0)
-"""For `os.open`: Windows would change the ends of lines."""
+"""A flag for `os.open`, without which Windows changes line ends."""
 
 
 def read_regular(path: str, most: int) -> bytes:
@@ -30,8 +30,9 @@ def read_regular(path: str, most: int) -> bytes:
 def read_given(path: str, most: int, what: str = '', help: str | None = None) -> bytes:
     """Read a file as `read_regular` does, for a path that the user has given.
 
-    :param what: it is, with a space behind it: ``'the key '``.
-    :raises UnusableInput: when it cannot be read; `ComputerFault` when that is a fault of the computer.
+    :param what: a description with a space at its end: ``'the key '``.
+    :raises UnusableInput: when it cannot be read.
+    :raises ComputerFault: when the computer is the reason.
     """
     try:
         return read_regular(path, most)
@@ -42,7 +43,8 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
 
 
 def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
-    """Yield the files below a folder, by their path in it with slashes; each folder's own first, by their names.
+    """Yield the files below a folder, as paths in it with slashes, in alphabetical order. The files of a folder come before
+    those of its subfolders.
 
     :param is_taken: whether to take a file or to enter a directory, given its name and the path in `folder` of its parent. This
         path is '' or ends in a slash.
@@ -55,12 +57,12 @@ def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[s
 
 
 def write_whole(path: str, text: str | bytes) -> None:
-    """Write a file; a reader never finds half of it.
+    """Write a file, so that a reader never finds an incomplete one.
 
     Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. A path that is not a
     regular file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
 
-    :raises UnusableInput: when it cannot be written there.
+    :raises UnusableInput: when it cannot be written.
     """
     data = text if isinstance(text, bytes) else text.encode('utf-8', 'backslashreplace')
     try:
@@ -78,7 +80,7 @@ def write_whole(path: str, text: str | bytes) -> None:
 
 
 def _replace(path: str, data: bytes) -> None:
-    """Put a complete file in the place of another one, or of none."""
+    """Replace a file by a complete one, or create it."""
     temporary = f'{path}.{os.urandom(4).hex()}.part'
     try:
         with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666), 'wb') as file:

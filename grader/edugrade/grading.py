@@ -1,4 +1,6 @@
-"""Grades submissions: runs the scenarios of their rubrics, judges what happened. The command and the notebook share it."""
+"""Grades submissions: runs the scenarios of their rubrics and judges the recordings. The command and the notebook share this
+module.
+"""
 
 from __future__ import annotations
 
@@ -37,17 +39,17 @@ class Work(NamedTuple):
 
     @property
     def sha256(self) -> str:
-        """Of the submission's text."""
+        """The SHA-256 digest of the submission's text."""
         return self.submission.sha256
 
     @property
     def rubric_sha256(self) -> str:
-        """Of the rubric's text."""
+        """The SHA-256 digest of the rubric's text."""
         return self.rubric.sha256
 
     @property
     def scenarios(self) -> tuple[Scenario, ...]:
-        """The runs that are asked for."""
+        """The scenarios to run."""
         return self.rubric.scenarios(self.seed)
 
 
@@ -63,11 +65,11 @@ def plan_work(
 ) -> Work:
     """Find the rubric and choose the seed of a submission.
 
-    :param rubric: a rubric's name or file, instead of the one that the submission's name says.
+    :param rubric: a rubric's name or file, instead of the rubric that belongs to the submission's name.
     :param seed: chooses the values of the runs (default: the course's secret with the student, or the submission's content).
     :param variant: the values of the student's own exercise (default: from the secret or the student's copy of the course).
-    :param called: for whom the exercise was made; '' where all have the same.
-    :param only: the name of the only check that is wanted, with what it needs.
+    :param called: the student whose exercise it is; '' if all students have the same one.
+    :param only: the name of the only check to run, together with the checks that it needs.
     :raises UnusableInput: when there is no such rubric, or no such check in it.
     """
     name = exercise_of(os.path.basename(rubric)) if rubric else submission.exercise
@@ -102,9 +104,9 @@ def grade(
 
 
 class WarmGrader:
-    """Grades one submission after the other with one runner, whose starter has the engine loaded. `close` ends it.
+    """Grades one submission after the other with one runner, whose starter has loaded the engine. `close` ends it.
 
-    :param limits: of each run.
+    :param limits: the limits of each run.
     """
 
     def __init__(self, limits: Limits | None = None) -> None:
@@ -123,7 +125,7 @@ class WarmGrader:
 def runner_here(
     limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
 ) -> Runner | InPlace:
-    """Return what makes runs on this system: confined ones of their own, or where it has no fork, in this process."""
+    """Return the runner for this system: with a confined process for each run, or in this process on a system without fork."""
     if CAN_FORK:
         from .runner import Runner
 
@@ -177,7 +179,9 @@ def is_copied(work: Work) -> bool:
 
 
 def _whose(work: Work) -> list[CheckResult]:
-    """Return the result of a submission that is made from another student's exercise. It has no mark, and a teacher decides."""
+    """Return the result of a submission that is based on another student's exercise. It has no mark, because a teacher must
+    decide.
+    """
     from .results import GRADER_BROKE, OWN_VARIANT, CheckResult
 
     if work.variant is None or not is_copied(work):

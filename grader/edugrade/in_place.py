@@ -1,7 +1,6 @@
-"""Runs scenarios in this process, one after the other, where no other can be forked: on Windows, in a browser.
-
-What runs can do all that its reader can, and change the grader: good for one's own files, and worth no mark. A recording is the
-one that a confined run would give.
+"""Runs scenarios in this process, one after the other, where a process cannot fork: on Windows, and in a browser. A submission
+has all rights of the user and can change the grader, so this is only for the user's own files, not for marks. Recordings are
+the same as in a confined run.
 """
 
 from __future__ import annotations
@@ -26,12 +25,12 @@ if TYPE_CHECKING:
     from edulaunch.runtime.session import Session
 
 STATE = {'the submission': 'this system cannot: only grade your own files here'}
-"""What is told of the layers of confinement."""
+"""The report on each layer of confinement."""
 NEEDED = 'grade on a Linux, for which WSL and GitHub Codespaces are good, too'
 
 
 class InPlace:
-    """Runs what is waited for. The same face as `Runner`.
+    """Runs a submission when a caller waits for it. It has the interface of `Runner`.
 
     :param on_outcome: called when a run has ended.
     """
@@ -56,7 +55,7 @@ class InPlace:
         return job
 
     def fault(self) -> str | None:
-        """Return None: this computer is not examined."""
+        """Return None, because this runner does not test the computer."""
         return None
 
     def wait(self, job: GradingJob) -> list[Outcome]:
@@ -93,7 +92,7 @@ def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> O
 
 
 def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]:
-    """Return what the bags hold that are written when launch gets Ctrl-C."""
+    """Return the contents of the bags that programs write after Ctrl-C."""
     import collections
 
     from edulaunch.engine.interfaces import current_registry
@@ -117,7 +116,7 @@ def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]
 
 @contextmanager
 def _folder() -> Iterator[str]:
-    """A folder of the run's own, in which it is; nothing that it loaded or searched is left in this process's way."""
+    """Make a private folder and enter it; afterwards, restore the modules and search paths of this process."""
     import shutil
     import tempfile
 

@@ -14,18 +14,20 @@ from .submission import Submission
 
 MEBI = 1 << 20
 CAN_FORK = hasattr(os, 'fork') and sys.platform != 'emscripten'
-"""Whether a run can have a process of its own: not on Windows, nor in a browser, where Python has the function and it fails."""
+"""Whether a run can have its own process. This is not possible on Windows or in a browser, where the function exists but
+fails.
+"""
 
 
 class Limits(NamedTuple):
     """Limits of one child process; wall-clock time is the only one that a student should ever meet.
 
-    :param wall_s: seconds of real time for one scenario. The simulated duration is the rubric's business.
+    :param wall_s: seconds of real time for one scenario. The rubric sets the simulated duration.
     :param memory_mib: address space.
-    :param output_mib: what it may print.
-    :param recording_mib: what it may send back.
-    :param sandbox: 'auto' confines as far as the system can, 'require' runs nothing that is not confined wholly, 'off' confines
-        nothing but time and memory.
+    :param output_mib: size of its output.
+    :param recording_mib: size of its recording.
+    :param sandbox: 'auto' confines as far as the system can, 'require' refuses runs that are not fully confined, and 'off'
+        limits only time and memory.
     :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long.
         Exercises need a hundredth of it, and a class waits for each endless loop.
     """
@@ -39,7 +41,7 @@ class Limits(NamedTuple):
 
     @property
     def resources(self) -> dict[str, int]:
-        """For setrlimit, by the name behind ``RLIMIT_``."""
+        """The limits for setrlimit, by the name after ``RLIMIT_``."""
         return {
             'CPU': int(self.wall_s) + 5,
             'AS': self.memory_mib * MEBI,
@@ -51,7 +53,7 @@ class Limits(NamedTuple):
 
 
 class GradingJob:
-    """The runs of one submission: what is asked for, and what has come of it."""
+    """The runs of one submission: the requests and their outcomes."""
 
     def __init__(self, scenarios: Sequence[Scenario]) -> None:
         self.scenarios = list(scenarios)
@@ -60,7 +62,7 @@ class GradingJob:
 
     @property
     def is_done(self) -> bool:
-        """Whether every run has ended."""
+        """Whether all runs have ended."""
         return len(self.outcomes) == len(self.scenarios)
 
 

@@ -194,7 +194,7 @@ SHORTEST_NAME = 4
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
     """Return the results, each failed one with the finding that is about the same thing or place.
 
-    If no finding is about any of them and no program died, the failed check of the most points has the worst finding.
+    If no finding is about any of them and no program died, the failed check with the most points gets the worst finding.
     No finding appears twice, and marks do not depend on findings.
     """
     if not evidence or all(result.status != FAILED for result in results):
@@ -229,7 +229,7 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
 
 
 def _is_death(result: CheckResult) -> bool:
-    """Return whether a program died. What it printed explains the failure, and mistakes of other programs do not."""
+    """Return whether a program died. Its output explains the failure; mistakes of other programs do not."""
     return ' died ' in result.reason or DIED in (result.seen or '')
 
 

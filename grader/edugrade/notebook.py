@@ -38,7 +38,7 @@ class CheckReport:
 
     @property
     def headline(self) -> str:
-        """The result in one line."""
+        """The result as one line."""
         report = self.report
         reader = reader_here()
         mark = reader.retells('no mark' if report.earned is None else f'{report.earned} of {report.possible} points')

@@ -1,4 +1,4 @@
-"""The words of the command line."""
+"""The options of the command line."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ exit status (the highest, if there are several reports):
 
 
 def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
-    """Parse the command line; ends the program with a usage message when it is wrong."""
+    """Parse the command line. For an invalid one, print a usage message and exit."""
     parser = edugrade_parser()
     if argv is None or {'-h', '--help'} & set(argv):
         parser.epilog = _epilog()
@@ -70,7 +70,7 @@ def edugrade_parser() -> argparse.ArgumentParser:
 
 
 def _epilog() -> str:
-    """Examples, the commands that plug-ins bring, and the exit codes."""
+    """Return examples, the commands that plug-ins bring, and the exit codes."""
     from edulaunch.runtime import plugins
 
     verbs = sorted(plugins.grading_verbs().items())
@@ -113,7 +113,7 @@ def add_common(parser: argparse.ArgumentParser) -> None:
 
 
 def is_personal(options: argparse.Namespace) -> bool:
-    """Return whether each student has exercises of his or her own.
+    """Return whether each student has personal exercises.
 
     :raises UnusableInput: for --personal without the secret.
     """

@@ -1,4 +1,4 @@
-"""The folders and the environment that runs have: where Python finds modules, and what every run may read."""
+"""The folders and the environment of runs: where Python finds modules, and what every run may read."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.engine.underlay_place import engine_folder
 
 
 def environment(home: str) -> dict[str, str]:
-    """Return a small environment of its own: where programs are, and maths libraries kept to one thread."""
+    """Return a small environment for runs: the search path for programs, and one thread for maths libraries."""
     return {
         'PATH': os.environ.get('PATH', os.defpath),
         'HOME': home,
@@ -24,7 +24,9 @@ def environment(home: str) -> dict[str, str]:
 
 
 def import_path() -> list[str]:
-    """Where the child finds modules: as this process does, but in folders of Python and with what the engine needs only."""
+    """Return the module search path of the child: that of this process, limited to Python's folders and to what the engine
+    needs.
+    """
     engine = os.path.dirname(engine_folder())
     here = os.getcwd()
     known = [path for path in sys.path if path and os.path.abspath(path) != here and (_is_of_python(path) or _needed_in(path))]
@@ -41,9 +43,9 @@ SYSTEM = (
 
 
 def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return (what may be read with all below it, folders that may be listed only), for every run.
+    """Return what every run may read: (places with everything below them, folders that may only be listed).
 
-    :param path: where Python looks for modules.
+    :param path: the module search path.
     """
     roots, hidden = shown_to_all(path)
     read: dict[str, None] = {}
@@ -59,9 +61,9 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return (places that every run sees, folders in them that are hidden from it: the grader and the rubrics).
+    """Return (places that every run sees, hidden folders in them, with the grader and the rubrics).
 
-    :param path: where Python looks for modules.
+    :param path: the module search path.
     """
     from .rubrics.catalogue import rubrics_folder  # imported here, because a starter is created before the rest is loaded
 
@@ -73,19 +75,23 @@ def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _is_of_python(path: str) -> bool:
-    """Whether it is Python's own, or a folder of installed packages: what PYTHONPATH or pytest add may hold people's files."""
+    """Return whether a folder belongs to Python or has installed packages. A folder from PYTHONPATH or pytest may have private
+    files.
+    """
     roots = [os.path.join(os.path.realpath(root), 'lib', '') for root in (sys.prefix, sys.base_prefix)]
     real = os.path.realpath(path)
     return os.path.basename(real) in PACKAGES or any(f'{real}{os.sep}'.startswith(root) for root in roots)
 
 
 def _needed_in(path: str) -> list[str]:
-    """Of another folder what the engine needs of it."""
+    """Return the parts of another folder that the engine needs."""
     return [place for place in (os.path.join(path, name) for name in NEEDED) if os.path.exists(place)]
 
 
 def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tuple[str, bool]]:
-    """(place, whether with all below it) so that everything in `place` can be read but what is hidden. Links are resolved."""
+    """Yield (place, whether everything below it is included), so that everything in `place` except hidden parts can be read.
+    Links are resolved.
+    """
     if place in seen or any(place == each or place.startswith(os.path.join(each, '')) for each in hidden):
         return
     seen.add(place)

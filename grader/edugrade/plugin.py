@@ -1,4 +1,6 @@
-"""What the grader adds to edulaunch: `edulaunch.check`, completion of `edugrade`, and the verbs that every grader has."""
+"""The plug-in with which the grader adds to edulaunch: `edulaunch.check`, completion of `edugrade`, and the verbs that every
+grader has.
+"""
 
 from __future__ import annotations
 

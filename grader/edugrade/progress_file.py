@@ -1,4 +1,4 @@
-"""What a student has done so far: a small readable file of the student's own, beside the notebook."""
+"""The progress of a student: a small readable file beside the notebook, which belongs to the student."""
 
 from __future__ import annotations
 
@@ -18,9 +18,11 @@ from .files import write_whole
 NAME = 'my_progress.toml'
 HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to start over.\n'
 PLACE = 'EDULAUNCH_PROGRESS'
-"""An environment variable: a folder in which the file is kept instead."""
+"""The environment variable that names another folder for the file."""
 PREDICTIONS, ANSWERS, EXPLANATIONS = 'my_predictions', 'my_answers', 'my_explanations'
-"""The tables beside those of the exercises: prediction -> value, question -> the answers in their order, explanation -> text."""
+"""The other tables in addition to those of the exercises: prediction -> value, question -> the answers in their order,
+explanation -> text.
+"""
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 
@@ -39,7 +41,7 @@ class Progress:
     def attempt(self, earned: float, possible: int, passed: bool, text: str = '') -> bool:
         """Record a graded attempt, and keep the best result. Return whether it repeats the last version and does not count.
 
-        :param text: a digest of what was graded.
+        :param text: a digest of the graded text.
         """
         if text and text == self.last:
             return True
@@ -51,7 +53,7 @@ class Progress:
         return False
 
     def open_hint(self, level: int) -> None:
-        """Note that a hint was read."""
+        """Record that the student has read a hint."""
         if level not in self.hints:
             self.hints = sorted([*self.hints, level])
 
@@ -67,9 +69,9 @@ class ProgressFile:
     :param folder: where the file is, or will be.
 
     :ivar word: a message for the student about the file, or ''.
-    :ivar predictions: what the student said before looking, by the prediction's name.
+    :ivar predictions: the student's predictions by their names.
     :ivar answers: the letters chosen for each question, in the order in which they were given.
-    :ivar explanations: what the student wrote, by the explanation's name.
+    :ivar explanations: the student's explanations by their names.
     """
 
     def __init__(self, folder: str) -> None:
@@ -83,7 +85,7 @@ class ProgressFile:
         self._read()
 
     def of(self, exercise: str) -> Progress:
-        """Return the progress of one exercise, to be changed and saved."""
+        """Return the progress of one exercise; callers change it and save the file."""
         return self.exercises.setdefault(exercise, Progress())
 
     @classmethod
@@ -94,9 +96,9 @@ class ProgressFile:
             yield cls(folder)
 
     def save(self) -> None:
-        """Write the file whole: a crash leaves either the old one or the new one.
+        """Write the complete file; a crash leaves either the old file or the new one.
 
-        :raises UnusableInput: when it cannot be written there, or is one that could not be read: that is left alone.
+        :raises UnusableInput: when it cannot be written. A file that could not be read is not overwritten.
         """
         if self._unreadable:
             raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')
@@ -123,7 +125,7 @@ class ProgressFile:
             self._put_aside(error)
 
     def _put_aside(self, error: Exception) -> None:
-        """Keep a file that cannot be understood, under another name."""
+        """Rename a file that cannot be read, so that it is kept."""
         kept = f'{self.path}.bak'
         number = 1
         while os.path.exists(kept):
@@ -138,7 +140,9 @@ class ProgressFile:
 
 @contextmanager
 def _locked(folder: str) -> Iterator[None]:
-    """Hold the folder's lock, which leaves no file behind. Where folders have none (some network disks), go without it."""
+    """Hold a lock on the folder, which needs no extra file. Continue without a lock on disks that have none (some network
+    disks).
+    """
     descriptor = None
     try:
         with suppress(ImportError, OSError):
@@ -153,7 +157,7 @@ def _locked(folder: str) -> Iterator[None]:
 
 
 def _progress(table: Any) -> Progress:
-    """Return an exercise's table, as it must be."""
+    """Return the table of an exercise in a valid form."""
     found = Progress(**table)
     kinds = {
         'done': (bool,),

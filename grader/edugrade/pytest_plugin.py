@@ -1,4 +1,4 @@
-"""``pytest --edugrade``: launch files and packages that have a rubric are collected, and every check of it is a test."""
+"""``pytest --edugrade``: pytest collects launch files and packages with a rubric, and each check is a test."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile
 
 
 class GradedFile(pytest.File):
-    """A submission: run once, when its first check is asked for."""
+    """A submission, which is run once, for the first of its checks."""
 
     _report: Report | None = None
     _work: Work
 
     def collect(self) -> Iterator[GradedCheck]:
-        """Yield a test for each check, after the one that all need."""
+        """Yield a test for each check, after the check that all others need."""
         from .grading import plan_work
         from .results import LAUNCHES
         from .submission import Submission
@@ -55,7 +55,7 @@ class GradedFile(pytest.File):
             yield GradedCheck.from_parent(self, name=name)
 
     def result(self, name: str) -> CheckResult:
-        """Return what a check came to."""
+        """Return the result of a check."""
         if self._report is None:
             from .grading import grade
 
@@ -70,7 +70,7 @@ class GradedCheck(pytest.Item):
     parent: GradedFile
 
     def runtest(self) -> None:
-        """Grade, or look at what was graded."""
+        """Grade the submission if necessary, and report the result of this check."""
         from .results import NOT_RUN, PASSED
 
         result = self.parent.result(self.name)
@@ -81,13 +81,13 @@ class GradedCheck(pytest.Item):
             raise CheckFailed(result)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return the words of the report, without a traceback."""
+        """Return the text of the report without a traceback."""
         if isinstance(excinfo.value, CheckFailed):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        """Return where the student has to look."""
+        """Return the place that the student should look at."""
         return self.path, None, self.name
 
 

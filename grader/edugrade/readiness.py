@@ -1,4 +1,6 @@
-"""Waiting for one descriptor. `select.select` knows no descriptor above 1023, and a process with many files has such ones."""
+"""Waits for one descriptor. `select.select` does not support descriptors above 1023, which a process with many open files
+has.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from typing import Any
 
 
 def is_readable(end: Any, seconds: float) -> bool:
-    """Return whether a descriptor, or an object that has one, can be read within some seconds.
+    """Return whether a descriptor, or an object that has one, becomes readable within some seconds.
 
     :raises ValueError: when it is closed.
     """

@@ -1,4 +1,4 @@
-"""What an exercise asks for: which runs, and which checks over them. A check is a function with points and what it needs."""
+"""The rubric of an exercise: its runs and its checks. A check is a function with points and the checks that it needs."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ class NoSuchCheck(UnusableInput):
 
 
 class Check(NamedTuple):
-    """One check of a rubric. Call it with the evidence: it returns when it passes, else raises Failure.
+    """One check of a rubric. Call it with the evidence: it returns if the check passes, and otherwise raises Failure.
 
-    :param name: the function's name; stable, used in the JSON report.
-    :param sentence: what is checked, as the student reads it.
-    :param points: given when the check passes.
-    :param needs: checks that must have passed before this one says anything of use.
+    :param name: the name of the function, which identifies the check in the JSON report.
+    :param sentence: the sentence that the student reads.
+    :param points: the points for passing the check.
+    :param needs: checks that must pass before this one can say anything useful.
     """
 
     name: str
@@ -68,15 +68,15 @@ class Rubric:
     """The scenarios and checks of one exercise.
 
     :param title: the exercise in a few words.
-    :param scenarios: makes the runs from a random generator, which the submission seeds. The values of a run change with
-        every edit, so that a student cannot write them into the file.
+    :param scenarios: makes the runs from a random generator, which the submission seeds. The values of a run change with every
+        edit, so that a student cannot write them into the file.
     :param checks: the checks in the order of the report. Each one comes after the checks that it needs.
-    :param of: of a lesson's turn: the file that the student writes, relative to the folder of the lessons.
+    :param of: the file that the student writes in a lesson's turn, relative to the folder of the lessons.
     :param launch: the content of a launch file that starts the file, for a file that is not a launch file.
     :param beside: other files that an edit may change.
-    :param names: instead of a file, what a cell defines: then there are no runs.
-    :param decoys: the share of the points that a submission may get which has the solution's names and not its behaviour.
-    :raises ValueError: two checks of one name, or a check before one that it needs.
+    :param names: names that a cell defines, instead of a file; then there are no runs.
+    :param decoys: the share of the points that a submission may get with the solution's names but without its behaviour.
+    :raises ValueError: for two checks with one name, or a check that comes before a check that it needs.
     """
 
     def __init__(

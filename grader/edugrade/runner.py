@@ -1,4 +1,4 @@
-"""Runs scenarios of submissions, each in a child process, as many at once as there are processors."""
+"""Runs scenarios of submissions in child processes, with one parallel run for each processor."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ MOST_TIMES_AGAIN = 2  # repetitions of a run that was killed, because another su
 
 
 class Runner:
-    """Begins a run as soon as it is added and a processor is free. Leaving its ``with`` ends every child.
+    """Begins a run as soon as it is added and a processor is free. The end of its ``with`` block ends every child.
 
-    :param limits: of each child.
+    :param limits: the limits of each child.
     :param on_outcome: called when a run has ended.
     :param processors: number of parallel runs (default: the number of processors).
     """
@@ -65,9 +65,9 @@ class Runner:
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
     ) -> GradingJob:
-        """Ask for the runs of a submission; runs that were added earlier go first, unless these are the next.
+        """Request the runs of a submission. Runs that were added earlier come first, unless `is_next` is set.
 
-        :param workspaces: more folders with the student's packages, searched before the submission's own.
+        :param workspaces: more folders with the student's packages, searched before those of the submission.
         """
         job = GradingJob(scenarios)
         folders = [*workspaces, *submission.workspaces]
@@ -87,7 +87,9 @@ class Runner:
         return [job.outcomes[scenario.name] for scenario in job.scenarios]
 
     def _attend(self, end: int, seconds: float) -> bool:
-        """Continue the runs until this end is readable or the time is over, while a worker judges. Return whether it is."""
+        """Continue the runs while a worker judges, until this end is readable or the time is over. Return whether it is
+        readable.
+        """
         self._selector.register(end, selectors.EVENT_READ, lambda: True)
         try:
             return end in self._turn(seconds)
@@ -95,7 +97,7 @@ class Runner:
             self._forget(end)
 
     def _turn(self, seconds: float) -> list[Any]:
-        """Take in what can be read. Gives the ends of it."""
+        """Read from all ends that are readable, and return them."""
         ready = self._listen(seconds)
         for key, _ in ready:
             if not key.data():
@@ -132,7 +134,7 @@ class Runner:
                 self._selector.register(end, selectors.EVENT_READ, read)
 
     def _living_starter(self) -> StarterLink:
-        """Return the starter; another one when it has gone."""
+        """Return the starter, or a new one if it has ended."""
         if self._starter is None or not self._starter.is_alive:
             if self._starter is not None:
                 self._starter.close()
@@ -142,7 +144,7 @@ class Runner:
         return self._starter
 
     def _forget(self, end: Any) -> None:
-        """Select no longer on this end of a pipe or socket."""
+        """Stop selecting on this end of a pipe or socket."""
         if end in self._selector.get_map():
             self._selector.unregister(end)
 
@@ -165,7 +167,7 @@ class Runner:
         self._settle(job, self._unless_spoilt(found) if most else found)
 
     def _unless_spoilt(self, outcome: Outcome) -> Outcome:
-        """Return the outcome of a run that has failed again and again; no mark when the computer is at fault."""
+        """Return the outcome of a run that has failed repeatedly. It has no mark if the computer is the cause."""
         fault = fault_here(self._home)
         if fault is None and killed_for_memory() > self._killed_for_memory:
             fault = SENTENCES[errno.ENOMEM]
@@ -177,7 +179,7 @@ class Runner:
             self._on_outcome()
 
     def fault(self) -> str | None:
-        """Return what this computer cannot do now, of what runs need."""
+        """Return what this computer cannot provide for runs now, or None."""
         return fault_here(self._home)
 
 
@@ -193,7 +195,7 @@ def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
 def _private_folder() -> str:
     """Return a new folder that only this user can enter.
 
-    :raises ComputerFault: when there can be none.
+    :raises ComputerFault: when it cannot be created.
     """
     try:
         return private_folder()

@@ -1,4 +1,4 @@
-"""Places in files, and a submission as text: for pointing at lines, never for marks."""
+"""Finds places in files of a submission. They only point at lines, and never affect marks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.engine.underlay_place import engine_folder
 
 
 class Place(NamedTuple):
-    """A file and, where it is known, a line of it (counted from 1)."""
+    """A file, and a line in it if known (counted from 1)."""
 
     file: str
     line: int | None = None
@@ -21,12 +21,12 @@ class Place(NamedTuple):
 
 
 def is_engine(file: str) -> bool:
-    """Return whether a file is code of edulaunch itself; the launch files that it ships are not."""
+    """Return whether a file is code of edulaunch itself, not one of the launch files that it ships."""
     return is_shipped(file) and not file.startswith(os.path.join(engine_folder(), 'ros', 'share'))
 
 
 def is_shipped(file: str) -> bool:
-    """Return whether a file came with edulaunch: nothing that a student can change."""
+    """Return whether a file is part of edulaunch, so that students cannot change it."""
     return file.startswith(engine_folder() + os.sep)
 
 
@@ -46,7 +46,7 @@ _LIST = re.compile(r'.*\bLaunchDescription\s*\(')
 
 
 class Gap(NamedTuple):
-    """A comment that marks what is still to be written."""
+    """A comment that marks a missing part of a file."""
 
     file: str
     line: int
@@ -67,7 +67,7 @@ class Source:
 
     @property
     def place(self) -> Place:
-        """Where a missing action belongs: the line of ``LaunchDescription(``, else of the function."""
+        """The place for a missing action: the line of ``LaunchDescription(``, or else of the function."""
         function = _line_of(_FUNCTION, self._lines)
         return Place(self.file, _line_of(_LIST, self._lines, function or 0) or function)
 
@@ -82,20 +82,20 @@ class Source:
         return self.place
 
     def own(self, origin: tuple[str, int | None] | None, pattern: str = '') -> Place:
-        """A place that the student can change: `origin` when it is one, else the line that `pattern` matches, else `place`."""
+        """Return a place that the student can change: `origin` if possible, or the line that `pattern` matches, or `place`."""
         if origin is not None and not is_shipped(origin[0]):
             return Place(*origin)
         line = _line_of(re.compile(f'.*(?:{pattern})'), self._lines) if pattern else None
         return self.place if line is None else Place(self.file, line)
 
     def texts(self) -> dict[str, str]:
-        """Return every text by its path, relative to the folder that all of them are in."""
+        """Return the content of all files by their paths relative to their common folder."""
         known = {self.file: self._lines, **self._others}
         above = os.path.commonpath([os.path.dirname(path) for path in known])
         return {os.path.relpath(path, above): '\n'.join(lines) for path, lines in known.items()}
 
     def bodies(self) -> dict[str, list[str]]:
-        """Return the lines of each file from its launch description on, by the file's name: what a student writes in."""
+        """Return the lines of each file from its launch description on, where students write, by the file's name."""
         found = {}
         for path, lines in {self.file: self._lines, **self._others}.items():
             start = _line_of(_FUNCTION, lines) or 1
@@ -104,7 +104,7 @@ class Source:
 
     @property
     def gaps(self) -> list[Gap]:
-        """What is still to be written, in the order of the numbers after TODO."""
+        """The missing parts, in the order of the numbers after TODO."""
         found = []
         for path, lines in {self.file: self._lines, **self._others}.items():
             for number, line in enumerate(lines, 1):

@@ -1,6 +1,6 @@
 """The grader's end of a starter (`sandbox/starter.py`), the process that begins the runs.
 
-A starter loads the engine, which takes longer than all that the grader itself loads. So the command starts it first of all.
+A starter loads the engine, which takes longer than loading the grader. So the command starts it before anything else.
 """
 
 from __future__ import annotations
@@ -26,7 +26,9 @@ ASK = 0xFFFFFFFF
 
 @contextmanager
 def same_addresses() -> Iterator[None]:
-    """Programs that are started inside get no random addresses, where the system allows it (Linux; not in every container)."""
+    """Start programs inside this context without random addresses, if the system allows it (on Linux, except in some
+    containers).
+    """
     if not sys.platform.startswith('linux'):
         yield
         return
@@ -51,7 +53,7 @@ class StarterLink:
 
     :param home: a private folder for it.
 
-    :ivar is_alive: whether it can still be talked to.
+    :ivar is_alive: whether it still accepts messages.
     """
 
     def __init__(self, home: str) -> None:
@@ -87,7 +89,9 @@ class StarterLink:
             self.is_alive = False
 
     def _send_places(self) -> None:
-        """Send what every run may read. The starter needs it last, and finding it takes as long as starting the starter."""
+        """Send the paths that every run may read. The starter needs them last, and finding them takes as long as starting
+        it.
+        """
         self._has_places = True
         readable, listable = readable_by_all(self._path)
         shown, hidden = shown_to_all(self._path)
@@ -103,7 +107,7 @@ class StarterLink:
         return ours
 
     def close(self) -> None:
-        """End the starter. It has nothing to do any more: each run has a guard, which ends by itself."""
+        """End the starter. The runs do not need it, because each of them has a guard that ends by itself."""
         self._socket.close()
         self._process.kill()
         self._process.wait()
@@ -112,7 +116,7 @@ class StarterLink:
 def private_folder() -> str:
     """Make a new folder that only this user can enter, and return its path.
 
-    :raises OSError: when there can be none.
+    :raises OSError: when it cannot be created.
     """
     folder = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edugrade-{os.urandom(8).hex()}')
     os.mkdir(folder, 0o700)
@@ -123,7 +127,7 @@ _early: list[tuple[str, StarterLink]] = []
 
 
 def start_early() -> None:
-    """Start a starter for the first runner of this process. Where that fails, the runner starts one, and says why it cannot."""
+    """Start a starter for the first runner of this process. If that fails, the runner starts one, and reports the error."""
     with ExitStack() as failed:
         try:
             folder = private_folder()

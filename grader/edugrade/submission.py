@@ -1,4 +1,4 @@
-"""What was handed in, read as bytes: nothing here runs it. It is a launch file, or a whole ROS 2 package."""
+"""Reads a submission, which is a launch file or a whole ROS 2 package, as bytes. This module does not run it."""
 
 from __future__ import annotations
 
@@ -23,15 +23,14 @@ LARGEST_BYTES = 1_000_000
 class Submission:
     """The launch file of a student, alone or in a ROS 2 package.
 
-    :param path: of the launch file, or of the folder of a package: then the file ``launch/<package>.launch.py`` in it.
-    :param root: the folder that was handed in, when it holds more packages than this one.
-    :raises UnusableInput: when there is no such launch file; the message says what was found instead.
-
+    :param path: the path of the launch file, or of the folder of a package with the file ``launch/<package>.launch.py``.
+    :param root: the folder of the submission, if it has more packages than this one.
+    :raises UnusableInput: when there is no such launch file; the message names what is there instead.
     :ivar given: the path that the user gave.
     :ivar launch_path: the launch file, by a path like the given one.
     :ivar file: the launch file, absolute.
     :ivar folder: the package's folder, or that of the launch file; absolute.
-    :ivar exercise: which exercise it is, by the name of the launch file.
+    :ivar exercise: the name of the exercise, from the name of the launch file.
     """
 
     def __init__(self, path: str, root: str = '') -> None:
@@ -48,12 +47,14 @@ class Submission:
 
     @property
     def workspaces(self) -> list[str]:
-        """The folder to search for the student's packages, which a run may read: what was handed in, and nothing above it."""
+        """The folders to search for the student's packages, which a run may read: those of the submission, and none above
+        them.
+        """
         return [os.path.abspath(self._root) if self._root else self.package.path] if self.package else []
 
     @property
     def named(self) -> dict[str, Any]:
-        """What a `Report` says of it."""
+        """The fields of a `Report` that describe the submission."""
         package = self.package.name if self.package else None
         return {'file': self.file, 'given': self.given, 'folder': self.folder, 'shown': self.shown_folder, 'package': package}
 
@@ -67,7 +68,7 @@ class Submission:
 
     @cached_property
     def source(self) -> Source:
-        """The text, with that of the whole package when it is one."""
+        """The text of the submission, including all files of a package."""
         others = {os.path.join(self.folder, name): data.decode('utf-8', 'replace') for name, data in self._texts}
         return Source(self.file, self.data.decode('utf-8', 'replace'), others)
 
@@ -88,13 +89,13 @@ class Submission:
 
     @property
     def sha256(self) -> str:
-        """Names the graded text in the report."""
+        """The digest that identifies the graded text in the report."""
         from hashlib import sha256
 
         return sha256(self._content).hexdigest()
 
     def is_as_it_was(self) -> bool:
-        """Return whether everything in it can still be read, and is the same text."""
+        """Return whether all files can still be read and are unchanged."""
         try:
             return Submission(self.file, self._root).sha256 == self.sha256
         except UnusableInput:
@@ -112,7 +113,7 @@ def exercise_of(name: str) -> str:
 def _refuse_links(given: str, file: str, folder: str) -> None:
     """Refuse a link, which could lead to another student's work or to the solution.
 
-    :raises UnusableInput: naming it.
+    :raises UnusableInput: with the path of the link.
     """
     inside = os.path.relpath(file, folder)
     for path, target in ((given.rstrip(os.sep), ''), (file, os.path.join(os.path.realpath(folder), inside))):
@@ -121,7 +122,7 @@ def _refuse_links(given: str, file: str, folder: str) -> None:
 
 
 def _launch_path(path: str) -> str:
-    """Return the launch file that is meant; a package stands for the one that is named after it."""
+    """Return the launch file of a path. For a package, this is the launch file with the package's name."""
     if not os.path.isdir(path):
         return path
     package = package_at(path)
@@ -212,7 +213,7 @@ class PackageFolder(NamedTuple):
 
     @property
     def launch_file(self) -> str:
-        """The file that launches everything: named after the package, in its folder ``launch``."""
+        """The main launch file, which has the name of the package and is in its folder ``launch``."""
         return os.path.join(self.path, 'launch', f'{self.name}.launch.py')
 
     def texts(self) -> Iterator[tuple[str, bytes]]:

@@ -1,7 +1,6 @@
-"""``check('radio')`` of a lesson's "Your turn". Its rubric is in ``checks/`` beside the notebook, and names what it checks.
-
-A turn is run where the student works, as the cells above it are: in the notebook's own process and folder. It gives the same
-form of report as an exercise, is recorded as one is, and never ends in a traceback.
+"""``check('radio')`` of a lesson's "Your turn". Its rubric is in ``checks/`` beside the notebook, and names what it checks. A
+turn runs in the notebook's own process and folder, like the cells above it. Its report and its record have the form of an
+exercise, and it never ends in a traceback.
 """
 
 from __future__ import annotations
@@ -26,7 +25,9 @@ from .verdicts import come_to
 
 FOLDER = 'checks'
 SEED = 0
-"""Of all turns: a package of a student's is seldom the same text twice, and what a lesson shows must not depend on it."""
+"""The seed of all turns. A student's package rarely has the same text twice, and the output of a lesson must not depend on
+it.
+"""
 
 
 def find_turn(name: str) -> str | None:
@@ -48,16 +49,16 @@ def turns() -> dict[str, str]:
 def grade_turn(name: str, path: str, names: Mapping[str, Any]) -> Report:
     """Return the report of a turn.
 
-    :param path: of its rubric.
-    :param names: what the cells of the notebook have defined, for a rubric that looks at that.
-    :raises UnusableInput: when the file that is looked at is not there, or cannot be read.
+    :param path: the path of its rubric.
+    :param names: the values that the cells of the notebook have defined, for a rubric that checks them.
+    :raises UnusableInput: when the checked file does not exist or cannot be read.
     """
     rubric = load_rubric(path)
     return _of_values(name, rubric, names) if rubric.names else _of_file(name, rubric, os.path.dirname(os.path.dirname(path)))
 
 
 def _of_values(name: str, rubric: Rubric, names: Mapping[str, Any]) -> Report:
-    """Of what a cell has defined."""
+    """Return the report on values that a cell has defined."""
     source = Source(os.path.abspath('cell.py'), '')
     defined = {each: names[each] for each in rubric.names if each in names}
     results = judge(rubric.checks, (), source, defined)[1:]
@@ -78,7 +79,7 @@ def _text_of(value: object) -> str:
 
 
 def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
-    """Of a launch file, or of the file that the rubric's own launch file starts."""
+    """Return the report on a launch file, or on the file that the rubric's own launch file starts."""
     path = os.path.normpath(os.path.join(folder, rubric.of))
     try:
         submission = Submission(path)
@@ -128,7 +129,7 @@ def _outcome(scenario: Scenario, launch: str) -> Outcome:
 
 
 def _target(launch: str) -> list[str]:
-    """Return a launch file by its path; one of a package by the package, so that what is not installed is not found."""
+    """Return the path of a launch file. A file of a package is named by the package, so that only installed files are found."""
     package = Submission(launch).package
     return [launch] if package is None else [package.name, os.path.basename(launch)]
 

@@ -25,9 +25,10 @@ LEAST_BYTES, MOST_BYTES = 16, 4096
 
 
 class CourseSecret:
-    """Read from a file, never from an environment variable or the command line, where other programs can see it.
+    """A secret from a file. Other programs can see environment variables and the command line, so it is never read from there.
 
-    :raises UnusableInput: when the file cannot be read, is too short to be a secret, or everybody on the computer can change it.
+    :raises UnusableInput: when the file cannot be read, is too short to be a secret, or all users of the computer can change
+        it.
     """
 
     def __init__(self, path: str) -> None:
@@ -49,29 +50,29 @@ class CourseSecret:
 
     @property
     def name(self) -> str:
-        """Which secret it was, without giving it away."""
+        """A name that identifies the secret without revealing it."""
         return hmac.digest(self._key, b'edugrade: which secret', 'sha256').hex()[:16]
 
     def number(self, *words: str) -> int:
-        """Return a number that only this secret and these words give."""
+        """Return a number that depends on this secret and these words."""
         message = '\0'.join(('edugrade: variant', *words)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:8], 'big')
 
     def seed(self, exercise: str, student: str, sha256: str) -> int:
-        """Return the number from which the runs of a submission are chosen: another one for each student and each text."""
+        """Return the seed for the runs of a submission, which differs for each student and each text."""
         message = '\0'.join((exercise, student, sha256)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:4], 'big')
 
 
 FILE = 'my_variant.toml'
-"""In the folder ``exercises`` of a student's copy: the values of each exercise, so that the student is graded by them too."""
+"""The file in the folder ``exercises`` of a student's copy with the values of each exercise, which the grader reads, too."""
 MARK = re.compile(r'Variant ([0-9a-f]{8})\b')
 
 
 class Variant(NamedTuple):
     """The values that replace the usual strings in one student's exercise.
 
-    :param tag: names the variant, and is in the student's file.
+    :param tag: identifies the variant in the student's file.
     """
 
     student: str
@@ -86,7 +87,7 @@ class Variant(NamedTuple):
         return re.sub(rf'(?<![\w.])(?:{words})(?!\w|\.\d)', lambda found: self.values[found[0]], text)
 
     def stub(self, text: str) -> str:
-        """Return a launch file that is handed out: with this student's values, and a line that says whose it is."""
+        """Return the starter file for this student: with the student's values, and a line with the tag of the variant."""
         line = f'Variant {self.tag}, made for {self.student}.\n\n'
         return re.sub(r'^(?=Grade it )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
 
@@ -108,9 +109,8 @@ def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant 
 
 
 def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant | None:
-    """The variant by which an exercise is graded: by the secret for this student, else as the student's copy of the course says.
-
-    The course is looked for around the current folder, never in what is graded.
+    """Return the variant for grading an exercise: from the secret for this student, or else from the student's copy of the
+    course. The search for the course begins in the current folder, never in the submission.
 
     :raises UnusableInput: when the course, or the student's file in it, cannot be read.
     """

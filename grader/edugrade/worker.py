@@ -1,6 +1,5 @@
-"""Work that may use so much and no more: in a process of its own, or under a limit of processor time.
-
-A worker is a fork of the grader. It needs no input, and answers with JSON. A worker that fails affects only one submission.
+"""Does work within limits, in a separate process or with a limit on processor time. A worker is a fork of the grader. It needs
+no input, and answers with JSON. If it fails, only one submission is affected.
 Other runs continue while it works.
 """
 
@@ -38,7 +37,7 @@ _attending: list[Attend] = []
 
 
 class Exceeded(Exception):
-    """The work needed more than it may have."""
+    """The work exceeded its limits."""
 
 
 class Lost(Exception):
@@ -47,7 +46,9 @@ class Lost(Exception):
 
 @contextmanager
 def attended(attend: Attend) -> Iterator[None]:
-    """While a worker works inside, wait for it with this: given a descriptor and seconds, it says whether that can be read."""
+    """Use this function to wait for workers inside the context: given a descriptor and seconds, it returns whether the
+    descriptor is readable.
+    """
     _attending.append(attend)
     try:
         yield
@@ -56,13 +57,12 @@ def attended(attend: Attend) -> Iterator[None]:
 
 
 def in_worker(work: Callable[[], Any]) -> Any:
-    """Return what `work` returns, as JSON keeps it; the work is done in a worker.
-
-    A process with threads (a notebook's) cannot be forked safely: it does the work itself, and the limits of processor time hold.
+    """Call `work` in a worker, and return its result as JSON represents it. A process with threads (such as a notebook's)
+    cannot fork safely, so it does the work itself, with the limit on processor time.
 
     :raises Exceeded: when it used too much processor time or memory.
-    :raises Lost: when it was killed, or is not ready after LONGEST_S.
-    :raises RuntimeError: with what was raised in it.
+    :raises Lost: when it was killed, or has not finished after LONGEST_S.
+    :raises RuntimeError: with the exception that it raised.
     """
     if not CAN_FORK or threading.active_count() > 1:
         return json.loads(_text(work))
@@ -80,7 +80,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
 
 
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
-    """Return the exit code of a worker (below zero: the signal that ended it), and what it answered."""
+    """Return the exit code of a worker (a negative signal number if a signal ended it), and its answer."""
     from .sandbox.system import fork
 
     for stream in (sys.stdout, sys.stderr):
@@ -106,7 +106,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
 
 
 def _load(names: Sequence[str]) -> None:
-    """Load what the worker had to load, modules and the classes of messages, so that the next one has it."""
+    """Load the modules and message classes that the worker had to load, so that the next worker has them."""
     for name in names:
         with suppress(Exception):  # the next step meets the same error
             if '/' in name:
@@ -116,7 +116,7 @@ def _load(names: Sequence[str]) -> None:
 
 
 def _all_of(end: int) -> bytes:
-    """Return all that the worker writes; nothing when that is not whole."""
+    """Return the complete answer of the worker, or nothing if it is incomplete."""
     deadline = monotonic() + LONGEST_S
     parts: list[bytes] = []
     attend = _attending[-1] if _attending else is_readable
@@ -131,7 +131,7 @@ def _all_of(end: int) -> bytes:
 
 
 def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
-    """Answer with a line of an exit code, a line of what had to be loaded, the answer, and a line end."""
+    """Answer with a line with the exit code, a line with the loaded modules, the answer, and a line end."""
     code, answer, known = SHORT_OF_MEMORY, b'', {*sys.modules, *_types()}
     gc.freeze()  # a collection would copy all pages that it shares with the grader
     try:
@@ -168,7 +168,7 @@ def _text(work: Callable[[], Any]) -> str:
 
 
 def _limit(end: int, parent: int) -> None:
-    """Take on the limits, hold nothing of the grader's open (its lock, its runs), and end when it does."""
+    """Apply the limits, close the grader's open files (its lock, its runs), and end when the grader ends."""
     import resource
 
     from .sandbox.system import PR_SET_PDEATHSIG, prctl
@@ -202,9 +202,8 @@ class TooLong(Exception):
 
 @contextmanager
 def cpu_limit(seconds: float) -> Iterator[None]:
-    """Raise TooLong inside when more than this processor time is used. A busy machine makes no difference.
-
-    Only the main thread of a POSIX system can be limited; elsewhere nothing is.
+    """Raise TooLong inside the context after this much processor time, however busy the machine is. This limits only the main
+    thread on a POSIX system, and nothing elsewhere.
     """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield

@@ -57,7 +57,7 @@ def explain_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def explain_verb(arguments: argparse.Namespace) -> int:
-    """Print it. Return 0 if the launch file can be visited, 1 if it fails, 2 for invalid input."""
+    """Print the explanation. Return 0 if the launch file can be visited, 1 if it fails, 2 for invalid input."""
     if is_rule(arguments.package_or_path):
         return explain_rule(arguments.package_or_path)
     gc.disable()  # collecting garbage takes longer than drawing the tree, and this process ends soon

@@ -75,7 +75,7 @@ def _seconds(text: str) -> float:
 
 
 def launch_verb(arguments: argparse.Namespace) -> int:
-    """Run it. Return 0 if launch ended well (even if a node died, as in ROS 2), 1 if not, 2 for invalid input."""
+    """Run the launch file. Return 0 if launch ended well (even if a node died, as in ROS 2), 1 if not, 2 for invalid input."""
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
@@ -166,7 +166,7 @@ def _print_end(arguments: argparse.Namespace, session: Session, recording: Recor
 
 
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
-    """Run in the simulation, unless the options of a plug-in choose another place.
+    """Return the class of session: that of the simulation, unless the options of a plug-in choose another one.
 
     :raises UnusableInput: when that is not possible.
     """

@@ -84,7 +84,7 @@ def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]
 
 
 def _write_mcap(recording: Recording, path: str, names: list[str]) -> None:
-    """The file of such a bag alone, with an index. Its bytes do not depend on its name."""
+    """Write a single MCAP file with an index. Its bytes do not depend on its name."""
     from tempfile import TemporaryDirectory
 
     with TemporaryDirectory(dir=os.path.dirname(path) or '.') as place:

@@ -26,13 +26,13 @@ SOON_S = 0.02
 
 
 class Peer(Protocol):
-    """What a connection becomes after its first frame: a terminal, or a live view."""
+    """Receives the frames of a connection after the first one: a terminal or a live view."""
 
     def take(self, kind: int, payload: bytes) -> None:
         """Handle a frame of the other side."""
 
     def hang_up(self) -> None:
-        """The other side has closed the connection."""
+        """Handle the end of the connection."""
 
 
 class Connection:
@@ -40,7 +40,7 @@ class Connection:
 
     :param open_peer: creates the terminal or live view that the first frame requests.
     :param forget: called once, when it is closed.
-    :ivar terminal: what it became, if it is one.
+    :ivar terminal: the terminal that it serves, if it serves one.
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class Connection:
         return True
 
     def close(self) -> None:
-        """The other side has closed, or must: its programs end as those of a closed terminal."""
+        """Close the connection; its programs end like those of a closed terminal."""
         if self.is_open:
             self.is_open = False
             self._selector.unregister(self._socket)
@@ -199,7 +199,7 @@ class RemoteInput(PipedInput):
         return self.size if self._is_terminal else super().terminal_size()
 
     def take_due(self) -> None:
-        """A program reads, or checks whether there is input."""
+        """Ask the other end for its keyboard, because a program reads or checks for input."""
         if not self._is_wanted:
             self._is_wanted = True
             self._send(wire.READ)

@@ -37,8 +37,7 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
         self.on_msg(self._hear)
 
     def _hear(self, widget: object, request: Any, buffers: object) -> None:
-        """Take a message of the page. It may arrive on another thread (a subshell of the kernel), and is handled on the
-        machine's."""
+        """Handle a message of the page on the machine's thread. It may arrive on another one (a subshell of the kernel)."""
         self._machine.soon(lambda: self._take(request))
 
     def _take(self, request: Any) -> None:

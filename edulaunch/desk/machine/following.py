@@ -184,7 +184,7 @@ class Follower:
             return  # the next read shows that the machine has ended
 
     def _look(self, signum: int, frame: FrameType | None) -> None:
-        """Called while an answer of the machine is due: explain its state, or give up."""
+        """Explain the state of a machine that owes an answer, or give up."""
         if self.is_welcome and not self._unanswered:
             return
         waited_s = time.monotonic() - self._began_s

@@ -1,8 +1,9 @@
 """The process beside a machine that can always act: it watches the machine, reports where it is stuck, and can kill it.
 
-A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine. The
-guardian is the machine's parent process. It receives a heartbeat. When that stops, it writes its knowledge to a file that the
-terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
+A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine.
+The
+guardian is the machine's parent process. It receives a heartbeat. When the heartbeat stops, it writes the state of the machine
+to a file that the terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
 
 `python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`; file descriptor 3 is the end of the heartbeat's pipe.
 """
@@ -45,7 +46,7 @@ LIBRARIES = (
     ENGINE,
     *(os.path.join(path, '') for path in (os.path.dirname(os.__file__), *map(get_path, ('stdlib', 'purelib', 'platlib')))),
 )
-"""As in `frame_owner`, which loads the engine: this process stays small."""
+"""A copy of the list in `frame_owner`; importing that module would load the engine, and this process should stay small."""
 HEADER = '(most recent call first):'
 
 
@@ -72,7 +73,7 @@ class Guardian:
         self.is_ready = False
 
     def stop(self, signum: int = 0, frame: FrameType | None = None) -> None:
-        """A user stops the machine: it gets a moment to end by itself."""
+        """Stop the machine for a user; it gets a moment to end by itself."""
         if self._stop_at_s is None:
             self._stop_at_s = time.monotonic() + STOP_S
             self._signal(signal.SIGTERM)
@@ -176,7 +177,7 @@ class Guardian:
             return
 
     def clean_up(self, code: int) -> None:
-        """The machine has ended: remove its file for terminals, and write the reason to its log if nothing else does."""
+        """Remove the file that an ended machine leaves for terminals, and write the reason to its log if nothing else does."""
         with locked(self._place, self._number):
             address = read_address(self._place, self._number)
             if address is None or address.pid != self._pid:

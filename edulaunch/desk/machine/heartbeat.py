@@ -21,7 +21,7 @@ BEAT_S = 0.4
 class Heartbeat:
     """Reports whether a machine waits for terminals, or some program has kept its turn since the last beat.
 
-    :param pipe: where the beats are written; it may have no reader.
+    :param pipe: the pipe for the beats, which may have no reader.
     """
 
     def __init__(self, server: Server, pipe: int = HEARTBEAT) -> None:

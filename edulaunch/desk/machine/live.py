@@ -43,7 +43,7 @@ class Page:
         self._until_s = self._next_s = 0.0
 
     def ask(self) -> None:
-        """The page asks for news."""
+        """Record that the page asks for news."""
         self._until_s = time.monotonic() + SHOWN_FOR_S
 
     def is_shown(self) -> bool:
@@ -51,7 +51,7 @@ class Page:
         return time.monotonic() < self._until_s
 
     def show(self) -> None:
-        """Send the news, if it is time to."""
+        """Send the news if they are due."""
         now_s = time.monotonic()
         if self._next_s <= now_s < self._until_s:
             self._next_s = now_s + SHOWN_EVERY_S
@@ -164,7 +164,7 @@ class LiveMachine(ViewedMachine):
 
 @contextmanager
 def in_its_turn() -> Iterator[None]:
-    """Enter it around each turn of a machine in the asyncio loop of a notebook."""
+    """Return a context for each turn of a machine in the asyncio loop of a notebook."""
     with outer_loop_set_aside(), streams_of_programs():
         yield
 

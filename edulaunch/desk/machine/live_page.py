@@ -53,6 +53,6 @@ class LivePage:
                 self._viewer.take(request)
 
     def hang_up(self) -> None:
-        """The page has closed."""
+        """Handle the end of the page."""
         self._forget(self)
         self._viewer.close()

@@ -128,7 +128,7 @@ class Server:
         self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
 
     def _open_peer(self, connection: Connection, fields: list[str]) -> Peer:
-        """Handle a new connection with the session of now, which may have changed since the connection was accepted."""
+        """Open a terminal or page in the current session, which may have changed since the connection was accepted."""
         return self.terminals.open(connection, fields)
 
     def _forget(self, connection: Connection) -> None:

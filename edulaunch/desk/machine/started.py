@@ -201,7 +201,7 @@ class Machine(LiveMachine):
         return slider(self, self.take, node, name, limits)
 
     def take(self, words: dict[str, Any]) -> None:
-        """Do manually what a page would request."""
+        """Do what a request of a page would do."""
         self.do_for(self._hand, words)
 
     def record_request(self, words: dict[str, Any]) -> None:

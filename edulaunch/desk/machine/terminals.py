@@ -232,7 +232,7 @@ class Terminal:
                 self._connection.send(wire.ERRORS, note.encode())
 
     def _finished(self, code: int) -> None:
-        """The command has run to its end: check its launches and programs."""
+        """Check the launches and programs of the command, which has ended."""
         if self.process is not None and self.words[:2] in ADVISED and '--quiet' not in self.words:
             session, typed, pid = self._terminals.session, self.process.name, self.process.pid
             lines = end_of_run_lines(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
@@ -242,7 +242,7 @@ class Terminal:
         self.ended(code)
 
     def ended(self, code: int) -> None:
-        """The command has ended, and the terminal with it."""
+        """End the terminal together with its command."""
         self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
         self._connection.end()
 
@@ -279,7 +279,7 @@ class Terminal:
         return [process for process in processes if process.group is self.process]
 
     def hang_up(self) -> None:
-        """The other end has closed: send SIGHUP to the programs that still run there."""
+        """Send SIGHUP to the programs that still run after the other end has closed."""
         if self in self._terminals.open_ones:
             self._terminals.open_ones.remove(self)
         host = self._terminals.session.host

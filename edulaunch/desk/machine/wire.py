@@ -12,7 +12,7 @@ INPUT = ord(b'I')
 SIGNAL = ord(b'S')
 SIZE = ord(b'Z')
 WELCOME = ord(b'W')
-"""From the machine, first."""
+"""The machine's first frame."""
 ANSWER = ord(b'A')
 """The machine has handled all signals so far."""
 OUTPUT = ord(b'1')

@@ -303,7 +303,7 @@ def _node(number: int, row: Sequence[Any]) -> list[Any]:
 
 
 def _process(number: int, row: Any) -> list[Any]:
-    """[number, name, pid, argv, from, to, return code, place of its launch action]"""
+    """Return [number, name, pid, argv, from, to, return code, place of its launch action]"""
     end = row['ended']
     return [
         number,

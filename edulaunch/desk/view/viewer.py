@@ -246,7 +246,7 @@ class Viewer:
         return process
 
     def close(self) -> None:
-        """The page has closed: its programs end, and the machine continues."""
+        """End the programs of the closed page; the machine continues."""
         if self._session.sim.is_suspended:
             self._session.let_go()
             self._time.paused = False

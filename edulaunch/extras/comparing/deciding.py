@@ -16,7 +16,7 @@ from edulaunch.extras.comparing.observation import Observation, program_of
 SLOWNESS = 2.0
 """A real run may need this many times as long as the simulation."""
 SPARE_S = 5.0
-"""And this many seconds more, besides the time in which its programs started."""
+"""The additional seconds that it may need, not counting the time in which its programs started."""
 _WAITING = re.compile(r'\b(still )?wait(s|ing)?\b', re.IGNORECASE)
 _NOT_YET = re.compile(r'extrapolation|does not exist|not part of the same tree|[Cc]ould not (find a connection|transform)')
 """What tf2 reports before a transform has arrived."""

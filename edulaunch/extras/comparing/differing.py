@@ -216,7 +216,7 @@ def _signalled_s(seen: Observation, process: str) -> float:
 
 
 def _is_last(seen: Observation, line: Line) -> bool:
-    """Return whether its program had received a signal by then or, in simulation, whether it had ended by then."""
+    """Return whether the program had received a signal before a time or, in simulation, whether it had ended before."""
     ends = (each.ended_s for name, each in seen.programs.items() if program_of(name) == line.process)
     return line.time_s >= min([_signalled_s(seen, line.process), *(end_s for end_s in ends if end_s is not None)])
 

@@ -63,7 +63,7 @@ def run_for_real(
     is_enough: IsEnough = lambda seen: True,
     patience_s: float = 0.0,
 ) -> Observation:
-    """Launch it in a separate domain of this computer, press Ctrl-C, and return the observation.
+    """Launch a file in a separate domain of this computer, press Ctrl-C, and return the observation.
 
     :param seconds: duration of the run, which is extended by up to `patience_s` until `is_enough` accepts the observation.
     :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
@@ -135,7 +135,7 @@ def _is_free(port: int) -> bool:
 
 @contextmanager
 def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
-    """A node that observes the run and reports when asked, while the session continues.
+    """Start a node that observes the run and reports on request, while the session continues.
 
     :raises EdulaunchError: when it did not start, or died.
     """
@@ -174,7 +174,7 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
 
 
 class _Watch:
-    """The reports of a run's observer until now, and the output of its processes; times count from here."""
+    """The reports of a run's observer so far, and the output of its processes. Times count from the creation of this object."""
 
     def __init__(self, session: Session) -> None:
         assert isinstance(session.host, NativeHost)

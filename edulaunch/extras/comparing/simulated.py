@@ -136,7 +136,7 @@ def simulate(
     start_s: float = EPOCH_NS / 1e9,
     seed: int = 0,
 ) -> Observation:
-    """Run it, press Ctrl-C after `seconds`, and return the observation.
+    """Run a launch file, press Ctrl-C after `seconds`, and return the observation.
 
     :param delays_s: delays before programs start, by launch name.
     :param start_s: the time of day at which it begins, in seconds since 1970.

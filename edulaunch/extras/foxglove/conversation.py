@@ -1,6 +1,5 @@
-"""The server's end of one client: what it subscribed to, what it publishes, and what the server sends to it.
-
-A client that reads slowly is asked for less often. Then the server leaves out old messages, and counts them.
+"""The server's end of one client: its subscriptions, its publications, and the messages that the server sends to it. A client
+that reads slowly gets fewer turns. Then the server leaves out old messages, and counts them.
 The queue of answers is limited.
 """
 
@@ -17,22 +16,22 @@ from edulaunch.extras.foxglove.said import Message
 from edulaunch.ros.serialization.cdr import encode
 
 MOST_ROWS = 500
-"""Messages of one topic in one turn."""
+"""The most messages of one topic in one turn."""
 MOST_BYTES = 12 << 20
-"""Bytes of messages in one turn."""
+"""The most bytes of messages in one turn."""
 MOST_WAITING = 4 << 20
-"""Bytes of answers that wait for a client. A client that asks on and does not read is let go."""
+"""The most bytes of answers that wait for a client. A client that sends more requests without reading is disconnected."""
 MOST_CHANNELS = 1000
-"""Subscriptions of one client, and topics on which it publishes."""
+"""The most subscriptions of one client, and the most topics on which it publishes."""
 ENCODING, SCHEMA = 'cdr', 'ros2msg'
 
 
 class TooMuch(ValueError):
-    """A client asks for more than it reads."""
+    """A client sends more requests than it reads answers."""
 
 
 class Conversation:
-    """Takes the messages of a client, and gives in each turn the messages for the client."""
+    """Handles the messages of a client, and returns the messages for the client in each turn."""
 
     def __init__(self, feed: Feed) -> None:
         self._feed = feed
@@ -56,7 +55,7 @@ class Conversation:
         self._begin()
 
     def _begin(self) -> None:
-        """Say who is here. All that the client knew of another session is void."""
+        """Send the server's first messages. They replace everything that the client knew of another session."""
         feed = self._feed
         self._session = feed.session()
         self._version: object = None
@@ -111,7 +110,7 @@ class Conversation:
             self._begin()
 
     def _look(self) -> None:
-        """Report which topics and services came or went."""
+        """Report new and removed topics and services."""
         version = self._feed.version()
         if version == self._version:
             return
@@ -130,7 +129,7 @@ class Conversation:
         tells: str,
         what: str,
     ) -> list[int]:
-        """Report what came and what went. Returns the numbers of what went."""
+        """Report new and removed entries, and return the numbers of the removed ones."""
         gone = [number for number, topic in known.items() if topic not in here]
         for number in gone:
             del known[number]
@@ -174,7 +173,7 @@ class Conversation:
         return {'id': self._number, 'name': service.name, 'type': service.type, **parts}
 
     def _data(self) -> list[bytes]:
-        """Return the messages of subscribed topics since the last turn. Of too many the oldest are left out."""
+        """Return the messages of subscribed topics since the last turn. If there are too many, leave out the oldest."""
         told: list[bytes] = []
         left = MOST_BYTES
         for number, (channel, key) in self._subscribed.items():
@@ -219,9 +218,9 @@ class Conversation:
     # -- messages from the client
 
     def take(self, message: Message) -> None:
-        """Do what the client asks for. The answer to what is not possible is an error message.
+        """Handle a request of the client. An error message answers an impossible request.
 
-        :raises TooMuch: when the client asks for more than it reads.
+        :raises TooMuch: when the client sends more requests than it reads answers.
         """
         if self._waiting_bytes > MOST_WAITING:
             raise TooMuch
@@ -327,7 +326,7 @@ class Conversation:
         self._say(said.no_asset(request.request, 'edulaunch serves no files'))
 
     def close(self) -> None:
-        """The client is gone."""
+        """Handle the end of the client."""
         self._feed.close()
 
 

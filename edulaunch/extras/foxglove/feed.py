@@ -1,4 +1,4 @@
-"""What a conversation with a client needs to know: a feed is a machine that runs, or a recording that plays."""
+"""The source of a conversation with a client: a feed is a running machine or a recording that is played."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Row = tuple[int, Any]
 
 
 class Refused(Exception):
-    """A feed cannot do what a client asks for. The text is for the user of the client."""
+    """A feed cannot fulfil a request. The text is for the user of the client."""
 
 
 class Topic(NamedTuple):
@@ -28,10 +28,10 @@ class Topic(NamedTuple):
 
 
 class Feed(Protocol):
-    """What is served.
+    """The data that a server offers.
 
-    :ivar name: of the server, as clients show it.
-    :ivar capabilities: what clients may ask for, in the words of the protocol.
+    :ivar name: the name of the server, which clients show.
+    :ivar capabilities: the requests that clients may send, in the words of the protocol.
     """
 
     name: str
@@ -41,55 +41,57 @@ class Feed(Protocol):
         """Return a string that changes when a new session begins."""
 
     def details(self) -> dict[str, Any]:
-        """Return what the server's first message says besides."""
+        """Return the other fields of the server's first message."""
 
     def advance(self) -> list[bytes]:
-        """Time passes; returns what a client has to know about how it passes."""
+        """Let time pass; return the messages for a client about this."""
 
     def now_ns(self) -> int:
-        """Return the time of now, in ns since 1970."""
+        """Return the current time, in ns since 1970."""
 
     def version(self) -> object:
-        """Another value whenever topics, services or the graph may have changed."""
+        """Return a value that changes whenever topics, services or the graph may have changed."""
 
     def topics(self) -> Sequence[Topic]:
-        """Return what is published now."""
+        """Return the current topics."""
 
     def services(self) -> Sequence[Topic]:
-        """Return what is served now."""
+        """Return the current services."""
 
     def graph(self) -> Graph:
-        """Return who publishes, subscribes and serves: nodes by name under 'published', 'subscribed' and 'served'."""
+        """Return the nodes of each topic and service, by its name, under 'published', 'subscribed' and 'served'."""
 
     def end(self, key: Key) -> int:
-        """Return the place of the next message of a topic."""
+        """Return the position of the next message of a topic."""
 
     def kept(self, key: Key) -> list[Row]:
         """Return the messages for a late subscriber: the last ones of a latched topic."""
 
     def rows(self, key: Key, first: int, most: int) -> tuple[list[Row], int, int]:
-        """At most the last `most` messages since a place, the place of the next one, and how many are missing."""
+        """Return the last messages since a position (at most `most`), the position of the next one, and the number of missing
+        ones.
+        """
 
     def parameters(self) -> dict[str, Any]:
-        """Return the values of now, by '/node.parameter'."""
+        """Return the current values by '/node.parameter'."""
 
     def parameter_version(self) -> object:
-        """Another value whenever a parameter may have changed."""
+        """Return a value that changes whenever a parameter may have changed."""
 
     def set(self, values: Sequence[tuple[str, Value, str | None]], answer: Callable[[str], object]) -> None:
-        """Set parameters; `answer` is called with what went wrong, '' for nothing, when all of them are set.
+        """Set parameters. When this is done, `answer` is called with an error message, which is '' on success.
 
         :raises Refused: when that is not possible.
         """
 
     def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
-        """Return a new publisher. Returns what publishes CDR bytes, which raises Refused for bytes of another type.
+        """Create a publisher. Return a function that publishes CDR bytes, and raises Refused for bytes of another type.
 
         :raises Refused: when that is not possible.
         """
 
     def retire(self, publish: Callable[[bytes], object]) -> None:
-        """A publisher leaves."""
+        """Remove a publisher."""
 
     def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
         """Call a service. `answer` is called with its response, or with an error message.
@@ -98,10 +100,10 @@ class Feed(Protocol):
         """
 
     def play(self, request: Playback) -> tuple[bytes, bool]:
-        """Play, pause or seek; returns the state, and whether the place is another one.
+        """Play, pause or seek; return the state, and whether the position has changed.
 
         :raises Refused: when that is not possible.
         """
 
     def close(self) -> None:
-        """The client is gone."""
+        """Handle the end of the client."""

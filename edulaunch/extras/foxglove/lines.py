@@ -1,4 +1,4 @@
-"""What a web socket is connected to: a conversation in the machine's process, or one right here, for a recording."""
+"""The line of a web socket to its conversation, which is in the machine's process or, for a recording, in this process."""
 
 from __future__ import annotations
 
@@ -13,35 +13,35 @@ from edulaunch.extras.foxglove.said import Message
 from edulaunch.runtime.framing import Frames, frame
 
 TEXT, BYTES, TURN = b'tbn'
-"""What a frame to the machine holds: a string of the client, bytes of the client, or the wish for a turn."""
+"""The kinds of frames to the machine: a string of the client, bytes of the client, or a request for a turn."""
 _LAST = ord('e')
 END = frame(_LAST)
-"""Follows the last message of a turn."""
+"""The kind of the frame after the last message of a turn."""
 
 
 def packed(message: Message) -> bytes:
-    """Return a message as it goes between the process of the machine and that of the server."""
+    """Return a message in the form for the connection between the processes of the machine and of the server."""
     return frame(TEXT, message.encode()) if isinstance(message, str) else frame(BYTES, message)
 
 
 class Line(Protocol):
-    """What a web socket is connected to."""
+    """The connection of a web socket to a conversation."""
 
     async def say(self, message: Message) -> None:
-        """The client says something."""
+        """Pass on a message of the client."""
 
     async def turn(self) -> list[Message]:
-        """The messages for the client."""
+        """Return the messages for the client."""
 
     def close(self) -> None:
-        """The client is gone."""
+        """Handle the end of the client."""
 
 
 class MachineLine:
     """A conversation in the machine's process.
 
     :param connection: a socket that is connected to the machine.
-    :param hello: the first frame to say on it.
+    :param hello: the first frame to send on it.
     """
 
     def __init__(self, connection: socket.socket, hello: bytes) -> None:
@@ -58,10 +58,10 @@ class MachineLine:
         await self._send(packed(message))
 
     async def turn(self) -> list[Message]:
-        """The messages for the client.
+        """Return the messages for the client.
 
-        :raises StreamClosedError: when the machine is gone.
-        :raises OSError: with what the machine says when it takes no more clients.
+        :raises StreamClosedError: when the machine has ended.
+        :raises OSError: with the message of a machine that accepts no more clients.
         """
         await self._send(frame(TURN))
         found: list[Message] = []

@@ -1,4 +1,4 @@
-"""A machine that runs, as the feed of one client. A client that publishes or asks has a node of its own in the graph."""
+"""A running machine as the feed of one client. A client that publishes or sends requests has its own node in the graph."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 MOST_CALLS = 100
-"""Requests of one client that wait for their reply."""
+"""The most requests of one client that wait for their reply."""
 MOST_PROBLEMS = 5
-"""Parameters in one error message."""
+"""The most parameters in one error message."""
 ANSWER_NS = 30 * 10**9
-"""Simulated time after which a service will not answer any more."""
+"""Simulated seconds after which a request is given up."""
 SLOTS = ('', 'bool', 'integer', 'double', 'string', 'byte_array', 'bool_array', 'integer_array', 'double_array', 'string_array')
 """The fields of rcl_interfaces/msg/ParameterValue by the number of the type; each ends in '_value'."""
 
 
 class LiveFeed:
-    """The session that runs on a machine now.
+    """The feed of the current session of a machine.
 
-    :param number: of the client, for the name of its node.
+    :param number: the number of the client, for the name of its node.
     """
 
     name = 'edulaunch'
@@ -64,7 +64,7 @@ class LiveFeed:
         return self._session.sim.now_ns
 
     def advance(self) -> list[bytes]:
-        """Return the machine has its own clock. This gives up requests that got no answer."""
+        """Give up requests that got no answer; the machine's own clock lets time pass."""
         late = [call for call, (until_ns, _) in self._calls.items() if until_ns < self.now_ns()]
         for call in late:
             _, answer = self._calls.pop(call)
@@ -141,7 +141,7 @@ class LiveFeed:
             publisher.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """Return the class of a message type: of an endpoint that uses it, or of the machine."""
+        """Return the class of a message type, from an endpoint that uses it or from the machine."""
         for node in self._graph.nodes:
             for end in node.endpoints:
                 if end.type_name == type_name and hasattr(end.cls, 'from_wire'):
@@ -260,7 +260,7 @@ def _decoded(cls: Any, data: bytes, what: str) -> Any:
 
 
 def _typed(name: str, value: Value, kind: str | None, current: Any) -> dict[str, Any]:
-    """Return the fields of a ParameterValue. In JSON, 2 can also mean 2.0. So the present type counts."""
+    """Return the fields of a ParameterValue. In JSON, 2 can also mean 2.0, so the current type counts."""
     if kind == 'byte_array':
         raise Refused(f'{name}: byte arrays cannot be set')
     was = type_of_value(current)

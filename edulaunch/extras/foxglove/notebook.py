@@ -67,9 +67,9 @@ def foxglove(shown: LiveMachine | Recording, port: int = 0, origins: Sequence[st
     """Serve a machine or a recording to Foxglove and Lichtblick while the notebook's kernel runs.
 
     :param shown: the machine or the recording.
-    :param port: of the loopback, or 0 for any free one.
-    :param origins: of pages that may connect besides Foxglove's.
-    :raises UnusableInput: without a running asyncio loop, and when the port is taken.
+    :param port: a port of the loopback, or 0 for any free one.
+    :param origins: the origins of pages that may connect in addition to Foxglove's.
+    :raises UnusableInput: without a running asyncio loop, and when the port is in use.
     """
 
     def make(subprotocol: str) -> Conversation:

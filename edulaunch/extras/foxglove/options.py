@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """The options of the verb `view`."""
+    """Add the options of the verb `view`."""
     parser.add_argument('recording', nargs='?', metavar='RECORDING', help='with --foxglove: play this recording')
     parser.add_argument('--foxglove', action='store_true', help='serve Foxglove and Lichtblick in place of the page')
     parser.add_argument('--trusted', action='store_true', help='with --foxglove: read the recording however large it is')
@@ -29,7 +29,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
-    """Return what to run in place of the page; None without the option.
+    """Return the function to run instead of the page; None without the option.
 
     :raises UnusableInput: for a recording without the option.
     :raises RecordingError: when the recording cannot be read.

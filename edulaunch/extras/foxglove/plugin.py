@@ -1,4 +1,4 @@
-"""What this plug-in adds: `edulaunch view --foxglove`, `.foxglove()` in notebooks, and the machine's end of it."""
+"""The plug-in for Foxglove: it adds `edulaunch view --foxglove`, `.foxglove()` in notebooks, and a service of the machine."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""What a client of the Foxglove WebSocket protocol may say. Everything is checked here: a sentence refuses what is wrong.
-
-A client is a stranger. Its messages have a limited size, its lists a limited length, and its numbers a limited range.
+"""The messages that a client of the Foxglove WebSocket protocol may send. This module checks everything, and refuses an invalid
+message with a sentence. A client may be hostile, so the size of messages, the length of lists and the range of numbers are
+limited.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from typing import Any, NamedTuple, NoReturn
 SDK, OLD = 'foxglove.sdk.v1', 'foxglove.websocket.v1'
 SUBPROTOCOLS = (SDK, OLD)
 LONGEST_MESSAGE = (1 << 20) - 64
-"""Bytes of one message of a client."""
+"""The most bytes of one message of a client."""
 MOST_ITEMS = 1000
-"""Entries of one list."""
+"""The most entries of one list."""
 LONGEST_TEXT = 512
-"""Letters of one name."""
+"""The most letters of one name."""
 FASTEST = 100.0
-"""Times real time, at which a recording plays at most."""
+"""The highest speed of a recording, relative to real time."""
 Value = bool | int | float | str | list[Any]
 
 
@@ -29,13 +29,13 @@ class ProtocolError(ValueError):
 
 
 class Subscribe(NamedTuple):
-    """From now on send the messages of these channels: (subscription, channel)."""
+    """A request for the messages of these channels: (subscription, channel)."""
 
     pairs: tuple[tuple[int, int], ...]
 
 
 class Unsubscribe(NamedTuple):
-    """Send no more for these subscriptions."""
+    """A request to end these subscriptions."""
 
     ids: tuple[int, ...]
 
@@ -50,13 +50,13 @@ class ClientChannel(NamedTuple):
 
 
 class Advertise(NamedTuple):
-    """The client wants to publish on these."""
+    """The client wants to publish on these channels."""
 
     channels: tuple[ClientChannel, ...]
 
 
 class Unadvertise(NamedTuple):
-    """The client does not want to publish on these any more."""
+    """The client no longer wants to publish on these channels."""
 
     ids: tuple[int, ...]
 
@@ -78,34 +78,34 @@ class Call(NamedTuple):
 
 
 class GetParameters(NamedTuple):
-    """Asks for some parameters, or for all without names."""
+    """A request for some parameters, or for all if it has no names."""
 
     names: tuple[str, ...]
     request: str | None
 
 
 class SetParameters(NamedTuple):
-    """Sets parameters: (name, value, type). The type is 'float64', 'float64_array', 'byte_array' or None."""
+    """A request to set parameters: (name, value, type). The type is 'float64', 'float64_array', 'byte_array' or None."""
 
     values: tuple[tuple[str, Value, str | None], ...]
     request: str | None
 
 
 class WatchParameters(NamedTuple):
-    """Send these parameters when they change, or no longer. No names mean all parameters."""
+    """A request to start or stop sending these parameters when they change. Without names, it means all parameters."""
 
     names: tuple[str, ...]
     on: bool
 
 
 class WatchGraph(NamedTuple):
-    """Send who publishes, subscribes and serves, or send it no more."""
+    """A request to start or stop sending the graph of nodes, topics and services."""
 
     on: bool
 
 
 class Playback(NamedTuple):
-    """Play or pause a recording, at a speed, and go to a time first if there is one."""
+    """A request to play or pause a recording at a speed, after moving to a time if it names one."""
 
     plays: bool
     speed: float
@@ -114,7 +114,7 @@ class Playback(NamedTuple):
 
 
 class FetchAsset(NamedTuple):
-    """Asks for a file."""
+    """A request for a file."""
 
     uri: str
     request: int
@@ -137,9 +137,9 @@ Request = (
 
 
 def parse(message: str | bytes) -> Request:
-    """Return what a client says.
+    """Parse a message of a client.
 
-    :raises ProtocolError: when it may not say that.
+    :raises ProtocolError: when the client may not send it.
     """
     if len(message) > LONGEST_MESSAGE:
         raise ProtocolError(f'a message may have at most {LONGEST_MESSAGE} bytes')
@@ -204,7 +204,7 @@ def _checked_text(op: str, name: str, value: Any) -> str:
 
 
 def _unicode(op: str, value: str) -> str:
-    """Return a string that can be UTF-8: JSON can also have halves of a letter."""
+    """Return a string that UTF-8 can represent. Strings in JSON may also contain halves of a character."""
     try:
         value.encode()
     except UnicodeEncodeError:

@@ -1,4 +1,4 @@
-"""A recording as the feed of one client: it plays, pauses and seeks for this client alone."""
+"""A recording as the feed of one client: it plays, pauses and seeks only for this client."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class RecordingFeed:
     """Plays a recording from its beginning, at the speed of real time until the client asks for another one.
 
     :param controls: whether the client can control how the recording plays.
-    :param clock: gives real time, in seconds (for tests).
+    :param clock: returns real time, in seconds (for tests).
     """
 
     def __init__(
@@ -130,7 +130,9 @@ class RecordingFeed:
         return bisect_right(self._columns[key]['times'], self._at_ns)
 
     def kept(self, key: Key) -> list[Row]:
-        """What a client sees that comes now: the last message of each publisher, and of a latched topic as many as it keeps."""
+        """Return the messages for a client that subscribes now: the last message of each publisher or, for a latched topic, as
+        many as it keeps.
+        """
         wires, column, end = self._wires_of(key), self._columns[key], self.end(key)
         depths = {row[4]: _depth(row[6]) for row in self._ends if row[0] == 'publisher' and row[1] == key[0]}
         taken: dict[int, int] = {}
@@ -169,13 +171,13 @@ class RecordingFeed:
         raise Refused(NO_CHANGES)
 
     def retire(self, publish: Callable[[bytes], object]) -> None:
-        """A recording has no publisher of a client."""
+        """Do nothing, because clients cannot publish in a recording."""
 
     def call(self, service: Topic, request: bytes, answer: Callable[[bytes | str], object]) -> None:
         raise Refused(NO_CHANGES)
 
     def close(self) -> None:
-        """A recording needs no clean-up."""
+        """Do nothing, because a recording needs no clean-up."""
 
 
 def _depth(policies: Sequence[Any]) -> int:

@@ -1,4 +1,4 @@
-"""What a server of the Foxglove WebSocket protocol says. Strings are JSON, and bytes are little-endian."""
+"""The messages that a server of the Foxglove WebSocket protocol sends. Strings are JSON, and bytes are little-endian."""
 
 from __future__ import annotations
 
@@ -25,43 +25,43 @@ def op(operation: str, /, **fields: Any) -> str:
 def status(level: int, text: str, number: str | None = None) -> str:
     """Return a sentence for the user.
 
-    :param number: replaces the sentence that had the same one.
+    :param number: a new sentence replaces an older one with the same number.
     """
     return op('status', level=level, message=text, **({} if number is None else {'id': number}))
 
 
 def data(subscription: int, time_ns: int, cdr: bytes) -> bytes:
-    """Return a message of a topic."""
+    """Return the frame for a message of a topic."""
     return struct.pack('<BIQ', 1, subscription, time_ns) + cdr
 
 
 def time(now_ns: int) -> bytes:
-    """Return what the clock of the machine shows."""
+    """Return the frame with the time of the machine."""
     return struct.pack('<BQ', 2, now_ns)
 
 
 def response(service: int, number: int, cdr: bytes) -> bytes:
-    """Return the reply of a service."""
+    """Return the frame for the reply of a service."""
     return struct.pack('<BIII', 3, service, number, 3) + b'cdr' + cdr
 
 
 def no_asset(request: int, why: str) -> bytes:
-    """Return a file that a client asked for cannot be had."""
+    """Return the reply to a request for a file that is not available."""
     text = why.encode()
     return struct.pack('<BIBI', 4, request, 1, len(text)) + text
 
 
 def playback(state: int, now_ns: int, speed: float, did_seek: bool = False, request: str = '') -> bytes:
-    """Return how a recording plays.
+    """Return the message with the state of a played recording.
 
-    :param request: of the client that asked for it.
+    :param request: the identifier of the request that caused it.
     """
     text = request.encode()
     return struct.pack('<BBQfBI', 5, state, now_ns, speed, did_seek, len(text)) + text
 
 
 def parameters(values: Mapping[str, Any], request: str | None = None) -> str:
-    """Return the values of parameters by name."""
+    """Return the message with the values of parameters by name."""
     rows = [_parameter(name, value) for name, value in values.items()]
     return op('parameterValues', parameters=rows, **({} if request is None else {'id': request}))
 
@@ -81,10 +81,11 @@ def _parameter(name: str, value: Any) -> dict[str, Any]:
 
 
 def graph_update(now: Graph, before: Graph | None) -> str | None:
-    """Return what differs between two connection graphs: 'published', 'subscribed' and 'served', each with nodes by name.
+    """Return the message with the differences between two graphs: 'published', 'subscribed' and 'served', each with nodes by
+    name.
 
-    :param before: None: the client knows nothing yet.
-    :returns: None when nothing differs.
+    :param before: the graph that the client knows, or None.
+    :returns: None if the graphs are equal.
     """
     is_first, before = before is None, before or {}
     parts = (

@@ -1,8 +1,6 @@
-"""The web sockets: who may come in, and what goes back and forth between a client and a line.
-
-A client needs the token in the address, and the host name that the server gave out. A page in a browser needs an allowed origin,
-too. While a client does not read, the server asks the line for nothing. A message that is too long, or that no client may send,
-does not reach the machine.
+"""The web sockets: they accept clients, and pass messages between a client and its line. A client needs the token in the
+address, and the host name from the server's address. A page in a browser also needs an allowed origin. While a client does not
+read, the server requests no messages from the line. Messages that are invalid or too long do not reach the machine.
 """
 
 from __future__ import annotations
@@ -28,7 +26,7 @@ APP = 'https://app.foxglove.dev'
 TOO_MUCH = 'this client asks for more than it reads'
 PATH = r'/([\w-]+)/'
 Open = Callable[[str], Awaitable[Line]]
-"""Makes the line of a client that speaks a subprotocol."""
+"""Creates the line for a client with a subprotocol."""
 
 
 class Client(Guarded, WebSocketHandler):
@@ -63,7 +61,7 @@ class Client(Guarded, WebSocketHandler):
         self._talk = asyncio.create_task(self._tell())
 
     async def _tell(self) -> None:
-        """Ask the line for a turn whenever the client has taken the last one."""
+        """Request a turn from the line whenever the client has read the previous one."""
         assert self._line is not None
         try:
             while True:
@@ -81,7 +79,7 @@ class Client(Guarded, WebSocketHandler):
             self.close(1011, 'edulaunch made a mistake')
 
     async def on_message(self, message: str | bytes) -> None:
-        """Hand on what a client may say. The next message is not read before that."""
+        """Pass a valid message of the client on, before reading the next one."""
         if self._line is None:
             return
         try:
@@ -106,10 +104,10 @@ class Client(Guarded, WebSocketHandler):
 async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), opened: Callable[[str], object]) -> None:
     """Serve clients until cancelled.
 
-    :param port: of the loopback, or 0 for any free one.
-    :param origins: of pages that may connect besides Foxglove's.
-    :param opened: called with the address for clients once the server is there.
-    :raises OSError: when the port is taken.
+    :param port: a port of the loopback, or 0 for any free one.
+    :param origins: the origins of pages that may connect in addition to Foxglove's.
+    :param opened: called with the address for clients when the server is ready.
+    :raises OSError: when the port is in use.
     """
     await serve_paths(
         [(PATH, Client)],

@@ -1,6 +1,6 @@
-"""The machine's end of `edulaunch view --foxglove`: one conversation for each client. The server of web sockets is between.
-
-The machine sends nothing before the server asks for a turn. So a client that does not read costs the machine nothing.
+"""The machine's end of `edulaunch view --foxglove`: one conversation for each client. The server of web sockets is between the
+machine and the clients. The machine sends nothing before the server requests a turn. So a client that does not read causes no
+work for the machine.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _clients: list[Client] = []
 
 
 class Client:
-    """Takes the place of a terminal, and is fed the same frames."""
+    """Takes the place of a terminal, and receives the same frames."""
 
     def __init__(self, machine: LiveMachine, connection: Connection) -> None:
         self._connection = connection
@@ -30,9 +30,9 @@ class Client:
         _clients.append(self)
 
     def take(self, kind: int, payload: bytes) -> None:
-        """A message of the client, or the server's request for a turn.
+        """Handle a message of the client, or the server's request for a turn.
 
-        :raises ValueError: for a client that asks for more than it reads, and for an invalid payload.
+        :raises ValueError: for a client that sends more requests than it reads answers, and for an invalid payload.
         """
         if kind != wire.INPUT:
             return
@@ -44,13 +44,13 @@ class Client:
                 self._conversation.take(data.decode() if mark == TEXT else data)
 
     def hang_up(self) -> None:
-        """The client is gone."""
+        """Handle the end of the client."""
         _clients.remove(self)
         self._conversation.close()
 
 
 def peer(machine: LiveMachine, connection: Connection) -> Client:
-    """Return a client has come."""
+    """Return the peer of a new client."""
     if len(_clients) >= MOST_CLIENTS:
         connection.send(wire.ERRORS, f'{MOST_CLIENTS} clients are connected already'.encode())
         connection.end()

@@ -73,7 +73,7 @@ def _park(context: Any, deadline_ns: int | None) -> None:
 
 
 class _NodeFacts:
-    """What one of our nodes knows about itself: its names, and the parameter values from outside."""
+    """The facts about one of our nodes: its names, and its parameter values from outside."""
 
     destroyed = True  # prevents collecting facts from it
 
@@ -110,7 +110,7 @@ class _NodeFacts:
 
     @property
     def entry(self) -> Any:
-        """Represents the node there."""
+        """The object that represents the node in a graph."""
         return self.graph.entry
 
     @property

@@ -58,7 +58,7 @@ class RealTask:
 
 
 class _Loader:
-    """The modules of this process are Python's own."""
+    """The loader of this process, whose modules are Python's own."""
 
     modules = sys.modules
 

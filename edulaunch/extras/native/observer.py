@@ -123,7 +123,7 @@ class Observer:
                     self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
 
     def ask(self) -> None:
-        """Ask all nodes for their parameters, and take no messages from then on."""
+        """Ask all nodes for their parameters, and ignore messages from then on."""
         for subscription in self._subscriptions.values():
             self.node.destroy_subscription(subscription)
         self._subscriptions.clear()

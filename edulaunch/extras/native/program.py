@@ -39,7 +39,7 @@ def main() -> None:
 
 
 def _run(program: dict[str, Any], process: Any) -> Any:
-    """Run it like an executable of a package: the function of an entry point, or a file or module as `__main__`."""
+    """Run the program like an executable of a package: the function of an entry point, or a file or module as `__main__`."""
     sys.path[:0] = program['python_roots']  # before Python's own folders, like PYTHONPATH
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':

@@ -87,7 +87,7 @@ class Bridge:
         self.after_turn()
 
     def close(self) -> None:
-        """Leave it; repeating it changes nothing."""
+        """Leave the network; repeating it changes nothing."""
         if not self._is_open:
             return
         self._is_open = False
@@ -101,7 +101,7 @@ class Bridge:
         self._is_changed = True
 
     def note(self, key: str) -> None:
-        """Return 'network clock' and '/node' of a key 'clock /node', for the recording."""
+        """Record a problem: a key 'clock /node' becomes the kind 'network clock' and the subject '/node'."""
         kind, _, text = key.partition(' ')
         self.session.recorder.note(None, f'network {kind}', text)
 

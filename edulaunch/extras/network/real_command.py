@@ -48,7 +48,7 @@ def _write(stream: str, text: str) -> None:
 
 
 def main() -> int:
-    """Run it to its end."""
+    """Run the command to its end."""
     lock, *words = sys.argv[1:]
     end_with(lock)
     with NativeSession(workspaces=workspaces_of_command((), words[1] if len(words) > 1 else '')) as session:

@@ -21,9 +21,9 @@ from edulaunch.runtime.session import Session
 MOST_MISTAKES = 20
 LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
-"""This long after joining, the other nodes have been found."""
+"""Seconds after joining in which the other nodes have been found."""
 ALONE_NS = 10 * 10**9
-"""After this time without other nodes, the doctor reports that, too."""
+"""Seconds without other nodes after which the doctor reports that, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 

@@ -26,7 +26,9 @@ def pytest_load_initial_conftests(early_config: pytest.Config, args: Sequence[st
 
 
 def is_asked(config: pytest.Config, args: Sequence[str]) -> bool:
-    """Return whether this run has ROS tests: by `-p edulaunch`, or because its tests belong to a ROS package or a workspace."""
+    """Return whether this run has ROS tests, because of `-p edulaunch` or because its tests belong to a ROS package or a
+    workspace.
+    """
     options = config.known_args_namespace
     named = NAME in options.plugins or __name__ in options.plugins
     return named or any(map(_is_ros_project, _places(options.file_or_dir, config)))

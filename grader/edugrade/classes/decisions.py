@@ -1,4 +1,4 @@
-"""What a teacher decides beside the marks of a batch: other points, comments, and what is taken off for lateness.
+"""A teacher's decisions on the results of a batch: other points, comments, and deductions for late submissions.
 
 The file ``teacher.csv`` in the directory of the results has the points and comments. Grading never writes it, so they survive.
 """
@@ -29,14 +29,14 @@ Result = dict[str, Any]
 
 
 class Decision(NamedTuple):
-    """Other points (None: those of the grader) and a comment."""
+    """The points that a teacher gives (None for the points of the grader), and a comment."""
 
     points: float | None
     comment: str
 
 
 class Late(NamedTuple):
-    """How much is taken off: `per_day` hundredths of the points for each day that has begun after `due`."""
+    """The deduction for late submissions: `per_day` percent of the points for each started day after `due`."""
 
     due: datetime
     per_day: float
@@ -57,9 +57,10 @@ class Late(NamedTuple):
 
 
 def decided(results: Sequence[Result], folder: str, late: Late | None = None) -> list[Result]:
-    """The results with the points that count. `graded` has those of the grader where they differ; `comment`, `late_days` say why.
+    """Return the results with the points that count. Where these differ, `graded` has the points of the grader, and `comment`
+    and `late_days` give the reason.
 
-    :param folder: of the results.
+    :param folder: the folder of the results.
     :raises UnusableInput: when the teacher's file cannot be read, or names a student without a result.
     """
     decisions = read_decisions(os.path.join(folder, FILE))
@@ -91,9 +92,9 @@ def _decided(result: Result, decisions: Mapping[tuple[str, str], Decision], late
 
 
 def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
-    """Return the rows of the teacher's file, by student (name or number) and exercise; none when there is no such file.
+    """Return the rows of the teacher's file, by student (name or number) and exercise; no rows without such a file.
 
-    :raises UnusableInput: with the line that is wrong.
+    :raises UnusableInput: with the invalid line.
     """
     if not os.path.exists(path):
         return {}
@@ -118,7 +119,8 @@ def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
 
 
 def read_late(due: str, per_day: float, path: str) -> Late:
-    """Lateness by a table with the times of submission: ours (``student,submitted``), Gradescope's, or Moodle's worksheet.
+    """Return how late submissions are, from a table with the times of submission: ours (``student,submitted``), Gradescope's,
+    or Moodle's worksheet.
 
     :raises UnusableInput: when a time cannot be read.
     """

@@ -1,4 +1,4 @@
-"""What the tools for whole classes add: verbs of `edugrade`."""
+"""The plug-in of the tools for whole classes, which adds verbs to `edugrade`."""
 
 from __future__ import annotations
 

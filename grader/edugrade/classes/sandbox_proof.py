@@ -1,4 +1,4 @@
-"""``edugrade doctor``: proves the confinement of runs by attempting what is forbidden, in a run like any other."""
+"""``edugrade doctor``: proves the confinement of runs by trying forbidden actions in an ordinary run."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ raise ValueError("<<<" + json.dumps([daemon, *found]) + ">>>")
 
 
 class Finding(NamedTuple):
-    """What came of one attempt: whether the layer held, and how the attempt ended."""
+    """The result of one attempt: whether the layer held, and how the attempt ended."""
 
     layer: str
     attempt: str
@@ -132,7 +132,7 @@ def _settings(folder: str, port: int) -> dict[str, Any]:
 
 
 def _a_rubric() -> str:
-    """Return a rubric that is there: an attempt to read what is not there would prove nothing."""
+    """Return an existing rubric, because an attempt to read a missing file would prove nothing."""
     from ..rubrics.catalogue import rubrics_folder
 
     folder = rubrics_folder()
@@ -171,7 +171,7 @@ def _is_alive(pid: int) -> bool:
 
 
 def report(findings: list[Finding]) -> str:
-    """Return a line for each attempt, and what it comes to."""
+    """Return a line for each attempt, and a summary."""
     lines = [f'{"held" if item.held else "NOT HELD":<9}{item.layer:<12}{item.attempt} ({item.detail})' for item in findings]
     bad = sorted({item.layer for item in findings if not item.held})
     last = 'Every attempt was refused.' if not bad else f'A submission on this machine is NOT confined: {", ".join(bad)}.'

@@ -1,4 +1,4 @@
-"""``edugrade similar RESULTS``: submissions that are more alike than the task makes them, side by side.
+"""``edugrade similar RESULTS``: shows pairs of submissions that are more similar than the task explains.
 
 Names, comments, spaces, strings and numbers do not change fingerprints of code (winnowing, Schleimer et al. 2003).
 """
@@ -48,7 +48,7 @@ class Code(NamedTuple):
 
 
 def fingerprints(text: str) -> Code:
-    """The fingerprints of Python, XML or YAML. Names that are imported, attributes and words of Python stay what they are."""
+    """Return the fingerprints of Python, XML or YAML. Imported names, attributes and keywords of Python are not replaced."""
     tokens = _tokens(text)
     grams = [
         (
@@ -94,12 +94,14 @@ class Work(NamedTuple):
 
     @property
     def prints(self) -> set[int]:
-        """All fingerprints of its files."""
+        """The fingerprints of all its files."""
         return {number for code in self.texts.values() for number in code.prints}
 
 
 class Pair(NamedTuple):
-    """Two submissions, how much of the smaller one's own code the other one has (0 to 1), and of the launch graphs."""
+    """Two submissions and how similar they are. One number (0 to 1) is the share of the smaller one's code that the other one
+    has, too. Another one compares the launch graphs.
+    """
 
     one: Work
     two: Work
@@ -109,11 +111,10 @@ class Pair(NamedTuple):
 
 
 def alike(works: Sequence[Work], given: Iterable[int] = (), least: float = 0.5) -> list[Pair]:
-    """Return the pairs of different students with at least that much code in common, the most alike first.
+    """Return the pairs of different students with at least that much code in common, the most similar first. Code of the
+    starter file does not count. Code that many students have counts little, because there are few ways to write a launch file.
 
-    What was handed out counts nothing, and what many have counts little: there are not many ways to write a launch file.
-
-    :param given: fingerprints of what was handed out.
+    :param given: fingerprints of the starter file.
     """
     handed_out = set(given)
     own = [work.prints - handed_out for work in works]
@@ -132,7 +133,7 @@ def alike(works: Sequence[Work], given: Iterable[int] = (), least: float = 0.5) 
 
 
 def _weights(sets: Sequence[set[int]] | Sequence[set[str]]) -> dict[object, float]:
-    """Rare things weigh more: what two of many have 1, what everybody has nearly nothing."""
+    """Return the weight of each fingerprint: 1 if two of many submissions have it, nearly 0 if all have it."""
     counts: Counter[object] = Counter(item for items in sets for item in items)
     most = log(max(len(sets), 2) + 1) - log(2)
     return {item: 0.05 + (log(len(sets) + 1) - log(max(count, 2))) / most for item, count in counts.items()}
@@ -163,7 +164,7 @@ MOST_LINES = 2000
 
 
 def similar_page(exercise: str, pairs: Sequence[Pair]) -> str:
-    """Return the whole page. Nothing that a student wrote is markup in it."""
+    """Return the whole page. Strings of students are never markup in it."""
     rows = [table_row('pair', 'code', 'launch graph', kind='th')]
     for number, pair in enumerate(pairs[:MOST_PAIRS]):
         link = element('a', f'{pair.one.student} and {pair.two.student}', href=f'#p{number}')
@@ -183,7 +184,7 @@ def _section(pair: Pair, number: int) -> Markup:
 
 
 def _texts(work: Work, shared: frozenset[int]) -> list[Markup]:
-    """Return the files that have something shared in them, with those lines marked."""
+    """Return the files with shared code, and mark the shared lines."""
     found = []
     for name, code in work.texts.items():
         marked = {line for number, (first, last) in code.prints.items() if number in shared for line in range(first, last + 1)}
@@ -263,7 +264,7 @@ def _codes(submission: Submission) -> dict[str, Code]:
 
 
 def _handed_out(name: str) -> set[int]:
-    """Fingerprints of the exercise's stub, when the course has it here."""
+    """Return the fingerprints of the starter file, if the course is in this folder."""
     try:
         manifest = find_course(os.getcwd())
         entry = next((entry for entry in read_course(manifest) if entry.name == name), None)

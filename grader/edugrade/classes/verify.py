@@ -1,4 +1,4 @@
-"""What a report is worth: ``edugrade verify`` makes its mark again from the same things, ``edugrade sign`` signs it.
+"""Confirms reports: ``edugrade verify`` repeats the grading with the same inputs, and ``edugrade sign`` signs a report.
 
 Signatures are ed25519, so that every change of a report is visible. The keys are PEM files, as OpenSSL writes them.
 """
@@ -57,7 +57,7 @@ def read_report(path: str) -> dict[str, Any]:
 
 
 def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
-    """Return the report with its signature; an earlier one is replaced."""
+    """Return the report with its signature, which replaces an earlier one."""
     serialization, ed25519 = _library()
     private = _loaded(lambda data: serialization.load_pem_private_key(data, password=None), key)
     if not isinstance(private, ed25519.Ed25519PrivateKey):
@@ -68,7 +68,7 @@ def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 def is_signed_by(report: dict[str, Any], key: str) -> bool:
-    """Return whether the report is as the owner of this key (the public half) signed it."""
+    """Return whether the owner of this public key has signed exactly this report."""
     serialization, ed25519 = _library()
     public = _loaded(serialization.load_pem_public_key, key)
     if not isinstance(public, ed25519.Ed25519PublicKey):
@@ -82,7 +82,7 @@ def is_signed_by(report: dict[str, Any], key: str) -> bool:
 
 
 def _signed_bytes(report: dict[str, Any]) -> bytes:
-    """Return the bytes that are signed: another order of keys or other spaces make no difference."""
+    """Return the signed bytes, which do not depend on the order of keys or on spaces."""
     return json.dumps(report, sort_keys=True, separators=(',', ':')).encode()
 
 
@@ -114,7 +114,7 @@ NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the 
 
 
 def main(words: Sequence[str]) -> int:
-    """Run the command, and return 0 when the report holds, 1 when it does not, 2 when that cannot be found out."""
+    """Run the command. Return 0 if the report is confirmed, 1 if it is not, and 2 if it cannot be checked."""
     parser = argparse.ArgumentParser(
         prog='edugrade verify',
         description='Grade the same submission again with the same rubric and seed, and report whether the mark is the same.',
@@ -142,7 +142,7 @@ def _of_the_signature(report: dict[str, Any], key: str | None) -> Iterator[str]:
 
 
 def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator[str]:
-    """Yield what is different when it is graded again: the mark, its reasons, and what it was made from."""
+    """Yield the differences after grading again: in the mark, its reasons, and the inputs."""
     before, seed = report['receipt'], report['receipt'].get('seed')
     if type(seed) is not int:
         raise UnusableInput(f'the receipt of {options.report} has no seed')
@@ -177,9 +177,10 @@ def _variant(report: dict[str, Any]) -> Variant | None:
 
 
 def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.Namespace) -> Variant | None:
-    """Return the variant that the course's secret, or the student's copy of the course, gives; a report may name any.
+    """Return the variant that the course's secret, or the student's copy of the course, gives. A report itself could name any
+    variant.
 
-    :raises UnusableInput: when neither is there.
+    :raises UnusableInput: when neither exists.
     """
     secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     found = variant_for(str(report['rubric']['name']), str(report.get('student') or claimed.student), secret)
@@ -190,7 +191,8 @@ def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.N
 
 
 def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission: Submission) -> Iterator[str]:
-    """The seed is that of the text, of the course's secret, or the one that is given here: else the student may have chosen it.
+    """Check that the seed comes from the text, the course's secret or the caller, because otherwise the student may have chosen
+    it.
 
     :raises UnusableInput: when a secret chose the seed, and the caller does not have it.
     """
@@ -227,7 +229,7 @@ def _words(value: Any) -> str:
 
 
 def find_submission(report: dict[str, Any], path: str) -> str:
-    """Return the submission with the report's hash: beside the report, here, or where a batch has it.
+    """Return the submission with the report's hash, from the report's folder, the current folder, or the folders of a batch.
 
     :raises UnusableInput: when there is no result.
     """

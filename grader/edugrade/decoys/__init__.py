@@ -1,1 +1,3 @@
-"""Decoys of a solution: submissions that keep its names and drop its behaviour. A rubric that pays for them looks at names."""
+"""Decoys of a solution: submissions with its names but without its behaviour. A rubric that gives points for a decoy checks
+only names.
+"""

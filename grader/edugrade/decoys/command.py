@@ -1,7 +1,8 @@
-"""``edugrade decoys [FOLDER] [NAME ...]``: what the rubrics of a course pay for names without behaviour.
+"""``edugrade decoys [FOLDER] [NAME ...]``: shows how many points the rubrics of a course give for names without behaviour.
 
-FOLDER (default: the current one) is the folder of a course, as for ``edugrade course``. From each solution decoys are made, which
-keep its names and drop its behaviour, and graded as submissions are. Exit code 1: a rubric pays more than half of its points,
+FOLDER (default: the current one) is the folder of a course, as for ``edugrade course``. The command makes decoys of each
+solution, which have its names but not its behaviour, and grades them like submissions. Exit code 1: a rubric pays more than
+half of its points,
 or than the share that it allows (``decoys: 0.75``).
 """
 
@@ -28,7 +29,9 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 SEED = 7
-"""Of the recordings and of the gradings: a decoy knows the first run's values, as somebody who has seen a report does."""
+"""The seed of the recordings and the gradings. A decoy knows the values of the first run, like a student who has seen a
+report.
+"""
 
 
 class Paid(NamedTuple):
@@ -44,12 +47,12 @@ class Paid(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Of the points; everything when there is no mark."""
+        """The share of the points; 1 without a mark."""
         return 1.0 if self.earned is None else self.earned / max(1, self.possible)
 
 
 def main(argv: Sequence[str]) -> int:
-    """Print what each decoy gets. Returns the exit code."""
+    """Print the points of each decoy. Return the exit code."""
     options = _options(argv)
     found = list(pay(options.folder, options.names, options.limit))
     too_much = [paid for paid in found if paid.share > paid.most]
@@ -65,7 +68,7 @@ def main(argv: Sequence[str]) -> int:
 
 
 def pay(folder: str, names: Sequence[str] = (), limit_s: float = 60.0, kinds: Sequence[str] = KINDS) -> Iterator[Paid]:
-    """Yield what each decoy of a course's exercises gets.
+    """Yield the points of each decoy of a course's exercises.
 
     :param names: the names of the exercises (default: all of them). `kinds` are the kinds of decoys (default: all of them).
     :raises UnusableInput: when the folder has no course, or the course no such exercise.

@@ -1,4 +1,4 @@
-"""Makes decoys of a solution from what was recorded of it."""
+"""Makes decoys of a solution from a recording of the solution."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from ..submission import Submission
 
 MOST_BYTES = 500_000
-"""Of a plan: the text of a launch file has a limit. Of longer runs a decoy plays every second message, or every fourth ..."""
+"""Largest size of a plan, because the text of a launch file has a limit. In a longer run, a decoy plays every second message,
+or every fourth ...
+"""
 KINDS = ('names', 'replay', 'swapped', 'own programs')
 OF_RCLPY = ('/rosout', '/parameter_events')
 
@@ -28,11 +30,11 @@ def decoys(submission: Submission, recording: Recording, folder: str) -> Iterato
     """Write the decoys of a solution into a folder, and yield (kind, path of the submission).
 
     - ``names`` has nodes of the same names with the same parameters and endpoints in one silent program.
-    - ``replay`` has the same nodes, which publish and print what was recorded in the first run.
+    - ``replay`` has the same nodes, which publish and print the recorded messages and lines of the first run.
     - ``swapped`` has the solution's own actions. Each Node and each command `python3 ...` runs an idle program.
-    - ``own programs`` is a package with programs that print and publish what was recorded in the first run.
+    - ``own programs`` is a package with programs that publish and print the same.
 
-    :param recording: of the solution's first run.
+    :param recording: the recording of the solution's first run.
     """
     name = submission.exercise
     for kind, plays in (('names', False), ('replay', True)):
@@ -51,7 +53,7 @@ def decoys(submission: Submission, recording: Recording, folder: str) -> Iterato
 
 
 def _fitting(recording: Recording, plays: bool, processes: frozenset[str] | None = None) -> str:
-    """Return a plan as JSON that is short enough."""
+    """Return a plan as JSON that fits into a launch file."""
     step = 1
     while len(text := json.dumps(plan(recording, plays, processes, step))) > MOST_BYTES and step < 1 << 20:
         step *= 2
@@ -138,7 +140,7 @@ def _launch_file(submission: Submission, target: str) -> str:
 
 
 def _replace_programs(target: str, package: str, recording: Recording) -> bool:
-    """Put a player into each module of a package that one of its programs runs. Whether there was one."""
+    """Replace each module of a package that one of its programs runs by a player. Return whether there was one."""
     own = sorted((process.executable or '', process.name) for process in recording.processes if process.package == package)
     written = False
     for executable, names in groupby(own, key=lambda pair: pair[0]):
@@ -150,7 +152,7 @@ def _replace_programs(target: str, package: str, recording: Recording) -> bool:
 
 
 def _modules(target: str, package: str, executable: str) -> Iterator[str]:
-    """The files of the modules that the entry point of this name runs: as setup.py names them, else the file of that name."""
+    """Return the files of the modules that the entry point of this name runs, from setup.py, or else the file of that name."""
     is_named = False
     try:
         with open(os.path.join(target, 'setup.py'), encoding='utf-8') as file:

@@ -1,6 +1,5 @@
-"""The program of a decoy, as text: it makes nodes of the solution's names and plays what was recorded of them.
-
-It is a program of a submission, so it uses what a student's program can use, and nothing of edugrade.
+"""The program of a decoy, as text: it creates nodes with the names of the solution's nodes, and plays their recorded messages.
+It is part of a submission, so it uses nothing of edugrade.
 """
 
 PLAYER = """\

@@ -14,7 +14,7 @@ _ANY = object()
 def defined(run: Evidence, name: str) -> Any:
     """Return the value that a cell has given to a name.
 
-    :raises Missing: when no cell has.
+    :raises Missing: when no cell defines it.
     """
     if name not in run.names:
         raise Missing(name, name=name, among=run.names, try_=f'run the cell that defines {name}')

@@ -1,4 +1,4 @@
-"""The circle through points of the plane, by least squares. Plain Python: numpy would take long to load."""
+"""Fits a circle to points by least squares. It is plain Python, because numpy takes long to load."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which programs of a run died, and what they printed last."""
+"""Finds the programs of a run that died, and their last output."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ LAST_S = 1.0  # greatest age of the last transform of a moving frame that exists
 
 
 class Sent(NamedTuple):
-    """A transform that was published, and when."""
+    """A published transform and its time."""
 
     time_s: float
     frame: Frame
@@ -34,7 +34,7 @@ def frames_at_end(run: Evidence, scenario: str) -> Frames:
 
 
 def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
-    """Return all that was ever sent about each frame, in order, by the frame's name; the static ones first."""
+    """Return all published transforms of each frame in order, by the frame's name; the static ones come first."""
     return run.once(('transforms', scenario), lambda: _transforms(run[scenario]))
 
 
@@ -132,19 +132,21 @@ def _misspelt(child: str, frames: Frames) -> list[str]:
 
 
 def yaw(frame: Frame) -> float:
-    """Return how far a frame is turned about the z axis of its parent, in radians."""
+    """Return the rotation of a frame about the z axis of its parent, in radians."""
     x, y, z, w = frame.rotation
     return atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
 def tilt(frame: Frame) -> float:
-    """Return how far, in radians, a frame's z axis leans away from that of its parent."""
+    """Return the angle between the z axes of a frame and its parent, in radians."""
     x, y, _, _ = frame.rotation
     return 2 * asin(min(1.0, hypot(x, y)))
 
 
 def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | None:
-    """Return where a frame's origin is on the ground plane of `root`, in metres; None when nothing leads there."""
+    """Return the position of a frame's origin on the ground plane of `root`, in metres; None when no transforms connect
+    them.
+    """
     x = y = 0.0
     for _ in range(len(frames) + 1):
         if frame == root:

@@ -1,6 +1,5 @@
-"""Which program a process or a node really is: what the trusted peer of a run hosts, never what a submission claims.
-
-A recording without a provenance comes from one process (an author's own run): there the claims of the launch file count.
+"""Finds the program of a process or a node: from the trusted peer of a run, never from claims of a submission. A recording
+without provenance comes from one process (an author's own run), so the names in the launch file count.
 """
 
 from __future__ import annotations
@@ -18,9 +17,8 @@ STARTERS = ('ros2', 'bash', 'sh')  # programs that start other programs under th
 
 
 def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
-    """Return the (package, executable) of a process; None for one that has no package, or claims one that is not its own.
-
-    :param position: of the process in `recording.processes`.
+    """Return the (package, executable) of a process; None if it has no package, or claims the package of another program.
+    :param position: the position of the process in `recording.processes`.
     """
     process, hosted = recording.processes[position], recording.hosted
     if hosted is not None and position in hosted:
@@ -43,7 +41,7 @@ def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
 
 
 def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
-    """Return the positions of the processes that are a program of a package, in the order of their start."""
+    """Return the positions of the processes that run a program of a package, in the order of their start."""
     return [
         position
         for position in range(len(recording.processes))
@@ -52,7 +50,7 @@ def processes_of(recording: Recording, package: str, executable: str | None = No
 
 
 def nodes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
-    """Return the positions of the nodes whose process is a program of a package, in the order in which they joined."""
+    """Return the positions of the nodes whose process runs a program of a package, in the order of their creation."""
     if recording.owners is None:
         return [
             position
@@ -82,7 +80,7 @@ def process_of(recording: Recording, node: NodeRecord, position: int) -> Process
 
 
 def _is_of_by_name(recording: Recording, name: str, package: str, executable: str | None) -> bool:
-    """Return whether the process of that name, or what it started under its name, is a program of a package and nothing else."""
+    """Return whether all processes with that name run a program of a package, including processes that it started."""
     ran = [position for position, process in enumerate(recording.processes) if process.name == name]
     programs = [position for position in ran if not _is_starter(recording.processes[position])]
     found = [program_of(recording, position) for position in programs]

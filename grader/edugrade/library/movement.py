@@ -1,4 +1,4 @@
-"""Measures how turtles and robots moved, from what was published about them."""
+"""Measures how turtles and robots moved, from published messages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
     """Return the track of a robot from its odometry. The track is empty without odometry.
 
-    :raises Failure: when another program publishes the topic, or its messages have no position, or no finite one.
+    :raises Failure: when another program publishes the topic, or its messages have no finite position.
     """
     return _track(recording, topic, 'turtlebot3_gazebo', 'pose.pose.position.x', 'pose.pose.position.y')
 
@@ -27,7 +27,7 @@ def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
 def turtle_track(recording: Recording, topic: str) -> Track:
     """Return the track of a turtle from its pose topic. The track is empty without poses.
 
-    :raises Failure: when another program publishes the topic, or its messages have no position, or no finite one.
+    :raises Failure: when another program publishes the topic, or its messages have no finite position.
     """
     return _track(recording, topic, 'turtlesim', 'x', 'y')
 

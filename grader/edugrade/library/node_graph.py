@@ -21,7 +21,7 @@ OF_A_TOOL = '_ros2cli'  # prefix of the nodes of command line tools, which ROS 2
 
 
 def named_nodes(recording: Recording, name: str, package: str | None = None, executable: str | None = None) -> list[Found]:
-    """Return the nodes with a fully qualified name as (position, node): of any program, or of a package's programs only."""
+    """Return the nodes with a fully qualified name as (position, node), of any program or only of a package's programs."""
     own = None if package is None else set(nodes_of(recording, package, executable))
     found = [(position, node) for position, node in enumerate(recording.nodes) if node.name == name]
     return [item for item in found if own is None or item[0] in own]

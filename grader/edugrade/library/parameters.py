@@ -23,7 +23,7 @@ def parameter_of(recording: Recording, position: int, name: str, wanted: Any = N
     A later value does not change what the node did with the first one. But if the first value is `wanted` and the last
     one is not, return the last one, because the node must keep the value.
 
-    :param position: of the node in `recording.nodes`.
+    :param position: the position of the node in `recording.nodes`.
     """
     changes = _changes(recording, position, name)
     if not changes:

@@ -65,7 +65,7 @@ def _connections(recording: Recording) -> list[str]:
 
 
 def explanation(check: Mapping[str, Any]) -> list[str]:
-    """Return the lines ``label: value`` below the reason of a check."""
+    """Return the lines of the form ``label: value`` below the reason of a check."""
     where = None if check['where'] is None else Place(**check['where'])
     fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
     return [f'{label}: {text}' for label, text in fields.items() if text]

@@ -1,4 +1,4 @@
-"""Finds the rubric of an exercise. Rubrics are trusted files of the course: they are run in this process."""
+"""Finds the rubric of an exercise. Rubrics are trusted files of the course, so they run in this process."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LARGEST_BYTES = 1_000_000
 
 
 def rubrics_folder() -> str:
-    """Return where the rubrics are that come with edugrade: inside the installed package, or beside it in the source tree."""
+    """Return the folder of edugrade's own rubrics, inside the installed package or beside it in the source tree."""
     inside = os.path.join(_PACKAGE, 'checks')
     return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_PACKAGE), 'checks')
 
@@ -29,7 +29,7 @@ def rubrics_folder() -> str:
 def course_rubrics(inside: str = '') -> str | None:
     """Return the directory ``rubrics`` of the current course, beside its course.toml or one level above.
 
-    Only the current folder (or the given one) and those above it are looked into: never what was handed in.
+    The search includes the current folder (or the given one) and its parents, but never a submission.
     """
     path = course_manifest(inside)
     if path is None:
@@ -62,9 +62,9 @@ def find_rubric(
 ) -> tuple[str, Rubric]:
     """Return the rubric of an exercise and its name.
 
-    :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
-    :param submission: the folder that was handed in: a rubric in it would be the student's own.
-    :param personal: makes the text of a student's own variant of its text.
+    :param given: a rubric's file or an exercise's name, which replaces the name of the submission.
+    :param submission: the folder of the submission, whose own rubrics do not count.
+    :param personal: changes the text of the rubric to a student's variant.
     :raises UnusableInput: when there is no such rubric, with the names of the existing ones.
     :raises RubricMistake: when it cannot be loaded.
     """
@@ -91,7 +91,7 @@ def find_rubric(
 def _by_the_course(name: str, rubric: Rubric) -> Rubric:
     """Return a rubric that comes with edugrade, with the points that the course around the current folder gives for its checks.
 
-    :raises UnusableInput: when the manifest gives points for a check that there is not.
+    :raises UnusableInput: when the manifest gives points for a check that does not exist.
     """
     path = course_manifest()
     if path is None or os.path.dirname(rubric.file) != rubrics_folder():
@@ -117,7 +117,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
     """Return the rubric in a file.
 
     :raises UnusableInput: when it cannot be read, or is not a rubric.
-    :raises RubricMistake: when there is a mistake in it.
+    :raises RubricMistake: when it has a mistake.
     """
     try:
         data = read_regular(path, LARGEST_BYTES)

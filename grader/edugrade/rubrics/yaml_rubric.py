@@ -24,9 +24,9 @@ COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
-    """Return the rubric that a YAML file describes; docs/rubric_checks.md says how.
+    """Return the rubric that a YAML file describes; docs/rubric_checks.md describes the form.
 
-    :raises RubricMistake: naming file and line of what is wrong.
+    :raises RubricMistake: with the file and line of the mistake.
     """
     try:
         root = yaml.compose(data, yaml.SafeLoader)
@@ -102,7 +102,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
-    """Return a launch argument: as it is written, or chosen for each submission."""
+    """Return a function that gives a launch argument, either fixed or chosen for each submission."""
     if isinstance(node, yaml.MappingNode) and any(pair[0].value == 'word' for pair in node.value):
         syllables = _value(_mapping(node, problem, 'a choice', ('word',))['word'], problem)
         if not isinstance(syllables, int) or not 2 <= syllables <= 6:
@@ -125,9 +125,9 @@ def _default(node: yaml.Node, problem: Problem) -> str | None:
 
 
 def _number(node: yaml.Node, problem: Problem, types: tuple[type, ...] = (str, int, float)) -> Callable[[Random], Any]:
-    """Return what gives a number, or chooses one of several.
+    """Return a function that gives a number, or chooses one of several.
 
-    :param types: what the values of `one_of` may be.
+    :param types: the allowed types of the values of `one_of`.
     """
     if not isinstance(node, yaml.MappingNode):
         value = _value(node, problem)

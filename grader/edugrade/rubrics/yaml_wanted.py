@@ -27,7 +27,7 @@ OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
 LISTS = ('are', 'shows', 'topics')
 """Fields that are lists of names."""
 SCALARS = ('default', 'is', 'value')
-"""Fields that have whatever type a parameter or an argument has."""
+"""Fields that can have any type of a parameter or an argument."""
 MEASURES = ('tolerance', 'within', 'since', 'rate', 'near')
 CALCULATED = ('at_least', 'at_most', 'radius', 'x', 'y', 'z', 'yaw', 'at', 'ago')
 
@@ -36,7 +36,7 @@ class Wanted(dict[str, Any]):
     """The values of a check. They may contain ``$(arg name)``, the launch argument of the run.
 
     :ivar shows: applies the checks that show the effect of a default in a run.
-    :ivar may_end: whether the rubric has a check of when something ends.
+    :ivar may_end: whether a check of the rubric expects something to end.
     """
 
     shows: Callable[[Evidence], object] | None = None
@@ -111,7 +111,7 @@ class OfRun:
         self.advice: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
 
     def program(self) -> tuple[str | None, str | None]:
-        """Return the package and the executable that the rubric names, each None where it does not."""
+        """Return the package and the executable that the rubric names, or None for each that it does not name."""
         return self.wanted['package'] or None, self.wanted['executable'] or None
 
     def text(self, key: str) -> str:

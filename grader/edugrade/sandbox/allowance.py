@@ -1,9 +1,11 @@
-"""What a run may use besides memory and time, and the name of a layer that not every system has. It imports nothing."""
+"""The limits of a run other than memory and time, and the name of a layer that some systems lack. This module imports
+nothing.
+"""
 
 MOST_PROCESSES = 64
 MOST_THREADS = 512
-"""Of all its processes together: a computer has a limited number."""
+"""The most threads of all its processes together, because a computer has a limited number."""
 MOST_BYTES, MOST_FILES = 128 << 20, 4096
 """In its own folder."""
 VIEW = 'view'
-"""A layer of confinement more: a run sees no names and sizes of files that it may not read."""
+"""An additional layer of confinement: a run sees neither names nor sizes of files that it may not read."""

@@ -1,7 +1,6 @@
-"""What the bags hold that a run has written, compared with what was published in it. Read where the run itself is confined.
-
-A bag is a student's file: it may hold anything. Only regular files are opened, a few of a small size, and nothing is unpickled.
-What takes long or much memory all the same ends the run, as any other run ends that uses too much.
+"""Compares the bags that a run has written with the messages that were published in it. The confined process of the run reads
+them. A bag is a student's file, so it may contain anything. This module opens only a few small regular files, and unpickles
+nothing. If reading still takes too long or too much memory, the limits end the run as usual.
 """
 
 from __future__ import annotations
@@ -24,9 +23,9 @@ def written_bags(home: str, end_ns: int, published: Published) -> list[dict[str,
 
     :param home: the folder of a run.
     :param end_ns: messages that arrived later do not count.
-    :param published: gives what was published on a topic: how often each message, as CDR bytes.
-    :return: for each bag `folder`, and `topics`: [count, how many of them were published in the run] by name. Of a bag that
-        cannot be read the topics are empty.
+    :param published: returns how often each message, as CDR bytes, was published on a topic.
+    :return: for each bag `folder`, and `topics`: [count, how many of them were published in the run] by name. A bag that cannot
+        be read has no topics.
     """
     return [
         {'folder': os.path.relpath(folder, home)[:LONGEST_NAME], 'topics': _topics(folder, end_ns, published)}

@@ -1,6 +1,7 @@
 """The allowed system calls, and the names of the others, as ``name:number on x86-64:number on 64-bit ARM``.
 
-What is in none of these tables is refused as well. A number above NEWEST is unknown here: the C library then takes an older call.
+Calls that are in none of these tables are refused as well. A number above NEWEST is unknown here, so the C library uses an
+older call.
 """
 
 from __future__ import annotations
@@ -42,12 +43,12 @@ _LOOKED_AT = """
 clone:56:220 clone3:435:435 prlimit64:302:261 prctl:157:167 ioctl:16:29 fcntl:72:25 socketpair:53:199 sendto:44:206
 setsockopt:54:208
 """
-"""Allowed with some arguments only: see `seccomp.py`."""
+"""Calls that are allowed only with some arguments; see `seccomp.py`."""
 
 _OF_OWN_FILES = """
 chmod:90:- fchmod:91:52 fchmodat:268:53 fchmodat2:452:452 utime:132:- utimes:235:- futimesat:261:- utimensat:280:88
 """
-"""Allowed where the run sees its own files only, and what else it sees is read-only."""
+"""Calls that are allowed where the run sees only its own files, and everything else is read-only."""
 
 _REFUSED = """
 flock:73:32 chown:92:- fchown:93:55 lchown:94:- fchownat:260:54
@@ -71,7 +72,7 @@ settimeofday:164:170 clock_settime:227:112 clock_adjtime:305:266 adjtimex:159:17
 sync:162:81 syncfs:306:267 vhangup:153:58 iopl:172:- ioperm:173:- modify_ldt:154:- set_mempolicy:238:237
 migrate_pages:256:238 move_pages:279:239
 """
-"""Named, so that a report can say which call it was."""
+"""Refused calls with names, so that a report can name them."""
 
 
 def _numbers(table: str, column: int) -> dict[str, int]:
@@ -83,7 +84,7 @@ def allowed(column: int, has_view: bool = False) -> dict[str, int]:
     """Return the numbers of the calls that a run may make with any arguments, by name.
 
     :param column: 0 for x86-64, 1 for 64-bit ARM.
-    :param has_view: whether it sees no files but its own that could be changed.
+    :param has_view: whether all other files that it sees are read-only.
     """
     return _numbers(_ALLOWED + _OF_OWN_FILES * has_view, column)
 
@@ -94,6 +95,6 @@ def looked_at(column: int) -> dict[str, int]:
 
 
 def name_of(number: int, column: int) -> str:
-    """Return the name of a call that was refused."""
+    """Return the name of a refused call."""
     known = {**_numbers(_REFUSED + _OF_OWN_FILES, column), **looked_at(column)}
     return next((name for name, each in known.items() if each == number), f'system call {number}')

@@ -1,7 +1,7 @@
-"""The confined peer of one run: launches the submission, joined to the trusted peer by a link.
-
-Loaded by `starter.py`. It confines itself before it reads the student's file, imports nothing of edugrade, and keeps no record.
-Besides the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_peer.py`).
+"""The confined peer of one run: launches the submission, and has a link to the trusted peer. `starter.py` loads this module. It
+confines itself before it reads the student's file, imports nothing of edugrade, and records nothing. It also has a pipe for
+messages about its end: each one is a frame of a letter, eight bytes of length, and JSON (see
+`trusted_peer.py`).
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ RESERVE_BYTES = 8 << 20  # memory that is kept free for the report that memory h
 
 
 def warm_up() -> None:
-    """Load what nearly every run needs, by launching something small that came with edulaunch.
+    """Load the modules that nearly every run needs, by launching a small demo of edulaunch.
 
-    :raises RuntimeError: when that launch fails, as it does when memory runs out while a module loads. A run that was forked from
-        here would fail too, and its student would lose the mark.
+    :raises RuntimeError: when that launch fails, as it does when memory runs out while a module loads. Every run that is forked
+        from this process would fail, too, and students would lose marks.
     """
     from edulaunch.runtime.session import Session
 
@@ -50,9 +50,10 @@ def warm_up() -> None:
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
     """Run the confined peer in a forked process: enter the sandbox, lower the limits, and launch.
 
-    :param link: to the trusted peer.
-    :param words: a pipe for what confines this peer, and for the last words.
-    :param confine: puts the layers of confinement on, given what may be read and the folder to write in, and says which hold.
+    :param link: the link to the trusted peer.
+    :param words: a pipe for the report on the confinement, and for the last message.
+    :param confine: applies the layers of confinement, given the readable paths and the writable folder, and returns which of
+        them hold.
     """
     os.setsid()
     try:
@@ -84,7 +85,7 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
 
 
 def repeat_temporary_names(seed: int) -> None:
-    """Let `tempfile` choose the same names in each run: they are shown in reports, and the folder is the run's own."""
+    """Make `tempfile` choose the same names in each run, because reports show them. The folder is private to the run."""
     import tempfile
     from random import Random
 
@@ -117,7 +118,7 @@ def limit_single_calls(seconds: float) -> None:
 
 
 def limit_resources(limits: dict[str, int]) -> None:
-    """Lower this process's limits for good. A system that lacks a limit (AS on macOS) goes without it."""
+    """Lower the limits of this process permanently. A system that lacks a limit (AS on macOS) goes without it."""
     try:
         import resource
     except ImportError:
@@ -135,7 +136,7 @@ def limit_resources(limits: dict[str, int]) -> None:
 
 
 def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
-    """When time is nearly up, say where the program was. (The trusted peer ends what does not answer.)"""
+    """Report where the program is shortly before the deadline. (The trusted peer ends a run that does not answer.)"""
 
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         report: dict[str, Any] = {'reason': 'timeout'}
@@ -151,7 +152,7 @@ def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
 
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
-    """Return the file and line of the innermost frame that is the student's, if any."""
+    """Return the file and line of the innermost frame in the student's code, if there is one."""
     folder = os.path.realpath(job['folder']) + os.sep  # links lead to the files of a package
     while frame is not None:
         file = os.path.realpath(frame.f_code.co_filename)
@@ -162,7 +163,9 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
 
 
 def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
-    """Take part in the run until the trusted peer ends it; or what kept this peer from it, as a frame's letter and content."""
+    """Take part in the run until the trusted peer ends it. If that fails, return the letter and content of a frame with the
+    reason.
+    """
     try:
         # Import the modules that a failure needs while there is memory: CPython ends with SIGSEGV if an import runs out of
         # memory.
@@ -199,7 +202,7 @@ def _broke(error: BaseException) -> tuple[bytes, bytes]:
 
 
 def send(channel: int, letter: bytes, content: bytes) -> None:
-    """Write one frame, all of it."""
+    """Write one complete frame."""
     for part in (letter + len(content).to_bytes(8, 'big'), content):
         view = memoryview(part)
         while view:

@@ -1,4 +1,4 @@
-"""Puts all layers of confinement on the process that calls it, and says which of them hold."""
+"""Applies all layers of confinement to the calling process, and reports which of them hold."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEVICES = ('/dev/null', '/dev/zero', '/dev/full', '/dev/urandom', '/dev/random',
 
 
 class Confinement:
-    """What every run is confined to, made ready once.
+    """The confinement of every run, prepared once.
 
     :param readable: the paths that all runs may read. In `listable` directories they see only the names.
     :param shown: the part of the file system that all runs see. `hidden` directories in it are empty.
@@ -47,16 +47,16 @@ class Confinement:
         self._devices = landlock.open_paths(DEVICES) if can else []
 
     def narrow_view(self, readable: Sequence[str], home: str) -> dict[str, str]:
-        """Let this process see nothing of the file system but what it may read: HELD, or why not, for VIEW."""
+        """Hide everything in the file system that this process may not read. Return HELD, or why it failed, for VIEW."""
         narrowed = _tried(lambda: view.enter(home, [*self._shown, *readable], self._hidden))
         os.chdir(home)
         self._has_view = not isinstance(narrowed, str)
         return {VIEW: narrowed if isinstance(narrowed, str) else HELD}
 
     def put_on(self, readable: Sequence[str], home: str, notes: socket.socket | None = None) -> dict[str, str]:
-        """Confine this process for good: HELD, or why not, for each of LAYERS.
+        """Confine this process permanently. Return HELD, or why it failed, for each of LAYERS.
 
-        :param readable: what this run may read besides, such as its submission.
+        :param readable: what this run may read in addition, such as its submission.
         :param home: the only folder that it may write to.
         :param notes: the socket of the guard, which receives each refused call.
         """
@@ -76,7 +76,7 @@ class Confinement:
         return state
 
     def let_go(self) -> None:
-        """Close what stands for the places: where many packages are installed it is more than a run may have open."""
+        """Close the descriptors of the places. With many installed packages, they are more than a run may have open."""
         for descriptor in (*self._readable, *self._listable, *self._devices):
             os.close(descriptor)
 
@@ -108,7 +108,7 @@ class Confinement:
 
 
 def _tried(act: Callable[[], int | None]) -> int | str:
-    """Return what an act gives, or in words why it failed.
+    """Call a function. Return HELD, or why it failed.
 
     :raises OSError: when the computer only has too little of something now. No run may go on without a layer for this reason.
     """
@@ -121,9 +121,9 @@ def _tried(act: Callable[[], int | None]) -> int | str:
 
 
 def _drop_capabilities(keep_reading: bool) -> int:
-    """Take the rights of root from this process and from what it starts.
+    """Remove root's capabilities from this process and its children.
 
-    :param keep_reading: root continues to read files of other users, as it must for grading, if files are confined.
+    :param keep_reading: keep the capability to read files of other users, which grading needs, if files are confined.
     """
     kept = 1 << CAP_DAC_READ_SEARCH if keep_reading else 0
     for capability in range(LAST_CAPABILITY + 1):

@@ -33,10 +33,10 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
     :param link: the socket to the runner, which gets lines of JSON. The first line is ``{"pid": 77, "guard": 76}``. The last
         line has ``"status": -9``, or ``"cut"`` with ``"processes"``, ``"memory"`` or ``"disk"`` for a run that used too much.
         It also has ``"refused"`` with names of system calls, if there are any. When the runner closes its end, the guard ends
-        the run. When the guard closes its end, everything is over.
+        the run. When the guard closes its end, all processes have ended.
     :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
-    :param memory_bytes: for all processes of the run together.
-    :param begin: the code of the run, which gets a socket for the descriptor that receives its refused calls.
+    :param memory_bytes: the limit for all processes of the run together.
+    :param begin: runs the scenario; it gets a socket for the descriptor that receives refused calls.
     :raises OSError: when the computer has no process for the run.
     """
     with suppress(OSError):
@@ -68,10 +68,10 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
 
 
 class _Watch:
-    """Looks after a run that is on its way.
+    """Watches a run.
 
-    :param notes: on which comes the listener of its refused calls.
-    :param refused: gets the names of these calls.
+    :param notes: the socket on which the listener of its refused calls arrives.
+    :param refused: receives the names of these calls.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ class _Watch:
             self._ends.register(os.pidfd_open(pid), select.POLLIN)
 
     def until_it_ends(self) -> dict[str, object]:
-        """Wait until the run ends, the runner lets go, or too much is used."""
+        """Wait until the run ends, the runner closes its end, or the run uses too much."""
         next_look = 0.0
         while True:
             for end, event in self._ends.poll(GLANCE_S * 1000):
@@ -111,7 +111,7 @@ class _Watch:
                 next_look = time.monotonic() + LOOK_S
 
     def _hear(self, end: int, event: int) -> None:
-        """Take the listener, or refuse the call that waits at it."""
+        """Receive the listener, or refuse the call that waits at it."""
         if end == self._notes.fileno():
             self._ends.unregister(end)
             with suppress(OSError):
@@ -126,7 +126,7 @@ class _Watch:
                 self._ends.unregister(end)
 
     def _too_much(self) -> str:
-        """Return what the run used too much of; '' while it does not."""
+        """Return the name of the limit that the run exceeds, or ''."""
         self._started = started = descendants(os.getpid())
         if len(started) > MOST_PROCESSES:
             return 'processes'
@@ -186,7 +186,7 @@ def descendants(pid: int) -> list[int]:
 
 
 def _threads(pids: list[int]) -> int:
-    """Return the threads of processes."""
+    """Return the number of threads of some processes."""
     count = 0
     for pid in pids:
         with suppress(OSError):
@@ -195,7 +195,7 @@ def _threads(pids: list[int]) -> int:
 
 
 def _buffers(pids: list[int]) -> int:
-    """Return the bytes that the sockets of processes may hold. They belong to no process, so no figure of one includes them."""
+    """Return the bytes that the sockets of processes can buffer, which the memory of a process does not include."""
     sockets: set[str] = set()
     for pid in pids:
         with suppress(OSError):
@@ -215,7 +215,9 @@ def _socket_bytes() -> int:
 
 
 def _memory(pids: list[int], source: str) -> int:
-    """Return the bytes that processes use: `statm` is quick and counts what they share for each, `smaps_rollup` does not."""
+    """Return the bytes that processes use. `statm` is quick but counts shared memory for each process; `smaps_rollup` does
+    not.
+    """
     total = 0
     for pid in pids:
         with suppress(OSError, ValueError, IndexError, StopIteration), open(f'/proc/{pid}/{source}') as file:

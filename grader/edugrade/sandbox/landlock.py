@@ -1,4 +1,6 @@
-"""Landlock (Linux 5.13): which files a process and all it starts may read and write, and whom it may signal or connect to."""
+"""Landlock (Linux 5.13): limits which files a process and its children may read and write, and which processes they may signal
+or connect to.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,7 @@ class _PathBeneath(ctypes.Structure):
 
 
 def version() -> int:
-    """Return the kernel's version of Landlock, NEWEST at most; 0 without one."""
+    """Return the version of Landlock in the kernel, at most NEWEST; 0 without Landlock."""
     try:
         return min(syscall(CREATE_RULESET, None, 0, VERSION), NEWEST) if IS_LINUX else 0
     except OSError:
@@ -53,7 +55,7 @@ def open_paths(paths: Sequence[str]) -> list[int]:
 
 
 def restrict(rules: Sequence[tuple[Sequence[int], int]]) -> int:
-    """Allow this process, for good, only these rights below these places, and signals to its own processes.
+    """Permanently limit this process to these rights below these places, and to signals to its own processes.
 
     :param rules: pairs of descriptors (of `open_paths`) and rights.
     :return: the version that was used.

@@ -1,4 +1,4 @@
-"""Removes a folder, whatever a hostile program has put into it."""
+"""Removes a folder with any content that a hostile program may have created."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from contextlib import suppress
 
 
 def remove_tree(folder: str) -> None:
-    """Remove a folder with everything in it; what cannot be removed is left.
-
-    Folders that are nested deeper than a path or a stack is long are moved up first, and those without permissions get them.
-    Links are removed and not followed.
+    """Remove a folder with everything in it, as far as possible. First, move up folders that are nested too deep for a path or
+    the stack, and add missing permissions. Remove links without following them.
     """
     moved = 0
     pending = [folder]

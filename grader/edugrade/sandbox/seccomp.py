@@ -1,7 +1,7 @@
 """A filter of system calls (seccomp) with a list of the allowed calls. It refuses all others.
 
-This module writes the filter itself, so that it needs no library. A refused call fails with EPERM, as without permission.
-Where the kernel can (Linux 5.0), a *listener* receives each refused call, so that the report names it. See `guard.py`.
+This module writes the filter itself, so that it needs no library. A refused call fails with EPERM. From Linux 5.0 on, a
+*listener* receives each refused call, so that the report names it. See `guard.py`.
 """
 
 from __future__ import annotations
@@ -27,17 +27,23 @@ NAMESPACES = 0x7E020080  # flags of clone() that create namespaces
 ARCHITECTURES = {'x86_64': (0, 0xC000003E), 'aarch64': (1, 0xC00000B7)}
 
 OPTIONS = (1, 2, 3, 15, 16, 23, 29, 30, 39, 0x53564D41)
-"""Of prctl: what tells, the name of a thread, its timer's slack, the signal when its parent dies, names of memory."""
+"""The allowed options of prctl: queries, the name of a thread, its timer slack, the signal when its parent dies, and names of
+memory.
+"""
 REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x5421, 0x5429, 0x5450, 0x5451, 0x802C542A)
-"""Of ioctl: settings and size of a terminal, its group, bytes that wait, blocking or not, close-on-exec or not."""
+"""The allowed requests of ioctl: settings, size and group of a terminal, the number of waiting bytes, blocking, and
+close-on-exec.
+"""
 COMMANDS = (*range(5), 6, 7, 37, 38, 1030, 1032, 1033, 1034)
-"""Of fcntl: copies of a descriptor, its flags, locks, seals. Not: owners of signals, leases, notes on folders, sizes of pipes.
-
-Not who holds a lock (F_GETLK) either: with read locks on files that all runs may read, they could send each other messages.
-A read lock alone has no effect there, since only a file of the run's own takes a write lock. `flock` is refused altogether.
+"""The allowed commands of fcntl: copies of a descriptor, its flags, locks and seals. Owners of signals, leases, notifications
+and sizes of pipes are refused. F_GETLK, which reports the owner of a lock, is refused too: with read locks on files that all
+runs may read, runs could send each other messages. A read lock alone has no effect there, because a run can write-lock only its
+own files. `flock` is refused altogether.
 """
 SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
-"""Of setsockopt: names of the sender, timeouts and such. Not: sizes of buffers, whose memory belongs to no process."""
+"""The allowed options of setsockopt, such as credentials and timeouts. Sizes of buffers are refused, because their memory
+belongs to no process.
+"""
 STREAM, SEQPACKET, KIND_OF_SOCKET, UNIX = 1, 5, 0xF, 1
 RECEIVE, ANSWER = 0xC0502100, 0xC0182101  # ioctl numbers of the listener
 NOTE_BYTES = 80
@@ -52,13 +58,13 @@ def _argument(index: int, is_upper_half: bool = False) -> bytes:
 
 
 def _one_of(values: Sequence[int], refuse: bytes) -> list[bytes]:
-    """Return what is loaded must be one of these."""
+    """Return instructions that require the loaded value to be one of these."""
     tests = [_instruction(EQUAL, value, len(values) - place) for place, value in enumerate(values)]
     return [*tests, refuse, _instruction(RETURN, ALLOW)]
 
 
 def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
-    """Return how the arguments of a call are looked at."""
+    """Return the instructions that check the arguments of some calls."""
     allow = _instruction(RETURN, ALLOW)
     return {
         'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
@@ -82,15 +88,15 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
 
 
 def column_here() -> int | None:
-    """This machine's column in `calls.py`; None for an architecture whose numbers are not known."""
+    """Return this machine's column in `calls.py`; None for an unknown architecture."""
     return ARCHITECTURES.get(os.uname().machine, (None, 0))[0]
 
 
 def filter_program(has_listener: bool = False, has_view: bool = False) -> bytes | None:
-    """Return the filter for this machine; None for an architecture whose numbers are not known here.
+    """Return the filter for this machine; None for an unknown architecture.
 
     :param has_listener: whether a listener answers refused calls.
-    :param has_view: whether the run has a view of its own: see `calls.allowed`.
+    :param has_view: whether the run has its own view; see `calls.allowed`.
     """
     column = column_here()
     if column is None:
@@ -118,7 +124,7 @@ class _Program(ctypes.Structure):
 
 
 def restrict(program: bytes) -> None:
-    """Filter this process's calls, and those of all it starts, for good. PR_SET_NO_NEW_PRIVS must have been set.
+    """Permanently filter the calls of this process and its children. PR_SET_NO_NEW_PRIVS must be set before.
 
     :raises OSError: when the kernel has no filters.
     """
@@ -126,7 +132,7 @@ def restrict(program: bytes) -> None:
 
 
 def restrict_with_listener(program: bytes) -> int:
-    """As `restrict`, for a program that `has_listener`. Gives the listener, a descriptor.
+    """Do the same as `restrict` with a program that has a listener. Return the descriptor of the listener.
 
     :raises OSError: when the kernel has no listeners, or this process already has one.
     """
@@ -135,7 +141,7 @@ def restrict_with_listener(program: bytes) -> int:
 
 
 def refuse_next(listener: int) -> str | None:
-    """Refuse the call that waits at a listener. Gives its name; None when who made it is gone."""
+    """Refuse the call that waits at a listener. Return its name, or None if the calling thread has ended."""
     note = bytearray(NOTE_BYTES)
     try:
         fcntl.ioctl(listener, RECEIVE, note)

@@ -1,8 +1,8 @@
 """A warm interpreter that starts the runs: it loads the engine once, and becomes each run by forking.
 
-Started by `starter_link.py` as a script of its own, with an environment made for it (``-I`` would leave PYTHONHASHSEED out).
-It reads no submission: a run does so after the fork, confined, in a process, session and folder of its own, with `child.py`. So
-every run begins from the same clean state, and loading 400 modules is paid for once and not for each run.
+`starter_link.py` starts it as a separate script with its own environment (``-I`` would ignore PYTHONHASHSEED). It reads no
+submission: a run does so after the fork with `child.py`, in its own confined process, session and folder. So every run begins
+in the same clean state, and 400 modules are loaded once instead of once per run.
 
 The forkserver of the standard library is not enough. Its children inherit the caller's environment and hash seed. It unpickles
 its input, forgets a child's pid before the group could be killed, and has no place for a guard.
@@ -69,7 +69,7 @@ def main() -> NoReturn:
 
 
 def open_many() -> None:
-    """Let this process have a file open for each installed package."""
+    """Raise the limit of open files, so that this process can open a file for each installed package."""
     with suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -79,7 +79,9 @@ def open_many() -> None:
 
 
 def leave_nothing() -> NoReturn:
-    """End, when the grader has. One that was killed has left its private folder: it goes when the guards have emptied it."""
+    """End after the grader has ended. Remove the private folder that a killed grader has left, when the guards have emptied
+    it.
+    """
     folder = os.path.dirname(os.getcwd())
     for _ in range(LAST_LOOKS):
         with suppress(OSError):
@@ -96,7 +98,7 @@ def leave_nothing() -> NoReturn:
 
 
 def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[socket.socket], NoReturn], guard: Any) -> NoReturn:
-    """Be the guard of a run."""
+    """Become the guard of a run."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     guard.guard(socket.socket(fileno=descriptors[2]), job['home'], job['tree_memory'], run)
     os._exit(0)
@@ -105,7 +107,7 @@ def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[socket.so
 def _be_a_run(
     job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_peer: Any, notes: socket.socket
 ) -> NoReturn:
-    """Move house, and be the trusted peer of a run, which has the confined one as its child."""
+    """Enter the run's folder, and become the trusted peer of the run, whose child is the confined peer."""
     try:
         peer = _peer(job, ends, child, confinement, trusted_peer, notes)
     except BaseException as error:  # the run has not read anything of the submission
@@ -166,7 +168,7 @@ def _load_sandbox() -> tuple[Any, Any, Any, Any]:
 
 
 def _load_child() -> Any:
-    """Return the module child.py: not among the loaded ones either, and no frame of it is the student's."""
+    """Return the module child.py. It is not in sys.modules either, and its frames do not count as the student's."""
     child = ModuleType('edugrade_child')
     with open(os.path.join(HERE, 'child.py'), encoding='utf-8') as file:
         exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)

@@ -1,4 +1,4 @@
-"""The system's calls that Python has no names for."""
+"""System calls that Python has no functions for."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ libc.syscall.restype = ctypes.c_long
 def syscall(number: int, *arguments: Any) -> int:
     """Call the kernel by number.
 
-    :raises OSError: as the kernel says.
+    :raises OSError: with the error of the kernel.
     """
     wide = [ctypes.c_long(value) if isinstance(value, int) else value for value in arguments]
     return _checked(int(libc.syscall(ctypes.c_long(number), *wide)))
@@ -52,7 +52,7 @@ def fork() -> int:
 
 
 def effective_capabilities() -> int:
-    """Return the first 32 rights of root that this process has now, a bit each."""
+    """Return the first 32 capabilities of root that this process has now, one bit for each."""
     header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
     _checked(int(libc.capget(header, sets)))
     return int(sets[0])

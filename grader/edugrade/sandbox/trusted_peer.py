@@ -1,6 +1,5 @@
-"""The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer, and answers.
-
-It answers the runner with two frames of a letter, eight bytes of length, and content. The first frame, ``C``, is JSON with the
+"""The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer. It answers
+the runner with two frames of a letter, eight bytes of length, and content. The first frame, ``C``, is JSON with the
 layers of confinement. It comes from the confined peer before that peer reads anything of the submission.
 
 The second frame has one of these letters:
@@ -37,8 +36,8 @@ INTERRUPTED_S = 2.0  # simulated time in which programs can end after Ctrl-C
 class TrustedPeer:
     """One run.
 
-    :param channel: to the runner.
-    :param confined: is the other peer, given its end of the link and of the pipe for its last words.
+    :param channel: the pipe to the runner.
+    :param confined: runs the other peer, given its ends of the link and of the pipe for its last message.
     """
 
     def __init__(self, job: dict[str, Any], channel: int, confined: Callable[[socket.socket, int], NoReturn]) -> None:
@@ -56,7 +55,7 @@ class TrustedPeer:
         self._link = ours
 
     def run(self) -> NoReturn:
-        """Send the runner the confinement of the other peer, run with it, and answer."""
+        """Report the confinement of the other peer to the runner, run the scenario together with it, and answer."""
         state = read_words(self._words)
         if state[:1] == b'B':  # it has not been confined, and has read nothing yet
             self._answer(state[:1], state[HEADER_BYTES:])
@@ -117,12 +116,12 @@ class TrustedPeer:
         self._stopped('recording' if isinstance(error, TooMuch) else 'protocol', f'{type(error).__name__}: {error}')
 
     def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
-        """The other peer has ended; what it has started may hold its end of the link. What was sent is read, and no more."""
+        """Read what the ended peer has sent, and no more, because its children may still hold its end of the link."""
         with suppress(OSError):
             self._link.shutdown(socket.SHUT_RDWR)
 
     def _end_like_it(self) -> NoReturn:
-        """The other peer is gone: pass its last words on, or end as it did."""
+        """Pass on the last message of the ended peer, or end in the same way."""
         words = read_words(self._words)
         if words[:1] == b'B':  # a submission can break its process or pretend that it broke, so this gives no mark
             self._answer(b'S', b'{"reason": "broken", "said": %s}' % (words[HEADER_BYTES:] or b'null'))
@@ -158,7 +157,7 @@ class TrustedPeer:
 
 
 def send(channel: int, letter: bytes, content: bytes) -> None:
-    """Write one frame, all of it."""
+    """Write one complete frame."""
     for part in (letter + len(content).to_bytes(8, 'big'), content):
         view = memoryview(part)
         while view:
@@ -166,7 +165,7 @@ def send(channel: int, letter: bytes, content: bytes) -> None:
 
 
 def read_words(words: int) -> bytes:
-    """Read one whole frame from a pipe, or return b'' at its end."""
+    """Read one complete frame from a pipe, or return b'' at its end."""
     data = b''
     with suppress(BlockingIOError):
         while len(data) < LONGEST_WORDS and not _is_whole(data):
@@ -182,7 +181,7 @@ def _is_whole(data: bytes) -> bool:
 
 
 def broke(error: BaseException) -> tuple[bytes, bytes]:
-    """Return the answer when edulaunch itself broke."""
+    """Return the answer for an error of edulaunch itself."""
     import traceback
 
     text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))

@@ -1,8 +1,8 @@
-"""Gives a run its own tree of directories. Files that it may not read do not exist in it, and neither do their names and sizes.
-
-It needs a mount namespace: root may make one, and so may ordinary users where the system lets them make user namespaces. The tree
-is a file system in memory, into which is bound what may be read. All of it is read-only, devices too: no mode and no time of a
-file changes. The run's own folder is another file system in memory, with a limit of its own, so that a run cannot fill a disk.
+"""Gives a run its own tree of directories, without the files that it may not read, and without their names and sizes. This
+needs a mount namespace. Root may create one, and ordinary users may where the system lets them create user namespaces. The tree
+is a file system in memory, in which readable places are mounted. All of it is read-only, including devices, so no mode and no
+time of a file can change. The run's own folder is another file system in memory with its own limit, so that a run cannot fill a
+disk.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ READ_ALL = 1 << 1 | 1 << 2  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
 
 
 def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
-    """Let this process, and what it starts, see only these places from now on.
+    """Limit this process and its children to these places from now on.
 
     :param home: the run's own folder, which is empty; it is the current folder afterwards.
     :param shown: existing places, with everything below them. Other places are left out.
     :param hidden: folders in them that are empty.
-    :raises OSError: when the system makes no namespaces for this user. Nothing has changed then.
+    :raises OSError: when this user may not create namespaces; then nothing has changed.
     """
     if not IS_LINUX:
         raise OSError('only Linux has namespaces')
@@ -54,7 +54,7 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
 
 
 class _Tree:
-    """The tree that is being made.
+    """The new tree.
 
     :param root: its temporary path.
     """
@@ -64,7 +64,7 @@ class _Tree:
         self._bound: list[str] = []
 
     def show(self, place: str) -> None:
-        """Put a place into it. Links on the way are links there too."""
+        """Add a place to the tree. Links on its path are also links in the tree."""
         path, links = '/', 0
         rest = [part for part in place.split('/') if part]
         while rest:
@@ -93,7 +93,7 @@ class _Tree:
 
 
 def _unshare() -> None:
-    """Make a mount namespace; as an ordinary user in a user namespace, in which everybody is who they were."""
+    """Create a mount namespace. For an ordinary user, also create a user namespace that keeps all user ids."""
     user, group = os.geteuid(), os.getegid()
     if user == 0:  # avoid a user namespace, in which root cannot read the files of students
         return _checked(libc.unshare(NEW_NAMESPACE))
@@ -107,7 +107,7 @@ def _unshare() -> None:
 
 
 def _make_read_only(place: str) -> None:
-    """Let nothing of the mounts at a place and below it be changed."""
+    """Make the mounts at a place and below it read-only."""
     wanted = (ctypes.c_uint64 * 4)(READ_ONLY, 0, 0, 0)
     syscall(MOUNT_SETATTR, HERE, os.fsencode(place), WITH_ALL_BELOW, ctypes.byref(wanted), ctypes.sizeof(wanted))
 

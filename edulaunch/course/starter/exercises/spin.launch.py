@@ -1,4 +1,4 @@
-"""turtle1 drives a circle. The launch argument speed says how fast, in m/s; it turns by 1 rad/s."""
+"""turtle1 drives a circle. The launch argument speed sets its speed in m/s; it turns at 1 rad/s."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

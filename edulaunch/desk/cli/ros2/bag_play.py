@@ -72,7 +72,7 @@ class Player:
         return bool(self._arguments.publish_service_requests and connection.topic.endswith(EVENT_TOPIC))
 
     def _sender(self, connection: Any) -> tuple[Callable[[Any], object], Any] | None:
-        """Return what sends the messages of a topic, and their class; None if their type is unknown here."""
+        """Return the publisher or client for the messages of a topic, and their class; None if their type is unknown here."""
         topic = self._names.get(connection.topic, connection.topic)
         try:
             cls = current_registry().get(connection.msgtype)

@@ -73,7 +73,7 @@ def _keep_on_loopback(files: set[int]) -> None:
 
 
 def leave(number: int) -> None:
-    """A link and its entities have been closed."""
+    """Leave a domain after a link and its entities have been closed."""
     joined = _joined[number]
     joined.links -= 1
     if not joined.links:
@@ -82,7 +82,7 @@ def leave(number: int) -> None:
 
 
 def is_on_loopback(settings: Settings) -> bool:
-    """Return whether only this computer is meant."""
+    """Return whether the settings limit discovery to this computer."""
     return settings.discovery_range == 'OFF' or (settings.discovery_range == 'LOCALHOST' and not settings.static_peers)
 
 

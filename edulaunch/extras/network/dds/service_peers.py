@@ -1,7 +1,8 @@
 """The peers with which services work over Cyclone DDS.
 
-A reply contains the id of its request. Cyclone DDS puts the id into the message, Fast DDS beside it, where cyclonedds for Python
-can neither write nor read it. So our service is announced only if a compatible peer exists, and our client
+A reply contains the id of its request. Cyclone DDS puts the id into the message. Fast DDS puts it beside the message, where
+cyclonedds for Python can neither write nor read it. So our service is announced only if a compatible peer exists, and our
+client
 calls only such a server. A hidden service is better than one that never answers.
 """
 

@@ -1,4 +1,4 @@
-"""The words of `edugrade batch`."""
+"""The options of `edugrade batch`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ...options import add_common
 
 
 def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
-    """Parse what follows ``edugrade batch``."""
+    """Parse the words after ``edugrade batch``."""
     parser = argparse.ArgumentParser(
         prog='edugrade batch',
         description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own. '

@@ -53,7 +53,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def _with_decisions(results: Results, store: Store) -> Results:
-    """Return the results with what the teacher has decided, and how long the runs took."""
+    """Return the results with the teacher's decisions, and how long the runs took."""
     from ..decisions import decided
 
     times = store.times()

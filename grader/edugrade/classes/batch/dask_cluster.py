@@ -1,6 +1,7 @@
-"""Grades a class on many machines, by Dask: a submission travels as text, is graded there, and comes back as data.
+"""Grades a class on several machines with Dask: each worker receives a submission as text, grades it, and returns the result as
+data.
 
-A worker that dies costs no mark: its submissions are given to another one. Workers need edulaunch of the same version. Each
+If a worker dies, another worker grades its submissions. Workers need edulaunch of the same version. Each
 worker keeps a grader, so that it loads the engine once and not for each submission.
 """
 
@@ -33,7 +34,7 @@ Parcel = dict[str, Any]
 
 
 def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
-    """Grade on the cluster with this scheduler; every result is kept as soon as it comes.
+    """Grade on the cluster with this scheduler, and store each result when it arrives.
 
     :raises UnusableInput: when Dask is not installed, or no scheduler answers at the address.
     """
@@ -92,7 +93,7 @@ def parcel(work: Work, options: Options) -> Parcel:
 
 
 def _workspaces(work: Work, options: Options) -> list[str]:
-    """Return the folders with more packages than the one that is graded."""
+    """Return the folders with packages other than the graded one."""
     own = work.submission.package
     return [
         os.path.abspath(each) for each in (*options.workspaces, *work.submission.workspaces) if own is None or each != own.path

@@ -1,4 +1,4 @@
-"""What was handed in: the submissions in a folder, in archives, and behind a table of repositories."""
+"""Finds the submissions in a folder, in archives, and in a table of repositories."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class Entry(NamedTuple):
     """A submission of a class.
 
     :ivar path: its path relative to the directory of all submissions. An archive counts as a directory.
-    :ivar student: whose it is; `id` by a learning platform's number or word.
+    :ivar student: the student who submitted it; `id` is the student's number or name on a learning platform.
     :ivar file: the path of its file, unpacked if necessary, or '' for a refused submission. `refused` and `help` explain why.
-    :ivar origin: repository and commit, when it was cloned.
-    :ivar root: the folder of all that the student handed in, or what it was unpacked to.
+    :ivar origin: repository and commit of a cloned submission.
+    :ivar root: the folder with everything that the student submitted, perhaps unpacked.
     """
 
     path: str
@@ -46,7 +46,7 @@ class Entry(NamedTuple):
 
 
 def refuse_nothing(given: str) -> None:
-    """Refuse a path that is not a directory, an archive or a table, before the results get a directory.
+    """Refuse a path that is not a directory, an archive or a table, before a directory for the results is created.
 
     :raises UnusableInput: naming it.
     """
@@ -59,9 +59,10 @@ def refuse_nothing(given: str) -> None:
 class Finder:
     """Finds the submissions.
 
-    :param given: a folder with a folder, an archive or a launch file for each student, such a folder packed, or a table (.csv).
+    :param given: a folder with a folder, an archive or a launch file for each student, an archive of such a folder, or a table
+        (.csv).
     :param unpacked: a new directory for archives and repositories.
-    :param is_wanted: says of a name, of a launch file or a package, whether it is an exercise to be graded.
+    :param is_wanted: returns whether the name of a launch file or package belongs to an exercise to grade.
     :param pattern: see `namer`.
     """
 
@@ -77,7 +78,7 @@ class Finder:
     def entries(self) -> list[Entry]:
         """Return all submissions in the order of their paths. A student without a submission has an entry with the reason.
 
-        :raises UnusableInput: when there is nothing to look into.
+        :raises UnusableInput: when there are no submissions.
         """
         given = self._given
         if given.lower().endswith('.csv') and os.path.isfile(given):
@@ -92,7 +93,7 @@ class Finder:
         return [entry for item in _sorted(given) for entry in self._of_item(item, student_of)]
 
     def _of_row(self, student: Student, folder: str, origin: str, refused: str) -> list[Entry]:
-        """Return what one line of a table leads to."""
+        """Return the submissions of one line of a table."""
         shown = os.path.basename(folder)
         if refused:
             return [Entry(shown, *student, refused=refused, origin=origin)]
@@ -101,7 +102,7 @@ class Finder:
         return [entry._replace(origin=origin, root=self._root_of(entry, folder)) for entry in found]
 
     def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
-        """Return the submissions of one student. Other files than directories, archives and launch files do not count."""
+        """Return the submissions of one student. Only directories, archives and launch files count."""
         folder = os.path.dirname(item.path)
         if item.is_symlink():
             yield Entry(item.name, *student_of(item.name), refused='it is a link, and links are not followed')
@@ -114,7 +115,7 @@ class Finder:
         yield from (entry._replace(root=self._root_of(entry, item.path)) for entry in found)
 
     def _root_of(self, entry: Entry, folder: str) -> str:
-        """Return what the student handed in of which this is a part: a folder, or what an archive was unpacked to."""
+        """Return the folder of the whole submission that contains this path, or the folder of its unpacked archive."""
         if entry.file.startswith(os.path.join(folder, '')):
             return folder
         if not entry.file.startswith(os.path.join(self._unpacked, '')):
@@ -150,7 +151,7 @@ class Finder:
             yield self._launch_file(Entry(shown, *student_of(shown), file=path))
 
     def _launch_file(self, entry: Entry) -> Entry:
-        """Return the entry of a launch file; one that a learning platform has renamed gets its own name back, in a copy."""
+        """Return the entry of a launch file. If a learning platform has renamed the file, a copy has the original name."""
         name = os.path.basename(entry.file)
         if plain_name(name) == name:
             return entry
@@ -184,7 +185,7 @@ class Finder:
         yield from found or [Entry(shown, *student, refused=NOTHING)]
 
     def _new_folder(self) -> str:
-        """Return the path of a folder that is not there yet, for one archive or file."""
+        """Return the path of a new folder for one archive or file."""
         os.makedirs(self._unpacked, exist_ok=True)
         self._folders += 1
         return os.path.join(self._unpacked, str(self._folders))

@@ -1,4 +1,4 @@
-"""The results of a class: one file for each submission, written whole or not at all."""
+"""The results of a class: one file for each submission, which is written completely or not at all."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LARGEST_RESULT = 10_000_000
 LONGEST_PART = 240  # bytes of a file name, including our ending
 UNPACKED, LOCK, TIMES = '.unpacked', '.lock', '.times'
 OURS = ('teacher.csv', 'index.html', 'students')
-"""Names in a folder of results or pages that are no student's, whatever a student's folder is called."""
+"""Names in a folder of results or pages that never belong to a student, even if a student's folder has such a name."""
 
 Result = dict[str, Any]
 
@@ -30,7 +30,7 @@ Result = dict[str, Any]
 class Store:
     """A folder of results: for each submission ``<its path>.json``.
 
-    :ivar unkept: paths of submissions whose new results could not be written. An older one that is there is not theirs.
+    :ivar unkept: paths of submissions whose new results could not be written. An older stored result does not belong to them.
     """
 
     def __init__(self, folder: str) -> None:
@@ -40,14 +40,14 @@ class Store:
 
     @property
     def unpacked(self) -> str:
-        """Where archives are unpacked and repositories cloned: kept, to look into."""
+        """The folder for unpacked archives and cloned repositories. It is kept, so that teachers can look into it."""
         return os.path.join(self.folder, UNPACKED)
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """Keep other batches away from these results, and take away what a killed one left half written.
+        """Lock these results against other batches, and remove incomplete files of a killed batch.
 
-        :raises UnusableInput: when another batch is at work on them, or they cannot be written.
+        :raises UnusableInput: when another batch uses them, or they cannot be written.
         """
         is_new = not os.path.lexists(self.folder)
         try:
@@ -75,7 +75,9 @@ class Store:
             os.close(lock)
 
     def path(self, entry: Entry, ending: str = '.json', folder: str | None = None) -> str:
-        """Return where something about a submission is stored: under a number if its own name is too long, or is needed here."""
+        """Return where something about a submission is stored: under a number if its own name is too long or has another
+        meaning here.
+        """
         name = entry.path
         is_ours = name.split(os.sep)[0].lower() in OURS
         if is_ours or any(len(os.fsencode(part)) > LONGEST_PART for part in name.split(os.sep)) or len(os.fsencode(name)) > 900:
@@ -98,11 +100,11 @@ class Store:
         write_whole(path, json_text({**about, **content}))
 
     def took(self, entry: Entry, seconds: float) -> None:
-        """Note how long the runs of a submission took. It is kept beside the results, which are equal when runs are equal."""
+        """Record how long the runs of a submission took. Results do not contain this time, so equal runs have equal results."""
         self._times[entry.path] = round(seconds, 2)
 
     def times(self) -> dict[str, float]:
-        """Return how long the runs of submissions took, by path: now, or in an earlier batch. Keeps it."""
+        """Return how long the runs of submissions took, by path, in this batch or in an earlier one, and store these times."""
         path = os.path.join(self.folder, TIMES)
         known: dict[str, float] = {}
         with suppress(OSError, ValueError, RecursionError):
@@ -113,7 +115,7 @@ class Store:
         return {**known, **self._times}
 
     def all(self) -> list[Result]:
-        """Return every result that is there, in the order of their paths: of an ended batch, for its exports.
+        """Return all stored results of a batch in the order of their paths, for exports.
 
         :raises UnusableInput: when there is no result.
         """
@@ -135,7 +137,8 @@ def _read(path: str) -> Result | None:
 
 
 def merged(earlier: dict[str, Any], again: dict[str, Any], name: str) -> dict[str, Any]:
-    """Return the earlier result with one check, its points and what follows from them as they are now. The rest stays as it was.
+    """Return the earlier result with one check and its points replaced, and everything that depends on them. The rest is
+    unchanged.
 
     :param again: the report of the check and of the checks that it needs.
     """

@@ -24,14 +24,14 @@ _GRADESCOPE = re.compile(r'(?:[^/]*/)?(?P<key>submission_\d+)(?:/|$)')
 
 
 class Student(NamedTuple):
-    """A name, and the number or word by which a learning platform knows them; '' where the path does not say it."""
+    """The name of a student, and the number or name on a learning platform, which is '' if the path does not contain it."""
 
     name: str
     id: str = ''
 
 
 def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
-    """Return what gives the student of a path relative to the folder of all submissions (written with ``/``).
+    """Return a function that finds the student of a path relative to the folder of all submissions (written with ``/``).
 
     A pattern comes first. Then come the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of Gradescope
     (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
@@ -57,7 +57,7 @@ def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
 
 
 def plain_name(name: str) -> str:
-    """Return the name that the student gave a launch file: without what Moodle and Canvas write around it."""
+    """Return the name that the student gave a launch file: without the parts that Moodle and Canvas add."""
     for before in (_MOODLE, _CANVAS_BEFORE):
         match = before.match(name)
         if match and match.end() < len(name):
@@ -87,7 +87,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
 
 
 def _gradescope_people(folder: str) -> Mapping[str, Student]:
-    """Return the submitters by the folder of their submission, from the file that Gradescope's export has beside them."""
+    """Return the submitters by the folder of their submission, from the file that Gradescope exports with them."""
     for place in ('', *_folders(folder)):
         try:
             text = read_regular(os.path.join(folder, place, 'submission_metadata.yml'), LARGEST_METADATA)
@@ -111,7 +111,7 @@ def _folders(folder: str) -> list[str]:
 
 
 def _person(key: Any, value: Any) -> tuple[str, Student] | None:
-    """Return all who handed it in: Gradescope writes the keys as Ruby symbols."""
+    """Return all students who submitted it. Gradescope writes the keys as Ruby symbols."""
     submitters = value.get(':submitters') if isinstance(value, dict) else None
     if not isinstance(submitters, list) or not all(isinstance(each, dict) for each in submitters):
         return None
@@ -127,7 +127,8 @@ _URL = re.compile(r'(?:https?|ssh|git|file)://|[\w.-]+@[\w.-]+:')
 
 
 def clone_all(table: str, folder: str) -> Iterator[tuple[Student, str, str, str]]:
-    """For each line of a table (student, its folder, where it is from, why it is refused or '').
+    """Clone or find the submission of each line of a table. Yield the student, the folder, its origin, and why it is refused or
+    ''.
 
     The table is CSV with a header. It has a column ``student``, and a column ``url`` (of a git repository) or ``path`` (a
     directory, relative to the table). The columns ``id`` and ``ref`` (a branch or tag) are optional.
@@ -164,7 +165,7 @@ def _rows(table: str) -> list[Mapping[str, str]]:
 
 
 def _clone(url: str, ref: str, target: str) -> str:
-    """Clone one repository: no hooks, links, submodules or questions. Gives why it could not be cloned, or ''."""
+    """Clone one repository without hooks, links, submodules or questions. Return why that failed, or ''."""
     if not (_URL.match(url) or os.path.isdir(url)) or ref.startswith('-'):
         return f'{url!r} is not an address of a git repository'
     os.makedirs(os.path.dirname(target), exist_ok=True)

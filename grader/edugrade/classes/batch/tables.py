@@ -1,4 +1,4 @@
-"""What people read of a class: a table for a spreadsheet, and pages, one for all and one for each student."""
+"""Writes the results of a class for people: a table for spreadsheets, a page for the class, and a page for each student."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ COLUMNS = (
 FORMULA = ('=', '+', '-', '@', '\t', '\r')
 BEHIND_A_SEPARATOR = re.compile(r'([;|\t\n][ "]*)(?=[=+@-])')
 BEHIND_A_COMMA = re.compile(r'(,[ "]*)(?=[=+@-])')
-"""Where in another country's spreadsheet a new cell begins, with a formula."""
+"""The places where a spreadsheet with other separators would begin a cell with a formula."""
 
 
 NUMBER = re.compile(r'^(\d+)\.(\d+)$')
 
 
 def rows(results: Results) -> list[dict[str, str]]:
-    """Return a row for each submission: no mark is an empty text, and never a zero."""
+    """Return a row for each submission. A missing mark is an empty string, never a zero."""
     return [_row(entry, found or {'refused': 'not graded yet'}) for entry, found in results]
 
 
@@ -77,7 +77,9 @@ def confined_by(found: Result) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return the first line of a string; if it ends in a colon, with the second line, and of a list of exceptions only that."""
+    """Return the first line of a string. If it ends in a colon, add the second line, or return only that line of a list of
+    exceptions.
+    """
     lines = [line.strip().removeprefix('- ') for line in text.splitlines() if line.strip()]
     if lines[1:] and lines[0].endswith(':'):
         return lines[1] if lines[0].startswith('Caught ') else f'{lines[0]} {lines[1]}'
@@ -97,9 +99,11 @@ def class_csv(results: Results) -> str:
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
-    """A table. What a spreadsheet would take for a formula begins with an apostrophe, also behind another separator of cells.
+    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula, also after another
+    separator of cells.
 
-    :param separator: of the cells. With a semicolon, numbers have a decimal comma: such a spreadsheet reads 9.6 as a date.
+    :param separator: the separator of the cells. With a semicolon, numbers have a decimal comma: such a spreadsheet reads 9.6
+        as a date.
     """
     file = io.StringIO()
     writer = csv.DictWriter(file, columns, lineterminator='\n', delimiter=separator)
@@ -131,7 +135,7 @@ LONGEST_STEM = 80  # characters in the name of a student's page
 
 
 def write_pages(folder: str, results: Results, store: Store) -> None:
-    """Write ``index.html`` and ``students/*.html``; what links lead to is the pages of the submissions, written before."""
+    """Write ``index.html`` and ``students/*.html``; they link to the pages of the submissions, which exist already."""
     os.makedirs(os.path.join(folder, 'students'), exist_ok=True)
     pages = {entry.path: os.path.relpath(store.path(entry, '.html', folder), folder) for entry, _ in results}
     pages = {path: page for path, page in pages.items() if os.path.exists(os.path.join(folder, page))}
@@ -142,7 +146,7 @@ def write_pages(folder: str, results: Results, store: Store) -> None:
 
 
 def student_file(name: str, number: str = '') -> str:
-    """Return the path of a student's page: readable, and another one for each student."""
+    """Return the path of a student's page: it is readable and unique."""
     readable = ''.join(sign if sign.isalnum() else '_' for sign in name)[:LONGEST_STEM]
     return f'students/{readable}-{sha256(f"{name}/{number}".encode("utf-8", "surrogateescape")).hexdigest()[:8]}.html'
 
@@ -167,7 +171,7 @@ def class_page(results: Results, pages: dict[str, str]) -> str:
 
 
 def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
-    """Return what one student handed in, check by check."""
+    """Return the page with one student's submissions, check by check."""
     parts: list[Markup] = []
     for (entry, found), row in zip(results, rows(results), strict=True):
         mark = f': {row["earned"]} of {row["possible"]} points' if row['earned'] else ': no mark'
@@ -205,7 +209,7 @@ def _marks(results: Results) -> Iterator[str]:
 
 
 def _causes(results: Results) -> list[Markup]:
-    """Return the first thing that is wrong with a submission, most frequent first."""
+    """Return the first problem of each submission, the most frequent one first."""
     counts: Counter[tuple[str, str, str]] = Counter()
     for (_, found), row in zip(results, rows(results), strict=True):
         if row['first_problem']:

@@ -1,4 +1,6 @@
-"""Unpacks archives of strangers: regular files and folders only, inside the given folder, within limits that are measured."""
+"""Unpacks archives of strangers: only regular files and folders, only inside the given folder, and within limits on the
+measured size.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,7 @@ END_OF_ZIP = b'PK\x05\x06'
 
 
 class Bounds(NamedTuple):
-    """How much may come out of an archive: files, bytes unpacked, bytes packed."""
+    """The limits of an archive: number of files, unpacked bytes, packed bytes."""
 
     files: int
     unpacked: int
@@ -37,7 +39,7 @@ OF_A_CLASS = Bounds(200_000, 4096 * MEBI, 4096 * MEBI)
 
 
 class Member(NamedTuple):
-    """What an archive says it holds. `kind` is 'file', 'folder', or in words what else."""
+    """An entry in the list of an archive. `kind` is 'file', 'folder', or a description of anything else."""
 
     name: str
     kind: str
@@ -47,8 +49,8 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: with the name of a member that is refused. Such a member is not a file or directory, leads out of the
-        directory, has an odd name, comes twice, or is too large. The files that were written before stay.
+    :raises UnusableInput: with the name of a refused member. It is not a file or directory, leads out of the directory, has an
+        invalid name, appears twice, or is too large. Files that were written before it remain.
     """
     try:
         _refuse_size(archive, bounds)
@@ -65,7 +67,7 @@ def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
 
 
 def refused(reason: str) -> UnusableInput:
-    """Return the error for an archive that is not looked at."""
+    """Return the error for a refused archive."""
     return UnusableInput(
         f'the archive {reason}', help='pack the launch file or the package as a plain .zip or .tar.gz, without links'
     )
@@ -133,7 +135,7 @@ def _zip_members(file: BinaryIO, bounds: Bounds) -> Iterator[Member]:
 
 
 def _refuse_directory(file: BinaryIO, bounds: Bounds) -> None:
-    """Refuse a list of files so long that reading it alone costs a machine its memory."""
+    """Refuse a list of files that is so long that reading it would fill the memory."""
     end = file.seek(0, os.SEEK_END)
     file.seek(max(0, end - CHUNK - len(END_OF_ZIP) - 18))
     tail = file.read()
@@ -176,7 +178,7 @@ def _decompressed(file: BinaryIO) -> BinaryIO:
 
 
 class _Counted(io.RawIOBase):
-    """A stream that refuses to give more than the bounds allow, whatever asks for it."""
+    """A stream that raises an error as soon as it has returned more bytes than the bounds allow."""
 
     def __init__(self, stream: BinaryIO, bounds: Bounds) -> None:
         self._stream = stream

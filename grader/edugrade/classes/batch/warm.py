@@ -1,7 +1,8 @@
-"""A grader that stays: it grades one submission after the other, and its starter has the engine loaded.
+"""A grader that continues to run: it grades one submission after the other, and its starter has loaded the engine.
 
 A Dask worker has threads, so it cannot fork safely. It keeps graders of this kind as child processes, one for each of its
-threads, and sends each request as a line of JSON. As in a batch, each run is a fork of the starter and sees no other submission.
+threads, and sends each request as a line of JSON. As in a batch, each run is a fork of the starter and sees no other
+submission.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ class Lost(Exception):
 class WarmProcess:
     """A grader in a process of its own.
 
-    :ivar is_there: whether it can be asked again.
+    :ivar is_there: whether it accepts more requests.
     """
 
     def __init__(self) -> None:
@@ -47,7 +48,7 @@ class WarmProcess:
     def ask(self, request: Request, patience_s: float) -> Answer:
         """Return the answer to a request.
 
-        :raises Lost: when the process ends first, or `patience_s` is over. The process is gone then.
+        :raises Lost: when the process ends first, or does not answer within `patience_s`. Then the process no longer exists.
         :raises UnusableInput: when the submission cannot be graded.
         :raises RuntimeError: with the fault of the grader.
         """
@@ -86,7 +87,7 @@ _lock = threading.Lock()
 
 
 def ask_warm(request: Request, patience_s: float) -> Answer:
-    """Grade by an idle grader of this process, or by a new one; see `WarmProcess.ask`."""
+    """Grade with an idle grader of this process, or with a new one; see `WarmProcess.ask`."""
     with _lock:
         process = _idle.pop() if _idle else WarmProcess()
     try:

@@ -1,4 +1,4 @@
-"""Grades what has to be graded of a class: each result is kept as soon as it is known."""
+"""Grades the submissions of a class that need it, and stores each result immediately."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .store import Result, Store
 
 
 class Options(NamedTuple):
-    """How a class is graded; see the command's help."""
+    """The options for grading a class; see the help of the command."""
 
     rubric: str | None = None
     seed: int | None = None
@@ -50,9 +50,9 @@ class Options(NamedTuple):
 
 
 def plan(entry: Entry, options: Options) -> Work:
-    """Return what a submission is graded by.
+    """Return the work for a submission: rubric, seed and scenarios.
 
-    :raises UnusableInput: when it cannot be graded, and why.
+    :raises UnusableInput: when it cannot be graded, with the reason.
     """
     if entry.refused:
         raise UnusableInput(entry.refused, help=entry.help)
@@ -88,7 +88,7 @@ def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iter
 
 
 def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool:
-    """Whether the result is there already: of this text, by this rubric, engine and seed, with its page when one is wanted."""
+    """Return whether there is a result for this text, rubric, engine and seed, with a page if the user wants one."""
     found = store.result(entry)
     if found is None or found.get('receipt') != receipt(work) or found.get('exit_code') == BROKEN_GRADER:
         return False
@@ -112,7 +112,7 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
 
 
 def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
-    """Grade on this machine, `jobs` runs at a time."""
+    """Grade on this machine, with `jobs` parallel runs."""
     from ...grading import progress_bar
 
     works = [work for _, work in todo]
@@ -123,7 +123,7 @@ def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Option
 
 
 def keep_report(store: Store, entry: Entry, report: Report, options: Options) -> None:
-    """Write the page of a submission, when one is wanted, and then the result."""
+    """Write the page of a submission if the user wants pages, and then the result."""
     try:
         if options.html and not options.only:
             from ...reports.page import page
@@ -137,7 +137,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
 
 
 def keep_page(path: str, text: str) -> None:
-    """Write a page. A failure prints a message and costs no mark."""
+    """Write a page. A failure prints a message, and the mark stays."""
     try:
         os.makedirs(os.path.dirname(path), exist_ok=True)
         write_whole(path, text)

@@ -1,1 +1,1 @@
-"""Marks in the formats of learning platforms; each file names the document that its format is from."""
+"""Marks in the formats of learning platforms; each file names the document that describes its format."""

@@ -26,7 +26,7 @@ MINUTES = 2
 
 
 class Test(NamedTuple):
-    """A command that ends with 0 when a check passes, and the points for that."""
+    """A command with exit code 0 if a check passes, and the points of the check."""
 
     id: str
     name: str
@@ -69,7 +69,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def tests(exercise: str) -> list[Test]:
-    """The tests of an exercise: a command for each check that has points.
+    """Return the tests of an exercise: a command for each check that has points.
 
     :raises UnusableInput: when there is no such exercise.
     """
@@ -91,7 +91,7 @@ def tests(exercise: str) -> list[Test]:
 
 
 def workflow(found: Sequence[Test], install: str) -> str:
-    """``.github/workflows/classroom.yml``: what GitHub Classroom runs today."""
+    """Return ``.github/workflows/classroom.yml``, which GitHub Classroom runs today."""
     steps: list[dict[str, object]] = [
         {'name': 'Checkout code', 'uses': 'actions/checkout@v4'},
         {'uses': 'actions/setup-python@v5', 'with': {'python-version': '3.12'}},
@@ -122,7 +122,7 @@ def workflow(found: Sequence[Test], install: str) -> str:
 
 
 def autograding(found: Sequence[Test], install: str) -> str:
-    """``.github/classroom/autograding.json``: the older form, which other tools still read."""
+    """Return ``.github/classroom/autograding.json``, the older form, which other tools still read."""
     tests = [
         {
             'name': test.name,

@@ -1,4 +1,4 @@
-"""Gradescope: ``edugrade gradescope build`` packs an autograder, ``edugrade gradescope run`` is what it does there.
+"""Gradescope: ``edugrade gradescope build`` packs an autograder, and the autograder runs ``edugrade gradescope run``.
 
 Formats: gradescope-autograders.readthedocs.io, "Autograder Specifications" (``results.json``) and "Submission Metadata".
 """
@@ -107,9 +107,10 @@ def build(exercise: str, out: str, wheel: str | None = None, secret: str | None 
 
 
 def run(folder: str) -> int:
-    """Grade ``submission/`` by ``source/`` and write ``results/results.json``.
+    """Grade ``submission/`` with the rubric in ``source/``, and write ``results/results.json``.
 
-    If the grader failed, this writes nothing and the exit code is 3. Gradescope then reports a failed autograder without a mark.
+    If the grader failed, this writes nothing and the exit code is 3. Gradescope then reports a failed autograder without a
+    mark.
     """
     source = os.path.join(folder, 'source')
     config = json.loads(read_given(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
@@ -152,7 +153,7 @@ def results(found: dict[str, Any], note: str = '') -> dict[str, Any]:
 
 
 def refused(reason: str, possible: int) -> dict[str, Any]:
-    """Return the results of what cannot be graded because of what was handed in."""
+    """Return the results of a submission that cannot be graded, for a reason in the submission."""
     test = {
         'name': 'It can be graded',
         'score': 0,

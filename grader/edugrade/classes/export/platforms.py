@@ -34,9 +34,9 @@ class Mark(NamedTuple):
 
 
 def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> tuple[str, list[Mark]]:
-    """Return the exercise and the marks in it; of several submissions of a student the best one counts.
+    """Return the exercise and its marks. If a student has several submissions, the best one counts.
 
-    :param exercise: its name; may be left out when the results know one exercise only.
+    :param exercise: its name; optional if all results belong to one exercise.
     :raises UnusableInput: when the exercise is not clear, or no student submitted it.
     """
     known = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
@@ -75,7 +75,7 @@ def remarks(result: dict[str, Any]) -> list[str]:
 
 
 def is_unconfined(result: dict[str, Any]) -> bool:
-    """Return whether a mark comes from runs that were not confined wholly."""
+    """Return whether a mark comes from runs that were not fully confined."""
     layers = result.get('sandbox') or {}
     return 'checks' in result and (not layers or any(state != 'held' for layer, state in layers.items() if layer != 'view'))
 
@@ -98,7 +98,7 @@ def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
 
 
 def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
-    """Return the list as it was, but for what was filled in."""
+    """Return the list with its original form and the new values."""
     file = io.StringIO()
     writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore')
     writer.writeheader()
@@ -107,7 +107,7 @@ def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
 
 
 def points(mark: Mark) -> str:
-    """Return the mark as a number, or nothing."""
+    """Return the mark as a number, or '' without a mark."""
     return '' if mark.earned is None else f'{mark.earned:g}'
 
 
@@ -146,10 +146,10 @@ KEPT = (STUDENT, *NUMBERS, 'Section')
 
 
 def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
-    """The gradebook with the marks in the column of that title (a new one, or one called ``title (1234)``), and who is not in it.
-
-    Students are known by a number (which Canvas writes into the names of downloads), else by their name. Other columns are left
-    out: Canvas changes what a file has.
+    """Return the gradebook with the marks in the column of that title, and the students who are not in it. The column may be
+    new, or called ``title (1234)``. A student is found by the number that Canvas writes into the names of downloads, or by
+    name.
+    Other columns are left out, because Canvas would import them.
 
     :raises UnusableInput: when it is not a gradebook of Canvas.
     """
@@ -174,7 +174,7 @@ MAXIMUM = ('Maximum Grade', 'Maximum grade')
 
 
 def moodle_csv(title: str, marks: Sequence[Mark]) -> str:
-    """For *Grades, Import, CSV file*: students by their names (and numbers), the mark, feedback."""
+    """Return the file for *Grades, Import, CSV file*: name and number of each student, the mark, and feedback."""
     columns = (NAME, 'ID number', title, f'{title} (feedback)')
     lines = [dict(zip(columns, (mark.student, mark.id, points(mark), mark.feedback), strict=True)) for mark in marks]
     return csv_text(columns, lines)
@@ -183,7 +183,7 @@ def moodle_csv(title: str, marks: Sequence[Mark]) -> str:
 def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
     """Return the worksheet with grades and feedback filled in, and the students that it does not name.
 
-    Students are known by the number behind "Participant", which the names of downloads have too, else by their name.
+    A student is found by the number after "Participant", which is also in the names of downloads, or by name.
 
     :raises UnusableInput: when it is not a worksheet, or its maximum is not that of the exercise.
     """

@@ -1,4 +1,6 @@
-"""`edulaunch course template classroom|gradescope`: the files with which these platforms grade the exercises of a course."""
+"""`edulaunch course template classroom|gradescope`: write the files that these platforms need to grade the exercises of a
+course.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ def classroom(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[s
     """Return a command for each check of each exercise.
 
     :param requirements: the text of requirements.txt, for a course without one.
-    :param exercises: name and path of each, from the current folder, which is the course.
+    :param exercises: the name of each exercise, and its path relative to the current folder, which is the course.
     """
     from .classroom import autograding, tests, workflow
 
