@@ -1,4 +1,4 @@
-"""What is known about an error besides its text, as plain data. `edulaunch.advice` has the words for it.
+"""Facts about an error beyond its message, as plain data. `edulaunch.advice` turns them into sentences.
 
 The module belongs to no room of the engine: the processes, the graph and ROS's packages attach facts, and each recording keeps
 them.
@@ -12,10 +12,10 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def with_facts(error: Error, about: str, **data: Any) -> Error:
-    """Return the error, which keeps its own text and now carries facts.
+    """Attach facts to an error, which keeps its message, and return it.
 
-    :param about: the rule that has words for it, such as 'programs.after-shutdown'.
-    :param data: the values of these names: strings, numbers, and lists of strings.
+    :param about: the rule with the sentences for it, such as 'programs.after-shutdown'.
+    :param data: the facts by name: strings, numbers, and lists of strings.
     """
     error.edulaunch_facts = {'about': about, **data}  # type: ignore[attr-defined]
     return error
@@ -28,11 +28,11 @@ def facts_of(error: BaseException | None) -> dict[str, Any]:
 
 
 def with_facts_of(error: Error, other: BaseException) -> Error:
-    """Return the error, which is raised in place of another one, with that one's facts."""
+    """Attach the facts of another error to the error that replaces it, and return it."""
     found = facts_of(other)
     return with_facts(error, **found) if found else error
 
 
 def kind_of(value: object) -> str:
-    """Return what a value is, for the facts: the name of its class, or 'None'."""
+    """Return the kind of a value for the facts: the name of its class, or 'None'."""
     return 'None' if value is None else type(value).__name__

@@ -11,8 +11,8 @@ from collections.abc import Iterable
 def nearest(name: str, names: Iterable[str]) -> str | None:
     """Return the known name that `name` was probably meant to be, or None when nothing is close.
 
-    Case and the three usual separators are looked through first (`My-Robot` finds `my_robot`); ties go to the
-    alphabet.
+    The search ignores case and the three usual separators at first (`My-Robot` finds `my_robot`). If several names are equally
+    near, the first one in the alphabet counts.
     """
     return next(iter(nearest_few(name, names, 1)), None)
 
@@ -31,9 +31,8 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
 
 
 def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
-    """The known name that `name` is but for a slip of the fingers; None when they differ by more than a fifth of the letters.
-
-    For names of packages, modules and programs, where `vision_msgs` and `visualization_msgs` are two things.
+    """Return the known name of which `name` is a misspelling; None if they differ by more than a fifth of the letters. It is
+    for names of packages, modules and programs, where `vision_msgs` and `visualization_msgs` are different things.
     """
     most = max(2, len(name) // 5)
     folded = _folded(name.removesuffix('.py'))  # a program may be named with the ending of its file, or without
@@ -41,7 +40,7 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
 
 
 def _edits(one: str, other: str) -> int:
-    """Letters to insert, to remove or to replace until one text is the other."""
+    """Return the number of letters to insert, remove or replace to turn one string into the other."""
     row = list(range(len(other) + 1))
     for count, letter in enumerate(one, 1):
         before, row[0] = row[0], count
@@ -69,6 +68,6 @@ def _folded(name: str) -> str:
 
 
 def did_you_mean(name: str, names: Iterable[str]) -> str | None:
-    """Return the line of help that names the nearest of the known names; None when nothing is close."""
+    """Return the line of help that names the nearest of the known names; None if no name is close."""
     near = nearest(name, names)
     return None if near is None else f'did you mean {near!r}?'

@@ -1,7 +1,9 @@
-"""The seams of the engine to the wings above: the facade sets here what they have.
+"""Functions that the engine needs from the wings above; the facade sets them.
 
-A plain script or a notebook cell that imports rclpy runs outside any launched program. At its first use of ROS, it needs its own
-machine. Code that requests a picture of a recording needs the wing that draws it. The engine creates neither. `import edulaunch`
+A plain script or a notebook cell that imports rclpy runs outside any launched program. At its first use of ROS, it needs its
+own
+machine. Code that requests a picture of a recording needs the wing that draws it. The engine creates neither. `import
+edulaunch`
 loads this small module and none of the rooms that use it.
 """
 
@@ -22,6 +24,6 @@ def _load_nothing(name: str) -> object:
 
 
 make_process: Callable[[Any], Any] = _nobody
-"""Called with the ambient task of a thread; gives the process that stands for its code."""
+"""Called with the ambient task of a thread; returns the process for the code of the thread."""
 load_view: Callable[[str], object] = _load_nothing
 """Called with the name of a view of recordings that is not registered yet: imports the wing that registers it."""

@@ -1,4 +1,4 @@
-"""Where the underlay is: the built-in packages, laid out like a ROS install prefix."""
+"""The place of the underlay: the built-in packages, with the layout of a ROS install prefix."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ def underlay_python() -> str:
 
 
 def is_students(filename: str) -> bool:
-    """Whether a file is neither ours nor Python's nor of an installed package. What the underlay shares is as a student's."""
+    """Return whether a file belongs neither to edulaunch nor to Python nor to an installed package. Files in the underlay's
+    `share/` count as a student's.
+    """
     python = os.path.dirname(os.path.abspath(os.__file__)) + os.sep
     if filename.startswith(('<', python)) or 'site-packages' in filename or filename.endswith('.pyx'):
         return False

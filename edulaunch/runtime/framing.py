@@ -30,7 +30,7 @@ def frame(kind: int, payload: bytes = b'') -> bytes:
 class Frames:
     """Splits received bytes into frames.
 
-    :param longest: the most bytes of a payload; or the allowed kinds, with the most bytes of each.
+    :param longest: the most bytes of a payload, or the allowed kinds with the most bytes of each.
     """
 
     def __init__(self, longest: int | Mapping[int, int] = LONGEST_OF_ALL) -> None:

@@ -144,7 +144,7 @@ class Watcher:
                 self._end_at_s = now_s + TERM_S
 
     def _judge(self) -> None:
-        """Python has not confirmed a signal in time."""
+        """React to a signal that Python has not confirmed in time."""
         now_s = time.monotonic()
         if self._end_at_s is not None and now_s >= self._end_at_s:
             self._end(f'{self._where()} prevents the end of the run')

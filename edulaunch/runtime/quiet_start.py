@@ -1,4 +1,4 @@
-"""Load the module of a command and run it: Ctrl-C meanwhile, and a computer without memory, give no traceback."""
+"""Load the module of a command and run it: Ctrl-C during this time, and a computer without memory, cause no traceback."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from importlib import import_module
 INTERRUPTED = 130
 UNUSABLE = 2
 LOADING_FAULTS = ('failed to map segment', 'Cannot allocate memory', 'Too many open files', "can't start new thread")
-"""What the texts of errors say that come while a module loads, when this computer has run out of something."""
+"""Parts of the error messages that appear while a module loads and the computer has run out of a resource."""
 
 
 def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:

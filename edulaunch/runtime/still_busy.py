@@ -33,14 +33,14 @@ class StillBusy:
         self.stop()
 
     def stop(self) -> None:
-        """The run has noticed the press, so no message is needed."""
+        """Stop the timer, because the run has noticed the press."""
         if self._is_armed:
             self._is_armed = False
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, self._before)
 
     def press(self) -> None:
-        """Ctrl-C was pressed; called in the main thread."""
+        """Record that Ctrl-C was pressed; called in the main thread."""
         if hasattr(signal, 'setitimer') and not self._is_armed:
             self._is_armed = True
             self._before = signal.signal(signal.SIGALRM, self._say)

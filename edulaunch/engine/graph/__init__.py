@@ -1,8 +1,8 @@
 """The in-memory ROS graph: names, nodes, topics with QoS, services, parameter values.
 
-Read `graph.py` first; `members.py` has who comes and goes, `topics.py` and `services.py` how messages are delivered.
-Delivery takes no simulated time and crosses process boundaries only as wire tuples (plain immutable data), traced before
-anybody else sees them.
+Read `graph.py` first. `members.py` adds and removes nodes and endpoints, and `topics.py` and `services.py` deliver messages.
+Delivery takes no simulated time. Only wire tuples (plain immutable data) cross process boundaries, and the tracer sees them
+first.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The graph of one simulation: publishers and subscriptions find each other, and clients their servers."""
+"""The graph of one simulation: publishers and subscriptions find each other, and clients find their servers."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Graph(Members):
     clients: dict[str, list[ServiceClient]]
 
     def create_publisher(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Publisher:
-        """Return a publisher of `node`, connected to all subscriptions that it suits."""
+        """Return a publisher of `node`, connected to all compatible subscriptions."""
         made = WatchedPublisher if qos.deadline_ns or qos.lease_ns else Publisher
         publisher = made(self, node, topic, cls, qos)
         self.add_end(node, self.publishers, topic, publisher)

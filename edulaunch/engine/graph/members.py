@@ -1,6 +1,5 @@
-"""Who is there: nodes and their endpoints come and go, and everybody who waits for a change is called.
-
-`graph.py` creates endpoints with these classes; an endpoint knows no more of its graph than this file defines.
+"""The members of a graph: adds and removes nodes and their endpoints, and reports each change to the programs that wait for it.
+`graph.py` creates endpoints with these classes. An endpoint knows only the part of its graph that this file defines.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from edulaunch.engine.sim.simulation import Simulation
 
 
 class Members:
-    """Nodes and endpoints of one simulation. `changes` counts up whenever anything comes or goes.
+    """Nodes and endpoints of one simulation. `changes` counts the additions and removals.
 
     :ivar publishers, subscriptions, services, clients: the endpoints by name, in order of creation.
     """
@@ -38,12 +37,12 @@ class Members:
         }
 
     def next_index(self) -> int:
-        """Return the next number in order of creation, for nodes and endpoints alike."""
+        """Return the next number in the common order of creation of nodes and endpoints."""
         self.last_index += 1
         return self.last_index
 
     def add_node(self, process: Any, name: str, namespace: str) -> NodeEntry:
-        """Let a node join; `namespace` is absolute ('/' for the root)."""
+        """Add a node; `namespace` is absolute ('/' for the root)."""
         node = NodeEntry(process, name, namespace, self.next_index())
         self.nodes.append(node)
         self.tracer.node_added(node)
@@ -51,7 +50,7 @@ class Members:
         return node
 
     def remove_node(self, node: NodeEntry) -> None:
-        """Let a node leave, with all its endpoints; a node that has left already is ignored."""
+        """Remove a node with all its endpoints; ignore a node that has been removed already."""
         if node not in self.nodes:
             return
         self.tracer.node_leaving(node)
@@ -62,15 +61,15 @@ class Members:
         self._changed()
 
     def remove_process(self, process: Any) -> None:
-        """Let all nodes of a process leave, as when the process has ended."""
+        """Remove all nodes of a process, for example after its end."""
         for node in [node for node in self.nodes if node.process is process]:
             self.remove_node(node)
 
     def add_end(self, node: NodeEntry, table: dict[str, list[Any]], name: str, endpoint: Any) -> None:
-        """Let an endpoint of a node join.
+        """Add an endpoint of a node.
 
         :param table: `publishers`, `subscriptions`, `services` or `clients`.
-        :param name: of its topic or service.
+        :param name: the name of its topic or service.
         """
         table.setdefault(name, []).append(endpoint)
         node.endpoints.append(endpoint)
@@ -78,7 +77,7 @@ class Members:
         self._changed()
 
     def remove_end(self, endpoint: Any) -> None:
-        """Let an endpoint leave; one that has left already is ignored."""
+        """Remove an endpoint; ignore an endpoint that has been removed already."""
         if endpoint.destroyed:
             return
         endpoint.destroyed = True

@@ -18,7 +18,7 @@ _PATH = _WORD | {'/'}
 
 
 def _is_plain(path: str) -> bool:
-    """Return whether a path without leading slash has nothing but good tokens; most names are such, and this is quickly seen."""
+    """Return whether all tokens of a path without leading slash are valid. This quick check accepts most names."""
     return path.isascii() and all(map(str.isidentifier, path.split('/')))
 
 
@@ -27,7 +27,7 @@ def _first_outside(name: str, allowed: frozenset[str]) -> int:
 
 
 def _digit_token(name: str) -> int:
-    """Index of the first digit that begins a token after a slash, or -1."""
+    """Return the index of the first digit that begins a token after a slash, or -1."""
     return next((index for index in range(1, len(name)) if name[index] in _DIGITS and name[index - 1] == '/'), -1)
 
 
@@ -135,7 +135,7 @@ def caret_text(kind: str, name: str, problem: Problem) -> str:
 
 
 def absolute_namespace(namespace: str) -> str:
-    """`namespace` with the leading slash that ROS 2 adds; '' becomes '/'."""
+    """Return `namespace` with the leading slash that ROS 2 adds; '' becomes '/'."""
     return namespace if namespace.startswith('/') else '/' + namespace
 
 
@@ -145,7 +145,7 @@ def fully_qualified_name(namespace: str, name: str) -> str:
 
 
 def plain_name(name: str, namespace: str) -> str | None:
-    """The absolute form of a relative name of good tokens in a good namespace; None for any other name, which may be wrong."""
+    """Return the absolute form of a valid relative name in a valid namespace; None for any other name, which may be invalid."""
     if name.__class__ is str and name and _is_plain(name) and len(name) + len(namespace) < MAX_TOPIC_NAME:
         return fully_qualified_name(namespace, name)
     return None
@@ -184,7 +184,7 @@ class RemapRule(NamedTuple):
     """One `from:=to` rule.
 
     :ivar kind: 'topic', 'service', 'any' (topics and services), 'node' or 'namespace'.
-    :ivar node_name: the only node that the rule is for, or None for all.
+    :ivar node_name: the only node that the rule applies to, or None for all nodes.
     :ivar match: the name to replace, as written; unused for 'node' and 'namespace'.
     """
 
@@ -195,12 +195,12 @@ class RemapRule(NamedTuple):
 
 
 def remapped_node_name(rules: Iterable[RemapRule], name: str) -> str:
-    """Return the node's name after the first `__node` rule that is for it."""
+    """Return the node's name after the first `__node` rule that applies to it."""
     return _replacement(rules, 'node', name) or name
 
 
 def remapped_namespace(rules: Iterable[RemapRule], node_name: str, namespace: str) -> str:
-    """Return the node's namespace after the first `__ns` rule that is for it (`node_name` is the renamed one)."""
+    """Return the node's namespace after the first `__ns` rule that applies to it (`node_name` is the renamed one)."""
     return _replacement(rules, 'namespace', node_name) or namespace
 
 
@@ -227,5 +227,5 @@ def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: s
 
 
 def is_hidden(name: str) -> bool:
-    """Return whether tools leave this name out: one of its tokens begins with an underscore."""
+    """Return whether tools leave this name out, because one of its tokens begins with an underscore."""
     return name.startswith('_') or '/_' in name

@@ -8,7 +8,7 @@ from typing import Any
 class NodeEntry:
     """A node as the graph knows it. `endpoints` are in order of creation.
 
-    :ivar participant: what all endpoints of one DDS participant share: the process, or the context that made the node.
+    :ivar participant: the owner of the DDS participant, which is the process or the context that created the node.
     """
 
     def __init__(self, process: Any, name: str, namespace: str, index: int) -> None:

@@ -81,7 +81,7 @@ class _Reader:
         return event
 
     def skip_to_root(self, mapping: bool = True) -> bool:
-        """Move to the document's root value; False when the text has none."""
+        """Move to the document's root value; return False without one."""
         for skipped in ('StreamStartEvent', 'DocumentStartEvent'):
             if type(self.next()).__name__ != skipped:
                 return False
@@ -98,7 +98,7 @@ def _problem(error: Any) -> dict[str, Any]:
 
 
 def line_of(event: Any) -> int:
-    """Return the line an event starts at, from 1."""
+    """Return the line in which an event starts, counted from 1."""
     return int(event.start_mark.line) + 1
 
 

@@ -1,4 +1,4 @@
-"""Parameter values: their types, the text forms that ROS 2 reads, ranges, and which node a pattern means."""
+"""Parameter values: their types, the strings that ROS 2 reads, ranges, and node patterns."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def type_of_value(value: Any) -> int:
 
 
 def precedence(value: Any) -> int:
-    """Return which of several values counts that one node has for one parameter: the last of those with the lowest number."""
+    """Return the value that counts among several values of one parameter of a node: the last one with the lowest number."""
     try:
         return type_of_value(value) or STRING_ARRAY + 1
     except TypeError:
@@ -158,7 +158,7 @@ def _close(first: float, second: float) -> bool:
 
 
 def pattern_matches(pattern: str, fully_qualified_name: str) -> bool:
-    """Return whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) means the node of that name.
+    """Return whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) matches the node of that name.
 
     `*` stands for exactly one token, `**` for any number of them.
     """

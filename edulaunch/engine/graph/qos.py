@@ -1,4 +1,4 @@
-"""Quality of service: the policies of an endpoint, and when two endpoints can talk."""
+"""Quality of service: the policies of an endpoint, and when two endpoints are compatible."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ INFINITE_NS = 0
 class QoS(NamedTuple):
     """The policies of one endpoint; times in nanoseconds, 0 for infinite.
 
-    Resolved values only: `rclpy`'s system defaults and `best_available` are settled before an endpoint is made.
+    All values are resolved: `rclpy` replaces system defaults and `best_available` before it creates an endpoint.
     """
 
     depth: int = 10
@@ -34,7 +34,7 @@ class QoS(NamedTuple):
 
 
 def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
-    """Return the policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
+    """Return ROS 2's name of the policy that makes a publisher and a subscription incompatible, or None if they match.
 
     The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
     If several do not fit, return the one that Fast DDS reports last.

@@ -31,7 +31,7 @@ from edulaunch.errors import UnusableInput
 
 _NAME = r'(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?(?:/(?:[A-Za-z]|_(?!_))(?:_?[A-Za-z0-9])*_?)*'
 _PLAIN_RULE = re.compile(f'((?:~?/)?{_NAME}|(__node)|(__ns)):=((?:~?/)?{_NAME})')
-"""Nearly all rules are such; one look tells what the reader of rules would find lexeme by lexeme, in a tenth of the time."""
+"""Matches nearly all rules in a tenth of the time that the reader of rules needs."""
 SEVERITIES = {'debug': 10, 'info': 20, 'warn': 30, 'error': 40, 'fatal': 50}
 
 
@@ -47,15 +47,15 @@ class Override(NamedTuple):
 
 
 class RosArguments:
-    """What a command line says to ROS.
+    """The ROS arguments of a command line.
 
     :ivar remap_rules: in order of appearance; the first that matches is used.
     :ivar parameters: node pattern -> parameter name -> :class:`Override`; patterns in order of first appearance.
     :ivar log_levels: logger name -> severity number; the name '' is the default level.
     :ivar outputs: which of 'stdout', 'rosout', 'external-lib' logs were switched on or off.
     :ivar others: the arguments outside any `--ros-args` section, the program's own name included.
-    :ivar deprecated: the remap rules among those.
-    :ivar unknown: tokens inside a section that mean nothing.
+    :ivar deprecated: the remap rules among the `others`.
+    :ivar unknown: tokens inside a section that have no meaning.
     """
 
     def __init__(self) -> None:
@@ -80,8 +80,8 @@ class RosArguments:
 def parse_ros_arguments(arguments: Sequence[str], entries_of: Callable[[str], Sequence[Entry]] | None = None) -> RosArguments:
     """Read a whole command line.
 
-    :param entries_of: what a parameter file says, given its path as written; by default it is read from the file system.
-    :raises RosArgumentsError: with rcl's text, for a rule or file that cannot be understood.
+    :param entries_of: returns the entries of a parameter file, given its path as written (default: reads the file).
+    :raises RosArgumentsError: with rcl's message, for an invalid rule or file.
     """
     result = RosArguments()
     tokens = iter(arguments)
@@ -99,7 +99,7 @@ def parse_ros_arguments(arguments: Sequence[str], entries_of: Callable[[str], Se
 
 
 def _read_other(result: RosArguments, token: str) -> None:
-    """A remap rule counts outside of `--ros-args`, too; rcl calls that deprecated."""
+    """Read an argument outside of `--ros-args`. A remap rule also counts there, but rcl calls that deprecated."""
     try:
         if ':=' in token:
             result.remap_rules.append(remap_rule(token))
@@ -111,7 +111,7 @@ def _read_other(result: RosArguments, token: str) -> None:
 
 
 def entries_of_file(path: str) -> Sequence[Entry]:
-    """Return what a parameter file says.
+    """Return the entries of a parameter file.
 
     :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
     """
@@ -184,7 +184,7 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
 
 
 def remap_rule(text: str) -> RemapRule:
-    """Return the rule that `from:=to` is.
+    """Return the rule for `from:=to`.
 
     :raises RuleError: when it is invalid.
     """
@@ -273,7 +273,7 @@ def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
 def _log_level(text: str) -> tuple[str, int]:
     """Return the logger ('' for the default level) and the severity that `level` or `logger:=level` names.
 
-    :raises RuleError: when it names none.
+    :raises RuleError: when the severity is invalid.
     """
     name, separator, level = text.partition(':=')
     if not separator:

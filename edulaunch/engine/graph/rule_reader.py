@@ -26,14 +26,11 @@ TOKEN, SLASH, WILD_ONE, WILD_ANY, DOT = range(18, 23)
 
 
 class RuleError(Exception):
-    """An argument that rcl refuses; the text is what rcl says after `Error:`."""
+    """An argument that rcl refuses; the text is rcl's message after `Error:`."""
 
 
 class RuleReader:
-    """Goes through an argument, lexeme by lexeme.
-
-    The numbers of the lexemes are rcl's: its messages show them.
-    """
+    """Reads an argument lexeme by lexeme. The numbers of the lexemes are those of rcl, because its messages show them."""
 
     def __init__(self, text: str, position: int = 0) -> None:
         self.text = text
@@ -54,16 +51,16 @@ class RuleReader:
         return NOTHING, start
 
     def take(self) -> str:
-        """Return the lexeme, gone past."""
+        """Move past the next lexeme, and return it."""
         taken = self.text[self.position : self._end]
         self.position = self._end
         self.kind, self._end = self._lexeme_at(self.position)
         return taken
 
     def expect(self, kind: int) -> str:
-        """Return the lexeme, gone past, when it is of that kind.
+        """Move past the next lexeme, which must be of that kind, and return it.
 
-        :raises RuleError: when it is not.
+        :raises RuleError: when it is of another kind.
         """
         if self.kind != kind:
             if self.kind in (NOTHING, END):
@@ -80,7 +77,7 @@ class RuleReader:
         return name
 
     def expect_name_token(self) -> None:
-        """Go past a token of a name that is matched. Raises RuleError for a wildcard, or anything else."""
+        """Move past a token of a name to match. Raise RuleError for a wildcard, or anything else."""
         if self.kind in (WILD_ONE, WILD_ANY):
             raise RuleError(f"Wildcard '{self.take()}' is not implemented")
         if self.kind != TOKEN:
@@ -115,7 +112,7 @@ def read_parameter_name(reader: RuleReader) -> str:
 
 
 def read_matched_name(reader: RuleReader) -> str:
-    """Return the topic or service name left of `:=`, which is gone past.
+    """Move past a topic or service name and the `:=` after it, and return the name.
 
     :raises RuleError: when it breaks the rules.
     """
@@ -132,7 +129,7 @@ def read_matched_name(reader: RuleReader) -> str:
 
 
 def read_new_name(reader: RuleReader) -> str:
-    """Return the topic or service name right of `:=`, up to the end.
+    """Return the topic or service name to the right of `:=`, up to the end.
 
     :raises RuleError: when it breaks the rules.
     """
@@ -147,7 +144,7 @@ def read_new_name(reader: RuleReader) -> str:
 
 
 def read_new_namespace(reader: RuleReader) -> str:
-    """Return the absolute namespace right of `:=`, up to the end.
+    """Return the absolute namespace to the right of `:=`, up to the end.
 
     :raises RuleError: when it breaks the rules.
     """

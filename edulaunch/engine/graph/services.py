@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.node_entry import NodeEntry
 
 RequestId = tuple['ServiceClient', int]
-"""Who asked, and the number that client gave the request."""
+"""The client of a request, and the client's number for it."""
 
 
 class ServiceEnd:
-    """What servers and clients share. `cls` is the service class, with `Request` and `Response`."""
+    """The common base of servers and clients. `cls` is the service class, with `Request` and `Response`."""
 
     kind = 'service end'
 
@@ -36,12 +36,12 @@ class ServiceEnd:
 
     @property
     def name(self) -> str:
-        """The name under which the graph has it: the service's."""
+        """The name of the service."""
         return self.service_name
 
 
 class ServiceServer(ServiceEnd):
-    """One server of a service; `queue` holds the requests that wait, oldest first."""
+    """One server of a service; `queue` has the waiting requests, oldest first."""
 
     kind = 'service'
 
@@ -52,7 +52,7 @@ class ServiceServer(ServiceEnd):
         self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
 
     def take(self) -> tuple[Any, RequestId] | None:
-        """Return the oldest waiting (wire, request id), or None."""
+        """Return the oldest waiting request as (wire, request id), or None."""
         return self.queue.popleft() if self.queue else None
 
     def respond(self, request_id: RequestId, wire: Any) -> None:
@@ -97,8 +97,8 @@ class ServiceClient(ServiceEnd):
         return [server for server in self.graph.services.get(self.service_name, ()) if server.type_name == self.type_name]
 
     def send(self, wire: Any) -> int:
-        """Send a request and return its number. All servers of the name get it and the first reply counts; with no server it is
-        lost, as in ROS 2.
+        """Send a request and return its number. All servers of the name get it, and the first reply counts. Without a server it
+        is lost, as in ROS 2.
         """
         self._sequence = sequence = self._sequence + 1
         servers = self.servers()
@@ -114,7 +114,7 @@ class ServiceClient(ServiceEnd):
         return sequence
 
     def take(self) -> tuple[int, Any] | None:
-        """Return the oldest waiting (sequence, wire), or None."""
+        """Return the oldest waiting reply as (sequence, wire), or None."""
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:

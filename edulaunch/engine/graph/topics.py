@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from edulaunch.engine.graph.node_entry import NodeEntry
 
 Sample = tuple[Any, int, 'Publisher', int]
-"""What a subscription's queue holds: (wire tuple, time of publication in ns, publisher, number of its message, from 1)."""
+"""An entry in the queue of a subscription: (wire tuple, time of publication in ns, publisher, number of its message, from
+1).
+"""
 
 
 class Endpoint:
-    """What publishers and subscriptions share."""
+    """The common base of publishers and subscriptions."""
 
     kind = 'endpoint'
 
@@ -35,7 +37,7 @@ class Endpoint:
 
     @property
     def name(self) -> str:
-        """The name under which the graph has it: the topic's."""
+        """The name of the topic."""
         return self.topic_name
 
     def _report_matched(self, change: int) -> None:
@@ -48,7 +50,7 @@ class Endpoint:
 
 
 class Publisher(Endpoint):
-    """One publisher of one node. Numbered in order of creation (`index`)."""
+    """One publisher of one node. `index` is its number in the order of creation."""
 
     kind = 'publisher'
 
@@ -64,11 +66,11 @@ class Publisher(Endpoint):
 
     @property
     def subscription_count(self) -> int:
-        """How many subscriptions this publisher reaches."""
+        """The number of subscriptions that this publisher reaches."""
         return len(self.matched)
 
     def publish(self, wire: Any) -> None:
-        """Deliver a snapshot: when this returns, it is in all matched queues and their nodes are marked as ready."""
+        """Deliver a snapshot. Afterwards, it is in all matched queues, and their nodes are marked as ready."""
         now = self._sim.now_ns
         self.published = number = self.published + 1
         self.record((now, self.index, wire))
@@ -79,15 +81,17 @@ class Publisher(Endpoint):
             subscription.on_ready()
 
     def late_samples(self) -> list[Sample]:
-        """Return what a late subscription gets: the messages whose lifespan is not over."""
+        """Return the messages that a late subscription gets, whose lifespan is not over."""
         return [sample for sample in self.history or () if self.is_current(sample[1])]
 
     def is_current(self, published_ns: int) -> bool:
-        """Return whether the lifespan of a message is not over; one that is exactly that old is gone."""
+        """Return whether a message is younger than the lifespan."""
         return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
-        """Leave the topic; does nothing the second time. What a dying program publishes afterwards is not recorded."""
+        """Remove the publisher from the topic; do nothing the second time. Later messages of an ending program are not
+        recorded.
+        """
         self.record = _forget
         for subscription in list(self.matched):
             disconnect(self, subscription)
@@ -118,8 +122,8 @@ class WatchedPublisher(Publisher):
 class Subscription(Endpoint):
     """One subscription of one node.
 
-    `queue` holds what was not sample yet, oldest first; when it is full (QoS depth) the oldest is dropped. `on_ready()` is
-    called on the publisher's turn after each delivery: it marks and wakes, nothing more.
+    `queue` has the waiting samples, oldest first. When it is full (QoS depth), it drops the oldest one. `on_ready()` is called
+    in the publisher's turn after each delivery, and may only mark or wake something.
     """
 
     kind = 'subscription'
@@ -144,7 +148,7 @@ class Subscription(Endpoint):
 
     @property
     def publisher_count(self) -> int:
-        """How many publishers reach this subscription."""
+        """The number of publishers that reach this subscription."""
         return len(self.publishers)
 
     def take(self) -> Sample | None:
@@ -191,4 +195,4 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def _forget(record: Any) -> None:
-    """Takes the place of what records the messages of a publisher."""
+    """Replaces the function that records the messages of a publisher."""

@@ -13,7 +13,7 @@ Record = tuple[int, int, Any]
 
 
 Look = Callable[[], Iterable[tuple[str, dict[str, Any]]]]
-"""What is odd about a node at this moment: facts as (kind, plain data)."""
+"""Returns unusual facts about a node at this moment, as (kind, plain data)."""
 
 
 def _forget(_: Record) -> None:
@@ -21,10 +21,12 @@ def _forget(_: Record) -> None:
 
 
 class Tracer:
-    """Is called for everything that crosses a process boundary, before the receiver gets it. Subclass it to keep a record."""
+    """Its methods are called for everything that crosses a process boundary, before the receiver gets it. A recorder is a
+    subclass.
+    """
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """Return where this publisher's publications go: called once per publisher, so that publishing stays cheap."""
+        """Return the function for the publications of this publisher. One call per publisher keeps publishing cheap."""
         return _forget
 
     def node_added(self, node: NodeEntry) -> None:
@@ -34,19 +36,19 @@ class Tracer:
         """A node left the graph."""
 
     def endpoint_added(self, kind: str, endpoint: Any) -> None:
-        """An endpoint came: kind is 'publisher', 'subscription', 'service' or 'client'."""
+        """An endpoint was added: kind is 'publisher', 'subscription', 'service' or 'client'."""
 
     def endpoint_removed(self, kind: str, endpoint: Any) -> None:
-        """An endpoint went."""
+        """An endpoint was removed."""
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         """A service request was sent; `served` is whether a server accepted it."""
 
     def response(self, client: Any, sequence: int, wire: Any) -> None:
-        """A reply went back to its client."""
+        """A reply was sent to its client."""
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
-        """Two endpoints of one topic cannot talk because of `policy` ('TYPE' when their types differ)."""
+        """Two endpoints of one topic are incompatible because of `policy` ('TYPE' when their types differ)."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         """A parameter was declared or changed (value None: undeclared)."""

@@ -1,4 +1,4 @@
-"""Message, service and action classes made from .msg, .srv and .action text; wire tuples.
+"""Message, service and action classes from .msg, .srv and .action files, and wire tuples.
 
 Read the files in this order: `spec` (definition of an interface), `notation` and `parser` (reading text), and `layout` (flat
 fields). Then read `generator` and `services` (the classes), `registry` (finds files, creates each class once), `importer`
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def install(registry: Registry | None = None) -> None:
-    """Make `import geometry_msgs.msg` and the like work, with the interfaces of a registry (default: those of
+    """Make imports such as `import geometry_msgs.msg` work, with the interfaces of a registry (default: those of
     the underlay).
     """
     from edulaunch.engine.interfaces.importer import install as install_finder

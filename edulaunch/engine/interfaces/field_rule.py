@@ -18,7 +18,7 @@ def python_values(values: Any, kind: Primitive) -> Any:
     """Convert values as Jazzy does. An `array.array` or numpy array of the field's kind accepts integers for floats, numpy's
     numbers for Python's, and any iterable.
 
-    :param kind: of the field's elements.
+    :param kind: the kind of the field's elements.
     :return: an array for a numpy array of exactly that kind (an image), otherwise a list of Python's numbers. Values that Jazzy
         refuses are returned unchanged, such as an array with rows, floats for integers, or strings.
     """
@@ -44,7 +44,7 @@ _INF = float('inf')
 class FieldRule:
     """The rule of one field; `message` is the class of a nested message, or None.
 
-    Generated setters handle the common right value themselves and call `accept` for everything else.
+    Generated setters handle the most common valid values themselves, and call `accept` for all others.
     """
 
     __slots__ = ('name', 'type', 'kind', 'message')
@@ -136,7 +136,7 @@ class FieldRule:
         return self._are_plain_numbers(values) or all(self._is_one(value) and self._is_in_range(value) for value in values)
 
     def _are_plain_numbers(self, values: Collection[Any]) -> bool:
-        """Return whether a glance is enough, as it nearly always is: an image has a million values."""
+        """Return whether a quick check finds only plain numbers, which it nearly always does. An image has a million values."""
         kind = self.kind
         if kind is None or not kind.is_number or not values:
             return False
@@ -172,7 +172,7 @@ class FieldRule:
         return value
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
-        """Return a numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when
+        """Return the value to store: a numpy array itself, or the wire value of a list. It becomes a numpy array when it is
         first read.
         """
         assert self.kind is not None
@@ -219,7 +219,7 @@ class FieldRule:
     def list_to_wire(self, values: Any) -> Any:
         """Return the wire value of a list field (bool, byte, strings).
 
-        :raises AssertionError: when something wrong was appended to the list since it was assigned.
+        :raises AssertionError: when an invalid value was appended to the list after its assignment.
         """
         if values.__class__ is list and not values and self.type.array != 'fixed':
             return b'' if is_byte_like(self.type) else ()
@@ -228,9 +228,7 @@ class FieldRule:
         return b''.join(values) if is_byte_like(self.type) else tuple(values)
 
     def refuse_elements(self, values: Any) -> None:
-        """Raise unless every message in the list is of the right class (a subclass will do) and the length is
-        legal.
-        """
+        """Check that every message in the list is an instance of the right class, and that the length is valid."""
         if not self._are_right(values):
             self._refuse(f'must be {self._several_words()}', values)
 
@@ -240,14 +238,14 @@ class FieldRule:
         return values.tobytes() if is_byte_like(self.type) else tuple(values)
 
     def fixed_to_wire(self, values: Any) -> tuple[Any, ...] | bytes:
-        """Return the wire value of a fixed array of numbers that has been read, and so became a numpy array."""
+        """Return the wire value of a fixed array of numbers that became a numpy array because it was read."""
         raw = self._accept_fixed_numbers(values)
         if isinstance(raw, (tuple, bytes)):
             return raw
         return raw.tobytes() if is_byte_like(self.type) else tuple(raw.ravel().tolist())
 
     def to_numpy(self, wire: Any) -> Any:
-        """Return a fresh numpy array with the wire value of a fixed array of numbers."""
+        """Return a new numpy array with the wire value of a fixed array of numbers."""
         import numpy  # imported here, because few runs read a covariance
 
         assert self.kind is not None

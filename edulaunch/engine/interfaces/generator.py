@@ -1,6 +1,5 @@
-"""Makes a message class: its Python source, and what that needs.
-
-Snapshots are the hottest code of a simulation, so each class gets its own straight-line code. Nested messages are inlined and
+"""Creates message classes: their Python source, and the objects that the source needs. A simulation spends most of its time in
+snapshots, so each class gets its own straight-line code. Nested messages are inlined and
 their slots are stored directly without checks. All single values move in one tuple, and float32 values are rounded together in
 one struct round trip.
 """
@@ -32,7 +31,7 @@ from edulaunch.engine.interfaces.spec import KINDS, Field, FieldType, MessageSpe
 class ClassSource:
     """Writes the source of one class; afterwards, `names` has the globals that the code needs.
 
-    `names` maps a global name to what it stands for: ('class', type), ('rule', type, field name), ('default',
+    `names` maps a global name to its meaning: ('class', type), ('rule', type, field name), ('default',
     wire value).
     """
 
@@ -45,11 +44,11 @@ class ClassSource:
 
     @property
     def names(self) -> dict[str, tuple[object, ...]]:
-        """Global names that the code uses, with what each stands for."""
+        """The global names that the code uses, each with its meaning."""
         return {name: key for key, name in self._ids.items()}
 
     def text(self) -> str:
-        """Return the whole class."""
+        """Return the source of the whole class."""
         slots = ', '.join(f"'_{field.name}'" for field in self._spec.fields)
         lines = [f'class {self._name}(_Message):', f' __slots__ = ({slots}{"," if slots else ""})']
         for part in (self._init(), self._to_wire(), self._from_wire(), self._eq(), *map(self._field, self._spec.fields)):
@@ -125,7 +124,7 @@ class ClassSource:
         return [*lines, f' return ({values})']
 
     def _check_elements(self, leaf: Leaf) -> list[str]:
-        """Lists of messages stay ordinary lists, so a student may have appended anything."""
+        """Add code that checks lists of messages, because these are ordinary lists to which a student may append anything."""
         cls, refuse = (self._global('class', leaf.type.base), f'{self._rule(leaf)}.refuse_elements({leaf.target})')
         lines = [f' for i in {leaf.target}:', f'  if type(i) is not {cls}: {refuse}']
         if leaf.type.array != 'unbounded':
@@ -200,7 +199,7 @@ class ClassSource:
         return [*lines, f'{field.name} = _property({getter}, {field.name})']
 
     def _is_right(self, field_type: FieldType) -> str:
-        """Return a quick test that accepts the common right value; whatever fails it goes through the field's rule."""
+        """Return a quick test that accepts the most common valid values; the field's rule checks all others."""
         kind = field_type.kind
         if field_type.array or field_type.string_bound is not None or field_type.base == 'byte':
             return ''
@@ -256,7 +255,7 @@ def _meaning(key: tuple[Any, ...], own: str, rules: dict[str, FieldRule], messag
 
 
 def _complete(cls: type[Message], spec: MessageSpec) -> None:
-    """Everything that needs no generated code."""
+    """Add all attributes that need no generated code."""
     cls.TYPE = spec.type
     cls._SPEC = spec
     cls._FIELDS = {field.name: field.type.ros_text for field in spec.fields}
@@ -284,7 +283,7 @@ def _slot_types(spec: MessageSpec) -> tuple[object, ...]:
 
 
 def default_object(field: Field) -> Any:
-    """Return a field's default as its reader sees it."""
+    """Return the default of a field in the form that a reader of the field gets."""
     if is_fixed_numbers(field.type):
         return FieldRule(field, None).to_numpy(default_wire(field))
     if is_number_sequence(field.type):
@@ -293,7 +292,7 @@ def default_object(field: Field) -> Any:
 
 
 def module_of(type_name: str) -> str:
-    """Return the module that a class says it comes from: 'geometry_msgs.msg._transform_stamped'. Parts of a service
+    """Return the value for the `__module__` of a class: 'geometry_msgs.msg._transform_stamped'. Parts of a service
     share its module.
     """
     package, kind, name = type_name.split('/')

@@ -1,4 +1,4 @@
-"""Makes `import geometry_msgs.msg` work for packages that have interface files; classes are made when first asked for."""
+"""Makes `import geometry_msgs.msg` work for packages that have interface files; it creates each class on its first use."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class InterfaceFinder(Loader):
         return 'edulaunch interfaces'  # shown in the repr of the modules
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Return the spec of a module that this finder provides, else None."""
+        """Return the spec of a module that this finder provides, or None."""
         package, *rest = fullname.split('.')
         if len(rest) > 2 or not self.registry.has(package):
             return None
@@ -47,7 +47,7 @@ class InterfaceFinder(Loader):
         return ModuleSpec(fullname, self) if self._interface(fullname) else None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Part of the import protocol."""
+        """Implement the import protocol: return the module."""
 
         depth = spec.name.count('.')
         if depth == 0:
@@ -58,10 +58,10 @@ class InterfaceFinder(Loader):
         return PartModule(spec.name, self.registry, interface) if interface else None
 
     def exec_module(self, module: ModuleType) -> None:
-        """Part of the import protocol: nothing runs, classes are made when first asked for."""
+        """Implement the import protocol: run nothing, because each class is created on its first use."""
 
     def invalidate_caches(self) -> None:
-        """Called by importlib.invalidate_caches(): look at the folders again."""
+        """Read the folders again; importlib.invalidate_caches() calls this."""
         self.registry.refresh()
 
     def _interface(self, fullname: str) -> str | None:
@@ -75,7 +75,7 @@ class InterfaceFinder(Loader):
 
 
 def install(registry: Registry) -> InterfaceFinder:
-    """Make the interfaces of a registry importable, in place of those of an earlier one."""
+    """Make the interfaces of a registry importable, and remove those of an earlier one."""
     uninstall()
     finder = InterfaceFinder(registry)
     sys.meta_path.insert(0, finder)
@@ -88,7 +88,7 @@ def installed_registry() -> Registry | None:
 
 
 def uninstall() -> None:
-    """Take the finder away, with the modules that it made."""
+    """Remove the finder, and the modules that it has created."""
     finders = [finder for finder in sys.meta_path if isinstance(finder, InterfaceFinder)]
     for finder in finders:
         sys.meta_path.remove(finder)
@@ -106,8 +106,7 @@ def _is_real_package(name: str) -> bool:
 class InterfaceModule(ModuleType):
     """`<package>.msg`, `.srv` or `.action`: one class for each interface file.
 
-    A wrong name is Python's own ImportError or AttributeError, which knows the nearest name, or where the
-    type is.
+    A wrong name raises Python's own ImportError or AttributeError, with the nearest name or the place of the type as facts.
     """
 
     def __init__(self, name: str, registry: Registry) -> None:
@@ -143,7 +142,7 @@ class InterfaceModule(ModuleType):
 
 
 class PartModule(ModuleType):
-    """`<package>.msg._twist`, the module that a class names; pickle finds the class here."""
+    """`<package>.msg._twist`, the `__module__` of a class, where pickle finds the class."""
 
     def __init__(self, name: str, registry: Registry, interface: str) -> None:
         super().__init__(name)

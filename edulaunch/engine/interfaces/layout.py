@@ -17,9 +17,7 @@ SpecOf = Callable[[str], MessageSpec]
 
 
 class Branch:
-    """A nested message: the variable that holds it in generated code, its holder's variable and slot, and its
-    type.
-    """
+    """A nested message: its variable in generated code, the variable and the slot of its outer message, and its type."""
 
     __slots__ = ('variable', 'holder', 'slot', 'type')
 
@@ -31,9 +29,7 @@ class Branch:
 
 
 class Leaf:
-    """One entry of the wire tuple: its dotted path, the variable of its holder, the holder's message type,
-    and the field itself.
-    """
+    """One entry of the wire tuple: its dotted path, the variable and the type of its message, and the field itself."""
 
     __slots__ = ('path', 'holder', 'owner', 'field', 'type')
 
@@ -50,7 +46,7 @@ class Leaf:
         return f'{self.holder}._{self.field.name}'
 
     def held_by(self, variable: str) -> Leaf:
-        """Return the same leaf in another variable."""
+        """Return the same leaf of a message in another variable."""
         return Leaf(self.path, variable, self.owner, self.field)
 
 
@@ -84,17 +80,17 @@ def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
 
 
 def is_byte_like(field_type: FieldType) -> bool:
-    """Return whether a repeated field travels as one bytes object."""
+    """Return whether a repeated field is one bytes object in the wire tuple."""
     return bool(field_type.array) and field_type.base in BYTE_LIKE
 
 
 def is_fixed_numbers(field_type: FieldType) -> bool:
-    """Return whether the field is a numpy array to its reader."""
+    """Return whether a reader of the field gets a numpy array."""
     return field_type.array == 'fixed' and field_type.kind is not None and field_type.kind.is_number
 
 
 def is_number_sequence(field_type: FieldType) -> bool:
-    """Return whether the field is an array.array to its reader."""
+    """Return whether a reader of the field gets an array.array."""
     return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
 
 

@@ -1,4 +1,4 @@
-"""The base of all generated message classes, and class attributes that are made when first read."""
+"""The base of all generated message classes, and class attributes that are computed when first read."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class ConstantsStay(type):
 
 
 class Message(metaclass=ConstantsStay):
-    """What every message class has besides its fields; the fields look and behave as in rclpy.
+    """The common base of all message classes; their fields behave as in rclpy.
 
     `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message
     from one.
@@ -73,7 +73,7 @@ class Message(metaclass=ConstantsStay):
 
     @property
     def _check_fields(self) -> bool:
-        """ROS 2 Jazzy can switch the type checks off (`check_fields`); here they always stay on."""
+        """Whether fields are checked: always, although ROS 2 Jazzy can switch these checks off with `check_fields`."""
         return True
 
     def __repr__(self) -> str:
@@ -89,20 +89,18 @@ class Message(metaclass=ConstantsStay):
 
 
 def spec_of(message: Message | type[Message]) -> MessageSpec:
-    """Return how a message was defined; no public attribute of its own, since those are the fields'."""
+    """Return the definition of a message. It is not a public attribute of the class, because those are fields."""
     return message._SPEC
 
 
 def rules_of(message: Message | type[Message]) -> dict[str, Any]:
-    """Return what each field takes, by name; `rules_of(m)['pose'].message` is the class of a nested message."""
+    """Return the rule of each field by name; `rules_of(m)['pose'].message` is the class of a nested message."""
     return message._RULES
 
 
 def set_fields(message: Message, values: dict[str, Any]) -> None:
-    """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see
-    `Message._check_fields`.
-
-    :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
+    """Set the keyword arguments of a constructor. It accepts `check_fields`, as Jazzy does; see `Message._check_fields`.
+    :raises AssertionError: with rclpy's message, for unknown names or for the first value of a wrong type.
     """
     if not values.keys() <= message._FIELDS.keys():
         values = {name: value for name, value in values.items() if name != 'check_fields'}

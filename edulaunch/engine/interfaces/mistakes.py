@@ -1,4 +1,4 @@
-"""What is known about mistakes with messages, as plain data: a refused value, a misspelt field, a type that does not exist.
+"""Facts about mistakes with messages, as plain data: a refused value, a misspelt field, or an unknown type.
 
 `twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that extends its message at that moment
 (`__setattr__`) would make each correct assignment three times slower. So the code that reports an error to the user asks this
@@ -20,7 +20,7 @@ Facts = dict[str, Any]
 
 
 class KnownTypes(Protocol):
-    """What a registry knows: where a wrong type name is looked for."""
+    """The part of a registry in which a wrong type name is searched."""
 
     def has(self, package: str, /) -> bool:
         """Return whether a package has interfaces."""
@@ -35,7 +35,7 @@ class KnownTypes(Protocol):
         """Return all full type names."""
 
     def classes(self) -> list[type[Any]]:
-        """Return all classes made so far."""
+        """Return all classes that exist so far."""
 
 
 def value_facts(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
@@ -101,7 +101,7 @@ def _converts(python: type, value: Any) -> bool:
 
 
 def given_kind(value: Any) -> str:
-    """Return 'int', 'numpy.float32', 'geometry_msgs.msg.Point', 'None'."""
+    """Return the kind of a value, such as 'int', 'numpy.float32', 'geometry_msgs.msg.Point' or 'None'."""
     cls = type(value)
     if value is None:
         return 'None'
@@ -121,7 +121,8 @@ _TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", r
 def field_facts(error: BaseException, registry: KnownTypes) -> dict[str, Any]:
     """Return the facts of an AttributeError about a message (its type and its fields); for other errors, return no facts.
 
-    :param registry: its classes made so far are searched by name, because the error has no object before Python 3.13.
+    :param registry: the registry whose existing classes are searched by name, because the error has no object before Python
+        3.13.
     """
     match = _TEXT.match(str(error)) if isinstance(error, AttributeError) else None
     if match is None:
@@ -143,12 +144,12 @@ def _candidates(error: BaseException, name: str, registry: KnownTypes) -> list[t
 
 
 def unknown_type(registry: KnownTypes, type_name: str) -> InterfaceError:
-    """Return the error for a type name that nothing defines, with the nearest one that exists."""
+    """Return the error for an unknown type name, with the nearest known name."""
     return InterfaceError(f"unknown interface '{type_name}'", help=type_help(registry, type_name))
 
 
 def type_help(registry: KnownTypes, type_name: str) -> str | None:
-    """Return what may have been meant by a wrong type name."""
+    """Return a line that suggests the intended type for a wrong type name."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')
     elsewhere = registry.homes(name, kind or None)

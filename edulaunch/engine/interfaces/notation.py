@@ -1,4 +1,4 @@
-"""The notation of interface files: lines and their parts between `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`),
+"""The notation of interface files: their sections between `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`),
 and the values of constants and defaults.
 """
 
@@ -127,7 +127,7 @@ def _refuse_name(line: Line, name: str) -> NoReturn:
 def constant_value(base: str, text: str) -> Any:
     """Return the value of a constant. A string needs no quotation marks, as in ROS.
 
-    :raises ValueError: naming what was expected.
+    :raises ValueError: with the expected form.
     """
     if base in ('string', 'wstring'):
         return _string(text, None)
@@ -137,7 +137,7 @@ def constant_value(base: str, text: str) -> Any:
 def default_value(field_type: FieldType, text: str) -> Any:
     """Return the default of a field: a scalar, or a tuple for `[1, 2, 3]`.
 
-    :raises ValueError: naming what was expected.
+    :raises ValueError: with the expected form.
     """
     if not field_type.array:
         return _scalar(field_type, text)

@@ -20,11 +20,10 @@ _RESERVED = frozenset(
 
 
 def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
-    """Return the interface that `text` describes; the kind (msg, srv, action) is taken from `type_name`, such as
-    'turtlesim/srv/Spawn'.
+    """Return the interface that `text` describes. `type_name`, such as 'turtlesim/srv/Spawn', contains its kind.
 
-    :param file: named in errors; the type name is used when it is empty.
-    :raises InterfaceError: with file, line, what was expected and the nearest known name.
+    :param file: the file for error messages (default: the type name).
+    :raises InterfaceError: with file, line, the expected form and the nearest known name.
     """
     package, kind, name = type_name.split('/')
     file = file or type_name

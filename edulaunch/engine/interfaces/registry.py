@@ -26,10 +26,9 @@ KINDS_OF_INTERFACE = ('msg', 'srv', 'action')
 class Registry:
     """The interfaces under some share folders, over those of another registry.
 
-    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first that has
-        a package wins.
-    :param base: asked for packages that no root has (a workspace over the underlay); its classes are shared.
-    :param leave: packages that are the base's though a root has them too.
+    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first one with a package counts.
+    :param base: the registry for packages that no root has (that of the underlay for a workspace), whose classes are shared.
+    :param leave: packages that come from the base although a root has them, too.
     """
 
     def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None, leave: Iterable[str] = ()) -> None:
@@ -58,7 +57,7 @@ class Registry:
         return bool(files) if kind is None else kind in files
 
     def owns(self, package: str) -> bool:
-        """Return whether a package's interfaces are this registry's own, not its base's."""
+        """Return whether the interfaces of a package belong to this registry, not to its base."""
         return bool(self._files(package))
 
     def names(self, package: str, kind: str) -> list[str]:
@@ -99,7 +98,7 @@ class Registry:
             raise self._unknown(type_name) from None
 
     def text(self, type_name: str) -> str:
-        """Return the text of the file that defines a type, as `ros2 interface show` starts from.
+        """Return the text of the file that defines a type, from which `ros2 interface show` starts.
 
         :raises InterfaceError: when there is no such type or its file cannot be read as UTF-8.
         """
@@ -112,7 +111,7 @@ class Registry:
     def spec(self, type_name: str) -> InterfaceSpec:
         """Return the spec of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
 
-        :raises InterfaceError: when there is no such type or its text is wrong.
+        :raises InterfaceError: when there is no such type or its file is invalid.
         """
         if type_name not in self._specs:
             owner = self._owner(type_name)
@@ -122,9 +121,8 @@ class Registry:
         return self._specs[type_name]
 
     def get(self, type_name: str) -> type[Any]:
-        """Return the class of 'pkg/kind/Name' (message, service, action, or a part of one), made at the first call.
-
-        :raises InterfaceError: when there is no such type, its text is wrong, or it contains itself.
+        """Return the class of 'pkg/kind/Name' (message, service, action, or a part of one), which is created by the first call.
+        :raises InterfaceError: when there is no such type, its file is invalid, or it contains itself.
         """
         cls = self._classes.get(type_name)
         if cls is not None:
@@ -147,18 +145,18 @@ class Registry:
         return cls
 
     def classes(self) -> list[type[Any]]:
-        """Return all classes made so far, base first, in the order they were made."""
+        """Return all classes that exist so far in the order of their creation, those of the base first."""
         return [*(self.base.classes() if self.base else ()), *self._classes.values()]
 
     def refresh(self) -> None:
-        """Look at the folders again (files may have been added); classes already made stay."""
+        """Read the folders again, because files may have been added; existing classes stay."""
         self._folders = None
         self._packages.clear()
 
     # Internal
 
     def _package_folders(self) -> dict[str, str]:
-        """Return the folder of each package. Every import asks for it, so it is read only once."""
+        """Return the folder of each package. They are read only once, because every import needs them."""
         if self._folders is None:
             self._folders = {}
             for root in reversed(self.roots):
@@ -187,7 +185,7 @@ class Registry:
         return self
 
     def _load(self, type_name: str) -> None:
-        """Read a file and keep the specs of everything it defines. A part's name is its interface's, an
+        """Read a file and keep the specs of everything it defines. The name of a part is the name of its interface, an
         underscore and a word.
         """
         from edulaunch.engine.interfaces.parser import parse
@@ -248,10 +246,10 @@ _sources: list[Callable[[], Registry | None]] = []
 
 
 def answer_with(source: Callable[[], Registry | None]) -> None:
-    """Ask `source` for the registry of the running program from now on."""
+    """From now on, call `source` to get the registry of the running program."""
     _sources[:] = [source]
 
 
 def running_registry() -> Registry | None:
-    """Return the registry of the running program; None outside any, or when its workspace has no interfaces."""
+    """Return the registry of the running program; None outside any program, or if its workspace has no interfaces."""
     return _sources[0]() if _sources else None

@@ -1,5 +1,5 @@
-"""Services and actions: their classes, which hold message classes and are never instantiated, and the messages that ROS
-derives from them.
+"""Services and actions: their classes, which contain message classes and have no instances, and the messages that ROS derives
+from them.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ class Action:
 
 
 def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
-    """Return the class of a service; its parts are made when first read."""
+    """Return the class of a service; its parts are created when first read."""
     return type(
         _name(spec.type),
         (Service,),
@@ -116,7 +116,7 @@ def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
 
 
 def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
-    """Return the class of an action; its parts are made when first read."""
+    """Return the class of an action; its parts are created when first read."""
     impl = type(
         'Impl',
         (),

@@ -1,4 +1,4 @@
-"""What a .msg, .srv or .action text says, as plain immutable data; the primitive types, and the names of modules."""
+"""The content of a .msg, .srv or .action file as plain immutable data, the primitive types, and the names of modules."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Primitive:
 
     @property
     def is_number(self) -> bool:
-        """Numbers live in array.array or numpy arrays when repeated; everything else in lists."""
+        """Whether it is a number. Repeated numbers are stored in array.array or numpy arrays, other values in lists."""
         return self.python is int or self.python is float
 
     @property
@@ -74,11 +74,11 @@ KINDS: dict[str, Primitive] = {
 }
 PRIMITIVE_NAMES = (*KINDS, 'char')
 BYTE_LIKE = frozenset({'byte', 'int8', 'uint8'})
-"""Kinds whose repeated values travel as one bytes object."""
+"""Kinds whose repeated values are one bytes object in the wire tuple."""
 
 
 def primitive_name(name: str) -> str:
-    """Return the kind that stands for a primitive type name: `char` is uint8 in ROS 2."""
+    """Return the kind for the name of a primitive type: `char` is uint8 in ROS 2."""
     return 'uint8' if name == 'char' else name
 
 

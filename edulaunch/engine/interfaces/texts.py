@@ -1,4 +1,4 @@
-"""Interfaces kept as text: what a recording needs so that messages of a student's own types can be read anywhere."""
+"""Interfaces stored as text, so that messages of a student's own types in a recording can be read anywhere."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class TextRegistry(Registry):
     """Interfaces with these definitions, on top of those of another registry.
 
     :param texts: the text of each file, by type name such as 'my_interfaces/msg/Num'.
-    :param base: asked for packages that no text belongs to.
+    :param base: the registry for all other packages.
     """
 
     def __init__(self, texts: Mapping[str, str], base: Registry | None = None) -> None:
@@ -36,7 +36,7 @@ class TextRegistry(Registry):
         return super().text(type_name)
 
     def refresh(self) -> None:
-        """Definitions do not change."""
+        """Do nothing, because the definitions do not change."""
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:
         return self._packages.get(package, {})
@@ -48,7 +48,7 @@ class TextRegistry(Registry):
 def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
     """Return the definitions of the named types and of all types in them, except for types of the registry's base.
 
-    :param names: type names; parts such as 'pkg/srv/Catch_Request' stand for the whole.
+    :param names: type names; parts such as 'pkg/srv/Catch_Request' stand for the whole type.
     """
     found: dict[str, str] = {}
     waiting = sorted({*map(_whole, names)}, reverse=True)

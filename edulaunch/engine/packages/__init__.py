@@ -1,6 +1,5 @@
-"""Where packages are: an ament index over install prefixes, source workspaces and the built-in underlay.
-
-Nothing here imports or runs a student's file, and nothing knows a build tool. An `Index` of source workspaces uses a
+"""Finds packages: an ament index over install prefixes, source workspaces and the built-in underlay. This room neither imports
+nor runs a student's file, and it knows no build tool. An `Index` of source workspaces uses a
 `SourceReader` for their build files. First read `index.py`, then the kinds of place that it searches (`prefix.py`,
 `workspace.py`). `reading.py` finds a source package, and defines what a reader of it returns.
 """

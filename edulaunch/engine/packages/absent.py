@@ -1,7 +1,9 @@
-"""What a robot's machine may have and edulaunch does not: packages whose programs launch files start, and modules.
+"""Packages and modules that the computer of a robot may have and edulaunch does not.
 
-A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs end
-immediately with an explanation. The modules are not found, whatever is installed on the real machine, and the error names what is
+A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs
+end
+immediately with an explanation. The modules are not found, whatever is installed on the real machine, and the error names what
+is
 missing.
 """
 
@@ -150,21 +152,21 @@ KINDS = {
         modules=('diagnostic_updater', 'diagnostic_aggregator', 'diagnostic_common_diagnostics')
     ),
 }
-"""By what they belong to."""
+"""The absent packages and modules, by the software that they belong to."""
 WINDOW_MODULES, KEYBOARD_MODULES = KINDS['a window'].modules, KINDS['the keyboard of a real machine'].modules
 OLD_MODULES = ('pkg_resources', 'pkgutil')
 REFUSED = frozenset((*WINDOW_MODULES, *KEYBOARD_MODULES, *OLD_MODULES)) - {'tkinter', '_tkinter'}
 """These would open windows on the real screen, take the real keyboard or not see the student's packages, so they are not found
-even where they are installed. `tkinter` has a view."""
+even where they are installed. For `tkinter` there is a view."""
 
 
 def absent_kind(package: str) -> str | None:
-    """Return what an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
+    """Return the software that an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
     from fnmatch import fnmatchcase  # imported here, because most launches do not need it
 
     return next((kind for kind, absent in KINDS.items() if any(fnmatchcase(package, name) for name in absent.packages)), None)
 
 
 def absent_module_kind(module: str) -> str | None:
-    """Return what a missing module belongs to; None for an unknown name."""
+    """Return the software that a missing module belongs to; None for an unknown name."""
     return next((kind for kind, absent in KINDS.items() if module in absent.modules), None)

@@ -1,4 +1,4 @@
-"""Find the workspaces of a command that names none: the ones that a user of a real ROS 2 would have sourced."""
+"""Finds the workspaces for a command that does not name one. A user of a real ROS 2 would have sourced them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from edulaunch.engine.underlay_place import underlay_prefix
 
 INSTALL_SIGNS = ('.colcon_install_layout', 'local_setup.bash', 'local_setup.sh', os.path.join('share', 'ament_index'))
-"""What lies in a folder that colcon has installed into."""
+"""Files in a folder into which colcon has installed packages."""
 _DISTRIBUTION_SIGNS = (os.path.join('share', 'rclpy'), os.path.join('share', 'ros_environment'))
-"""What lies in the prefix of ROS 2 itself, which is never a workspace."""
+"""Files in the prefix of ROS 2 itself, which is never a workspace."""
 
 
 def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str], list[str]]:
     """Separate folders that colcon built (`install/`) from folders with source packages; return absolute paths, in the given
     order.
 
-    A workspace that has both is read from source: what is written there is what the student means, built or not.
+    A workspace with both is read from source, because the student means the current source files, built or not.
     """
     paths = [os.path.abspath(os.fspath(folder)) for folder in folders]
     built = [path for path in paths if any(os.path.exists(os.path.join(path, sign)) for sign in INSTALL_SIGNS)]
@@ -25,7 +25,7 @@ def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str
 
 
 def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None = None) -> list[str]:
-    """Absolute paths of the workspaces for a command, in order of search and each once.
+    """Return the absolute paths of the workspaces for a command in order of search, each of them once.
 
     The search covers EDULAUNCH_WORKSPACES, the parents of the launch file, and the parents of the current folder. If no parent
     has a workspace, it covers one level below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH come last, as a real
@@ -45,14 +45,16 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
 
 
 def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str | os.PathLike[str]) -> list[str]:
-    """Return what `--workspace` names; when it names nothing, what is found for a command here that launches `target`."""
+    """Return the workspaces that `--workspace` names or, without the option, the ones for a command that launches `target`
+    here.
+    """
     if given:
         return [os.fspath(path) for path in given]
     return find_workspaces(os.getcwd(), os.environ, os.fspath(target) if os.path.isfile(target) else None)
 
 
 def folder_of(target: str | os.PathLike[str]) -> str:
-    """Return the folder of the launch file that a command names by its path; of a package, the current folder."""
+    """Return the folder of the launch file that a command names by its path, or the current folder for a package."""
     return os.path.dirname(os.path.abspath(target)) if os.path.isfile(target) else os.getcwd()
 
 
@@ -74,7 +76,7 @@ def workspace_around(path: str) -> str | None:
 
 
 def package_around(path: str) -> str | None:
-    """Return the innermost folder with a `package.xml` that is, or is around, a path."""
+    """Return the innermost folder with a `package.xml` among a path and its parents."""
     return next((folder for folder in _upwards(os.path.abspath(path)) if _has_manifest(folder)), None)
 
 
@@ -87,14 +89,16 @@ def _above(folder: str) -> list[str]:
 
 
 def _around(here: str, launch_file: str | None) -> list[str]:
-    """Return the current folder, when the launch file is in a package deeper in it: `colcon build` there finds all of them."""
+    """Return the current folder if the launch file is in a package below it, because `colcon build` finds all packages
+    there.
+    """
     path = os.path.join(here, launch_file or '')
     is_inside = path.startswith(here + os.sep) and here != os.path.expanduser('~')
     return [here] if launch_file is not None and is_inside and workspace_around(path) is not None else []
 
 
 def _below(folder: str) -> list[str]:
-    """Return the folder itself when packages lie in it; else the workspaces in it."""
+    """Return the folder itself if it contains packages, otherwise the workspaces in it."""
     if _with_manifest(folder):
         return [folder]
     return [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
@@ -110,12 +114,14 @@ def _upwards(folder: str) -> Iterator[str]:
 
 
 def _root_of(outer: str) -> str:
-    """Return the workspace with the sources `outer`/src. Of a home folder, or of the whole disk, only these are meant."""
+    """Return the workspace with the sources `outer`/src. If `outer` is a home folder or the whole disk, return only the folder
+    `src`.
+    """
     return os.path.join(outer or os.sep, 'src') if outer in ('', os.sep, os.path.expanduser('~')) else outer
 
 
 def _holds_sources(folder: str) -> bool:
-    """Return whether packages lie in `src`, or one level further down, as repositories are cloned there."""
+    """Return whether `src` contains packages, also one level further down, where repositories are cloned."""
     sources = os.path.join(folder, 'src')
     return bool(_with_manifest(sources)) or any(_with_manifest(os.path.join(sources, name)) for name in _names(sources))
 
@@ -146,7 +152,9 @@ def _is_overlay(prefix: str) -> bool:
 
 
 def _of_prefix(prefix: str) -> str:
-    """Return the workspace that was built into a prefix, if its sources are there; else the `install` folder, or the prefix."""
+    """Return the workspace that was built into a prefix, if its sources exist; otherwise the `install` folder, or the
+    prefix.
+    """
     path = os.path.abspath(prefix)
     install = os.path.dirname(path) if install_folders([os.path.dirname(path)])[0] else path
     workspace = os.path.dirname(install)

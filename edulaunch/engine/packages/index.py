@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Place(Protocol):
-    """A prefix, or something presented as one.
+    """A prefix, or a folder that is presented as one.
 
     :attr:`path` is the prefix folder; all methods take names of packages that :meth:`packages` lists.
     """
@@ -32,13 +32,13 @@ class Place(Protocol):
         """Make sure that the package's files exist below :attr:`path`."""
 
     def executables(self, package: str) -> list[str]:
-        """Return the names in lib/<package> that can be started, sorted."""
+        """Return the names of the executables in lib/<package>, sorted."""
 
     def program(self, package: str, executable: str) -> Program | None:
         """Return the Python program of that name; None for an unknown one, or one that is not Python."""
 
     def modules(self) -> dict[str, str]:
-        """Return the top-level import names that packages here bring, with the path of each folder or .py file."""
+        """Return the top-level import names of the packages here, with the path of each folder or .py file."""
 
     def interface_packages(self) -> list[str]:
         """Return the packages with msg/, srv/ or action/ files in their share folder, sorted."""
@@ -48,28 +48,27 @@ class Place(Protocol):
 
 
 _ON_PATH = ('rviz2', 'xacro')
-"""Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
+"""Programs that ROS 2 also installs into `bin/`; each package has the name of its program."""
 
 _OWN_MODULES = frozenset(
     ('ament_index_python', 'launch', 'launch_ros', 'launch_testing', 'launch_testing_ros', 'launch_xml', 'launch_yaml', 'rclpy')
     + ('ros2launch', 'rosidl_parser', 'rosidl_runtime_py', 'tf2_geometry_msgs', 'tf2_py', 'tf2_ros', 'tf2_sensor_msgs')
 )
-"""Modules that need the middleware below them; a clone of their sources in a workspace needs the real one."""
+"""Modules of ROS that need a middleware; a clone of their sources in a workspace would need the real one."""
 
 
 class Index:
     """Finds packages, their share folders, executables, modules and interfaces.
 
-    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay
-    last. Paths are strings. A package of a source workspace is presented as if installed, in a generated
-    prefix of links; use
+    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay last. Paths are
+    strings. A package of a source workspace is presented as if installed, in a generated prefix of links; use
     :meth:`source_path` to get back to the student's own file.
 
     :param prefixes: install prefixes, or colcon `install/` folders of either layout.
     :param workspaces: folders with source packages.
-    :param read_source: reads their build files; an index without workspaces needs none.
-    :param underlay: the built-in packages' prefix; None for an index without them.
-    :param near: of two packages with one name in one workspace, the one that is nearer to this folder counts.
+    :param read_source: reads their build files; not needed without workspaces.
+    :param underlay: the prefix of the built-in packages; None for an index without them.
+    :param near: a folder; if a workspace has two packages with one name, the one nearer to this folder counts.
     :ivar workspaces: the source workspaces, in order of search.
     """
 
@@ -98,7 +97,7 @@ class Index:
 
     @property
     def warnings(self) -> tuple[PackageWarning, ...]:
-        """What is wrong in the packages that were looked at so far."""
+        """The problems of the packages that were read so far."""
         return tuple(self._warnings)
 
     def search_paths(self) -> list[str]:
@@ -106,7 +105,7 @@ class Index:
         return [place.path for place in self._places]
 
     def packages(self) -> dict[str, str]:
-        """Return each package's prefix, by name; the first place that has a package wins."""
+        """Return each package's prefix, by name; the first place with a package counts."""
         found: dict[str, str] = {}
         for place in self._places:
             for name in place.packages():
@@ -114,7 +113,7 @@ class Index:
         return dict(sorted(found.items()))
 
     def prefix(self, package: str) -> str | None:
-        """Return the prefix that has the package, or None. Its files exist there when this returns."""
+        """Return the prefix that has the package, or None. Make sure that its files exist there."""
         place = self._place(package)
         if place is None:
             return None
@@ -122,13 +121,13 @@ class Index:
         return place.path
 
     def share(self, package: str) -> str | None:
-        """`<prefix>/share/<package>`, or None when there is no such package. The folder itself may be
+        """Return `<prefix>/share/<package>`, or None when there is no such package. The folder itself may be
         missing, as in ROS."""
         prefix = self.prefix(package)
         return None if prefix is None else os.path.join(prefix, 'share', package)
 
     def absent(self, package: str) -> str | None:
-        """Return what a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
+        """Return the software that a missing well-known package belongs to ('Gazebo'); None for an existing or unknown package.
 
         Its files would be below :attr:`absent_prefix`.
         """
@@ -136,13 +135,12 @@ class Index:
 
     @property
     def absent_prefix(self) -> str:
-        """Where packages that are not here would be: that of the built-in ones."""
+        """The prefix in which missing packages would be: the one of the built-in packages."""
         return self._underlay or ''
 
     def executables(self, package: str) -> list[str]:
-        """Return the names of the package's executables, sorted; none for an unknown package.
-
-        A workspace may hold the C++ source of a built-in package: its executables are then the built-in ones.
+        """Return the names of the package's executables, sorted; an unknown package has none. If a workspace has the C++ source
+        of a built-in package, these are the built-in executables.
         """
         place = self._place(package)
         if place is None:
@@ -152,14 +150,14 @@ class Index:
         return sorted({*place.executables(package), *(name for name in built_in if self._stand_in(place, package, name))})
 
     def find_executable(self, package: str, executable: str) -> str | None:
-        """`<prefix>/lib/<package>/<executable>` when the package has it; an entry point needs no file."""
+        """Return `<prefix>/lib/<package>/<executable>` if the package has it. For an entry point, there may be no such file."""
         place = self._place(package)
         if place is None or executable not in self.executables(package):
             return None
         return os.path.join(place.path, 'lib', package, executable)
 
     def native_executables(self, package: str) -> dict[str, str]:
-        """Executables that are built from C++ and so cannot run here: name -> 'file:line'."""
+        """Return the executables that are built from C++, which cannot run here: name -> 'file:line'."""
         place = self._place(package)
         if not isinstance(place, Workspace):
             return {}
@@ -167,19 +165,18 @@ class Index:
         return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
 
     def contents(self, package: str) -> Contents | None:
-        """Return what the build file of a source package installs; None when the package comes from elsewhere."""
+        """Return what the build file of a source package installs; None for any other package."""
         place = self._place(package)
         return place.contents(package) if isinstance(place, Workspace) else None
 
     def source_folder(self, package: str) -> str | None:
-        """Return the folder with the package.xml of a source package; None when the package comes from elsewhere."""
+        """Return the folder with the package.xml of a source package; None for any other package."""
         place = self._place(package)
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """Return the program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours.
-
-        `rviz2` and `xacro` are on the PATH, too, wherever that finds them.
+        """Return the program behind `<prefix>/lib/<package>/<executable>`, or None if it is a program of the computer. `rviz2`
+        and `xacro` are also on the PATH, with any folder.
         """
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
@@ -199,7 +196,7 @@ class Index:
         return None if kind is None else Program('absent', package, executable, path, file=kind)
 
     def _native(self, package: str, executable: str, path: str) -> Program | None:
-        """Return a program of the workspace that only a C++ compiler could make."""
+        """Return a program of the workspace that only a C++ compiler could build."""
         line = self.native_executables(package).get(executable)
         return None if line is None else Program('native', package, executable, path, file=line)
 
@@ -221,9 +218,8 @@ class Index:
             self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
-        """Return the top-level modules of which each program gets its own, by name, with the path of each folder or .py file.
-
-        Those of ROS itself stay the built-in ones, whatever a workspace has cloned: others need the real middleware.
+        """Return the top-level modules that are private to each program, by name, with the path of each folder or .py file.
+        Modules of ROS itself are always the built-in ones, because clones in a workspace need the real middleware.
         """
         found: dict[str, str] = {}
         for place in self._places:
@@ -237,7 +233,7 @@ class Index:
         return list(dict.fromkeys(os.path.dirname(path) for place in places for path in _modules(place).values()))
 
     def interface_roots(self) -> list[str]:
-        """Share folders with msg/, srv/ or action/ files; the folder's name is the package."""
+        """Return the share folders with msg/, srv/ or action/ files; the folder's name is the package."""
         found: dict[str, str] = {}
         for place in self._places:
             for package in place.interface_packages():
@@ -245,8 +241,7 @@ class Index:
         return list(found.values())
 
     def source_path(self, path: str) -> str:
-        """Return the file as the student wrote it: links of generated prefixes are followed, other paths come back
-        as they are."""
+        """Return the file as the student wrote it: follow links of generated prefixes, and return other paths unchanged."""
         for place in self._places:
             found = place.source_path(path)
             if found is not None:

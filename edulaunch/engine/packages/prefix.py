@@ -1,8 +1,7 @@
-"""An install prefix, as colcon or a package manager makes it; and the built-in packages, laid out like one.
-
-Every folder of the underlay's `share/` is a package, and so is every import package of `python/` that ROS has as a package.
+"""An install prefix, as colcon or a package manager creates it, and the built-in packages, which have the same layout. Every
+folder of the underlay's `share/` is a package, and so is every import package of `python/` that ROS has as a package.
 Executables are in `share/<package>/console_scripts.txt`, one `name = module:function` on a line. The modules are in the
-underlay's `python/` folder, on the ordinary path. Modules in `programs/` are written as students write theirs: they sleep, or
+underlay's `python/` folder, on the ordinary path. Modules in `programs/` are written in the way of students: they sleep, or
 have threads or an event loop. Each process gets its own copy of them, as with modules of a workspace.
 """
 
@@ -28,8 +27,7 @@ MARKERS = os.path.join('share', 'ament_index', 'resource_index', 'packages')
 
 
 def expand_prefixes(path: str) -> list[str]:
-    """Return the prefixes that a path stands for: itself, or each package's own folder in an isolated colcon
-    `install/`."""
+    """Return the prefixes at a path: the path itself, or the folder of each package in an isolated colcon `install/`."""
     if os.path.isdir(os.path.join(path, MARKERS)) or not os.path.isdir(path):
         return [path]
     return [
@@ -38,7 +36,7 @@ def expand_prefixes(path: str) -> list[str]:
 
 
 class Prefix:
-    """A prefix into which packages are installed."""
+    """A prefix with installed packages."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -57,7 +55,7 @@ class Prefix:
         """Do nothing: the files exist."""
 
     def executables(self, package: str) -> list[str]:
-        """Executable files in lib/<package>."""
+        """Return the executable files in lib/<package>."""
         folder = os.path.join(self.path, 'lib', package)
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         return [name for name in names if os.path.isfile(file := os.path.join(folder, name)) and os.access(file, os.X_OK)]
@@ -95,8 +93,9 @@ class Prefix:
         return os.path.realpath(path) if path.startswith(self.path + os.sep) else None
 
     def _site_folders(self) -> list[str]:
-        """site-packages (Debian: dist-packages) folders, and what their .egg-link files of a symlink install
-        point to."""
+        """Return the folders site-packages (Debian: dist-packages), and the targets of their .egg-link files from a symlink
+        install.
+        """
         found = []
         lib = os.path.join(self.path, 'lib')
         versions = sorted(
@@ -119,14 +118,14 @@ class Prefix:
 
 
 def is_python(path: str) -> bool:
-    """Return whether a file is Python: by its first line, or by its name."""
+    """Return whether a file is Python, judged by its first line or its name."""
     with open(path, 'rb') as stream:
         first = stream.readline(200)
     return first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')
 
 
 def _starts_entry_point(path: str) -> bool:
-    """Return whether a script is one that setuptools generated to call an entry point."""
+    """Return whether setuptools generated a script to call an entry point."""
     with open(path, 'rb') as stream:
         text = stream.read(4000)
     return b'console_scripts' in text or b'EASY-INSTALL' in text
@@ -156,7 +155,7 @@ def _console_scripts(file: str) -> dict[str, tuple[str, str]]:
 
 
 _NO_PACKAGES = ('rclcpp_like',)
-"""Import packages of ours that ROS does not have."""
+"""Import packages of edulaunch that ROS does not have."""
 _SIGNS = ('package.xml', 'console_scripts.txt', 'interfaces', 'msg', 'srv', 'action')
 
 
@@ -190,7 +189,7 @@ class Underlay:
         return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=roots)
 
     def modules(self) -> dict[str, str]:
-        """Return those of `programs/`; the others are shared and lie on the ordinary path."""
+        """Return the modules of `programs/`; the other ones are shared and on the ordinary path."""
         if self._modules is None:
             folder = os.path.join(self.path, 'programs')
             names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -198,11 +197,11 @@ class Underlay:
         return self._modules
 
     def interface_packages(self) -> list[str]:
-        """Built-in packages with interface files in their share folder."""
+        """Return the built-in packages with interface files in their share folder."""
         return list(_built_in(self.path)[1])
 
     def source_path(self, path: str) -> str | None:
-        """Built-in files are where they are."""
+        """Return the path itself, because built-in files are not links."""
         return None
 
     def _entries(self, package: str) -> dict[str, tuple[str, str]]:

@@ -31,18 +31,18 @@ class PackageWarning(NamedTuple):
 
 
 class Contents:
-    """What a package installs, as its build file says.
+    """The files and programs that a package installs, according to its build file.
 
     :param files: path below the prefix -> absolute path of the source file.
     :param entry_points: path below the prefix (`lib/<package>/<executable>`) -> (module, function).
-    :param programs: those of `files` that are installed as executables.
+    :param programs: the entries of `files` that are installed as executables.
     :param python_modules: top-level import name -> absolute path of its folder or .py file.
     :param native: executables built from C++ or C (name -> line of the build file), which cannot run here.
     :param announced: group of entry points -> lines `name = package.module:attribute`.
-    :param version: what setup() says, '' when it says nothing.
-    :param unread: what of the build file only a build can follow, '' where all that is installed is known.
-    :param broken: why a build stops before anything is installed; `warnings` contains it, too.
-    :param interfaces: there are .msg, .srv or .action files among `files`.
+    :param version: the version in setup(), or ''.
+    :param unread: the part of the build file that only a build can follow, '' if everything is known.
+    :param broken: why a build would stop before it installs anything; `warnings` contains this, too.
+    :param interfaces: whether there are .msg, .srv or .action files among `files`.
     """
 
     def __init__(self) -> None:
@@ -60,15 +60,15 @@ class Contents:
 class Program(NamedTuple):
     """A program of a package; all but native ones run in the simulation.
 
-    :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file run as `__main__`, and 'module' is
-        for `python3 -m`. With 'shell', `file` is a line of commands. A 'native' or 'absent' program ends immediately with an
+    :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file run as `__main__`, and 'module'
+        is for `python3 -m`. With 'shell', `file` is a line of commands. A 'native' or 'absent' program ends immediately with an
         explanation. A 'native' one is built from C++, and `file` is its line in CMakeLists.txt. An 'absent' one is in a missing
-        package, and `file` is what it belongs to.
+        package, and `file` is the software that it belongs to.
     :param path: `<prefix>/lib/<package>/<executable>`, the first word of a command line.
-    :param module: dotted module name of an entry point, else ''.
-    :param function: name of the entry point's function, else ''.
-    :param file: the script as the student wrote it (never a generated link), else ''.
-    :param python_roots: folders from which this program's own modules are imported, first match wins.
+    :param module: dotted module name of an entry point, otherwise ''.
+    :param function: name of the entry point's function, otherwise ''.
+    :param file: the script as the student wrote it (never a generated link), otherwise ''.
+    :param python_roots: folders from which this program's own modules are imported; the first match counts.
     """
 
     kind: str
@@ -96,12 +96,11 @@ class SourceReader(Protocol):
     """Reads the build file of a source package, without running it; `edulaunch.ros.sources` has one for setup.py and CMake."""
 
     def __call__(self, manifest: Manifest, /) -> Contents:
-        """Return what the package installs; what a build would reject is among the warnings of the contents."""
+        """Return what the package installs. The warnings of the contents include everything that a build would reject."""
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml; what is wrong with it is added to `warnings`, and None returned when it has
-    no name."""
+    """Read `folder`/package.xml; add its problems to `warnings`, and return None if it has no name."""
     from xml.etree import ElementTree
 
     file = os.path.join(folder, 'package.xml')
@@ -128,7 +127,9 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
 
 
 def _what_colcon_does(folder: str) -> str:
-    """To colcon a folder without a usable package.xml is a package of Python or CMake, and none of ROS 2."""
+    """Describe what colcon does with a folder without a usable package.xml: it builds a Python or CMake package that ROS 2 does
+    not find.
+    """
     for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
         if os.path.isfile(os.path.join(folder, file)):
             return f'colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
@@ -136,7 +137,9 @@ def _what_colcon_does(folder: str) -> str:
 
 
 def _guess_build_type(folder: str) -> str:
-    """ROS takes ament_cmake for packages that do not say; a lone setup.py can only mean the other one."""
+    """Return the build type of a package that does not name one: ament_cmake, as in ROS, or ament_python if there is only a
+    setup.py.
+    """
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
     return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
 
@@ -147,7 +150,8 @@ _MAX_FOLDERS = 5000
 
 
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
-    """Return the folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
+    """Return the folders below (or equal to) `workspace` that have a package.xml, the shallow ones first, then in alphabetical
+    order.
 
     The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
     COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`

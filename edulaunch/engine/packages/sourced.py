@@ -1,4 +1,4 @@
-"""What is sourced in this interpreter, as a terminal in which `setup.bash` was sourced: prefixes, and source workspaces."""
+"""The prefixes and source workspaces that are sourced in this interpreter, like `setup.bash` in a terminal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.engine.underlay_place import underlay_prefix
 
 
 class _Sourced:
-    """The state of this interpreter; `path` stays None until something is sourced."""
+    """The state of this interpreter; `path` has the value None until a workspace or prefix is sourced."""
 
     def __init__(self) -> None:
         self.path: str | None = None
@@ -30,12 +30,12 @@ def put_on_prefix_path(prefixes: Sequence[str] = ()) -> None:
 
 
 def sourced_path() -> str:
-    """Return AMENT_PREFIX_PATH as sourcing left it in this interpreter, whatever a program has made of it since."""
+    """Return AMENT_PREFIX_PATH as sourcing has set it in this interpreter, even if a program has changed it since."""
     return os.environ.get('AMENT_PREFIX_PATH', '') if _SOURCED.path is None else _SOURCED.path
 
 
 def add_workspaces(folders: Sequence[str], read_source: SourceReader) -> None:
-    """Remember source workspaces, for programs that this interpreter starts by itself.
+    """Record source workspaces for programs that this interpreter starts by itself.
 
     :param read_source: reads the packages in them.
     """

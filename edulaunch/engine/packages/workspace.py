@@ -23,7 +23,7 @@ from edulaunch.engine.packages.reading import (
 
 
 class Image:
-    """The generated prefix of one workspace. Packages are put into it when they are first asked for.
+    """The generated prefix of one workspace. Packages are added to it on their first use.
 
     :param workspace: the folder with the sources; :attr:`path` is the prefix, which need not exist yet.
     """
@@ -36,7 +36,7 @@ class Image:
     def add(self, package: str, contents: Contents) -> None:
         """Install a package: links to its files, and folders for its entry points.
 
-        Delete what an earlier reading of the package has left there, because another process may have used the folder since.
+        Delete files of an earlier reading of the package, because another process may have used the folder since.
         """
         self._claim()
         self._clear(package, contents)
@@ -57,14 +57,14 @@ class Image:
                         os.unlink(path)
 
     def add_folder(self, name: str) -> str:
-        """Make a folder in the prefix; gives its path."""
+        """Create a folder in the prefix, and return its path."""
         self._claim()
         path = os.path.join(self.path, name)
         os.makedirs(path, exist_ok=True)
         return path
 
     def source_path(self, path: str) -> str | None:
-        """Return the real file behind a path of the image, or None when it is not from here."""
+        """Return the real file behind a path of the image, or None for any other path."""
         if not path.startswith(self.path + os.sep):
             return None
         source = self._sources.get(path)
@@ -131,7 +131,7 @@ def _runs(pid: int) -> bool:
 
 
 def _base() -> str:
-    """Return a folder that belongs to this user alone, below the temporary folder."""
+    """Return a folder below the temporary folder that belongs only to this user."""
     import tempfile
 
     user = str(os.getuid()) if hasattr(os, 'getuid') else 'user'
@@ -152,7 +152,7 @@ def _digest(workspace: str) -> str:
 
 
 def _link(source: str, target: str) -> None:
-    """Make `target` show `source`; a copy where the file system has no symbolic links."""
+    """Make `target` a link to `source`, or a copy if the file system has no symbolic links."""
     try:
         if os.readlink(target) == source:
             return
@@ -172,12 +172,12 @@ def _link(source: str, target: str) -> None:
 
 
 class Workspace:
-    """One source workspace; packages are found at the first question, and read one by one.
+    """One source workspace. It finds its packages on first use, and reads them one by one.
 
     :param folder: the workspace, its `src/`, or a single package.
     :param read_source: reads the build file of a package.
-    :param warnings: the list to which everything is added that a build would reject.
-    :param near: of two packages with one name, the one that is nearer to this folder counts.
+    :param warnings: the list for everything that a build would reject.
+    :param near: a folder; of two packages with one name, the one nearer to it counts.
     """
 
     def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning], near: str = '') -> None:
@@ -196,13 +196,13 @@ class Workspace:
         return sorted(self._manifests())
 
     def install(self, package: str) -> None:
-        """Put the package into the generated prefix."""
+        """Add the package to the generated prefix."""
         if package not in self._installed:
             self._image.add(package, self.contents(package))
             self._installed.add(package)
 
     def executables(self, package: str) -> list[str]:
-        """Entry points and installed programs."""
+        """Return the entry points and installed programs."""
         folder = f'lib/{package}'
         contents = self.contents(package)
         return sorted(
@@ -223,7 +223,7 @@ class Workspace:
         return None
 
     def modules(self) -> dict[str, str]:
-        """Return what the packages' build files install for import."""
+        """Return the modules that the packages' build files install."""
         found: dict[str, str] = {}
         for package in self.packages():
             for name, path in self.contents(package).python_modules.items():
@@ -231,7 +231,7 @@ class Workspace:
         return found
 
     def interface_packages(self) -> list[str]:
-        """Return the packages whose build file generates or installs interfaces; their files are put into the prefix."""
+        """Return the packages whose build file generates or installs interfaces; add their files to the prefix."""
         found = [package for package in self.packages() if self.contents(package).interfaces]
         for package in found:
             self.install(package)
@@ -242,7 +242,7 @@ class Workspace:
         return self._image.source_path(path)
 
     def contents(self, package: str) -> Contents:
-        """Return what the package installs; read at the first question."""
+        """Return what the package installs; its build file is read on first use."""
         contents = self._contents.get(package)
         if contents is None:
             contents = self._contents[package] = self._read_source(self._manifests()[package])

@@ -1,4 +1,4 @@
-"""Programs that a simulated program starts itself: what `subprocess.Popen` is inside the simulation."""
+"""Programs that a simulated program starts itself: `subprocess.Popen` inside the simulation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def spec_of(
     process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None, **_: Any
 ) -> ProcessSpec:
-    """Return what to start for the arguments of `subprocess.Popen`."""
+    """Return the program to start for the arguments of `subprocess.Popen`."""
     words = [args] if isinstance(args, (str, bytes)) or not isinstance(args, Sequence) else list(args)
     return ProcessSpec(
         argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
@@ -34,10 +34,10 @@ def spec_of(
 
 
 class Child:
-    """As `subprocess.Popen`; waiting for it lets simulated time pass.
+    """The simulated `subprocess.Popen`; waiting for it lets simulated time pass.
 
     :param process: the program that starts it.
-    :param input: what it reads, when it is a simulated program; `stdin=PIPE` lets it read what is written to `stdin`.
+    :param input: the input of a simulated program; `stdin=PIPE` lets it read what is written to `stdin`.
     :raises FileNotFoundError: when there is no such command.
     """
 
@@ -101,11 +101,11 @@ class Child:
             task.wake()
 
     def poll(self) -> int | None:
-        """Return the return code, None while it runs."""
+        """Return the return code, or None while it runs."""
         return self.returncode
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for its end. Raises `subprocess.TimeoutExpired` after `timeout` simulated seconds."""
+        """Wait for its end. Raise `subprocess.TimeoutExpired` after `timeout` simulated seconds."""
         if not wait_until(lambda: self.returncode is not None, self.waiters, timeout):
             assert timeout is not None
             raise subprocess.TimeoutExpired(self.args, timeout)
@@ -113,7 +113,7 @@ class Child:
         return self.returncode
 
     def communicate(self, input: Any = None, timeout: float | None = None) -> tuple[Any, Any]:
-        """Wait for its end; what it wrote to stdout and stderr, as far as these are pipes."""
+        """Wait for its end. Return its output on stdout and stderr, as far as these are pipes."""
         if self.stdin is not None:
             if input is not None:
                 self.stdin.write(input)
@@ -123,7 +123,7 @@ class Child:
 
     @property
     def is_passed_on(self) -> bool:
-        """Whether the program that started it hands it the Ctrl-C that it gets itself."""
+        """Whether the program that started it passes on its own Ctrl-C."""
         return bool(self._program.is_passed_on)
 
     @is_passed_on.setter
@@ -131,7 +131,7 @@ class Child:
         self._program.is_passed_on = passed_on
 
     def send_signal(self, signum: int) -> None:
-        """Send a signal; nothing happens after the end."""
+        """Send a signal; do nothing after the end."""
         if self.returncode is None:
             self._program.send_signal(signum)
 
@@ -145,7 +145,7 @@ class Child:
 
 
 class InputEnd:
-    """The writing end of what a child reads."""
+    """The writing end of a child's input."""
 
     closed = False
 
@@ -158,10 +158,10 @@ class InputEnd:
         return len(data)
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing, because nothing is buffered."""
 
     def close(self) -> None:
-        """The child reads to the end."""
+        """End the input of the child."""
         self.closed = True
         self._pipe.feed('', last=True)
 
@@ -174,7 +174,7 @@ class Pipe:
         self._text = ''
 
     def feed(self, text: str) -> None:
-        """Take what the child wrote."""
+        """Add output of the child."""
         self._text += text
 
     def _cut(self, length: int) -> Any:
@@ -204,23 +204,23 @@ class Pipe:
         return iter(self.readline, '' if self._child.text else b'')
 
     def close(self) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
 
 def inherit_terminal(process: Process, child: Any) -> None:
-    """Let a program read the keyboard of the one that started it, if that has one."""
+    """Let a program read the keyboard of the program that started it, if there is one."""
     if getattr(process.streams.stdin, 'is_inherited', False):
         _give_input(child, process.streams.stdin)
 
 
 def _give_input(child: Any, stdin: Any) -> None:
-    """Let a simulated program read from `stdin`; a real one has a stream of its own."""
+    """Let a simulated program read from `stdin`; a real one has its own stream."""
     if isinstance(child, Process):
         child.streams.stdin = stdin
 
 
 def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
-    """Return what takes the child's output: a pipe, a file, nothing, or the stream of the program itself."""
+    """Return the target of the child's output: a pipe, a file, nothing, or the stream of the program itself."""
     if pipe is not None:
         return pipe.feed
     if where == subprocess.DEVNULL:

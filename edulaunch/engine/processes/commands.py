@@ -1,4 +1,4 @@
-"""Which commands the simulation runs itself: programs of packages, Python files, tools and shell lines.
+"""Finds the commands that the simulation runs itself: programs of packages, Python files, tools and shell lines.
 
 Any other command is a real program.
 
@@ -51,25 +51,25 @@ WRAPPERS = (
     'xfce4-terminal',
     'xterm',
 )
-"""Programs that start the command which follows them; the simulation leaves them out."""
+"""Programs that start the command after them; the simulation skips them."""
 
 Main = Callable[[Process], object]
-"""What runs inside a simulated process; it returns the exit code."""
+"""Runs inside a simulated process, and returns the exit code."""
 
 
 class Shell(Protocol):
-    """Reads and follows the lines of a shell."""
+    """Reads and runs shell lines."""
 
     def needs_shell(self, line: str) -> bool:
-        """Return whether a line has signs that mean something to a shell; else its words are the command."""
+        """Return whether a line has characters with a meaning in a shell; otherwise, its words are the command."""
 
     def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
-        """Return the line and its arguments of a command such as `sh -c LINE ARGUMENT...`, else None."""
+        """Return the line and its arguments of a command such as `sh -c LINE ARGUMENT...`, or None."""
 
     def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
-        """Return what follows a line in simulated time; None when a real shell has to.
+        """Return the function that runs a line in simulated time; None if a real shell must run it.
 
-        :param knows: whether the simulation runs the command of these words.
+        :param knows: returns whether the simulation runs the command of some words.
         """
 
 
@@ -77,9 +77,9 @@ class Known(NamedTuple):
     """A command that the simulation runs.
 
     :ivar argv: the words that its process sees.
-    :ivar main: what runs in the process.
+    :ivar main: the function that runs in the process.
     :ivar program: the program of a package or the Python file; None for a tool and for a shell line.
-    :ivar tool: the name of the tool, else empty.
+    :ivar tool: the name of the tool, or ''.
     """
 
     argv: list[str]
@@ -89,10 +89,10 @@ class Known(NamedTuple):
 
 
 class CommandSet:
-    """The commands that a machine runs beside the programs of its packages.
+    """The commands that a machine runs in addition to the programs of its packages.
 
-    :ivar tools: what runs the command lines that begin with a name, by that name.
-    :ivar shell: what follows shell lines; with None all of them go to a real shell.
+    :ivar tools: the functions for command lines by their first word.
+    :ivar shell: runs shell lines; with None, a real shell runs all of them.
     """
 
     def __init__(self, tools: Mapping[str, Main] = MappingProxyType({}), shell: Shell | None = None) -> None:
@@ -102,7 +102,7 @@ class CommandSet:
     def find(self, spec: ProcessSpec, index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
         """Return the command of a spec, if the simulation runs it.
 
-        :param modules: gives the top-level modules of the workspaces, which `python3 -m` may name.
+        :param modules: returns the top-level modules of the workspaces, which `python3 -m` may name.
         """
         words: Sequence[str] = spec.argv
         if spec.shell:
@@ -126,7 +126,7 @@ class CommandSet:
         return _python(words, spec.cwd, modules)
 
     def _line(self, script: Sequence[str], index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-        """Return a shell line of which the simulation knows a command."""
+        """Return the command for a shell line, if the simulation knows a command in it."""
 
         def knows(words: Sequence[str]) -> bool:
             return self.find(ProcessSpec(argv=tuple(words), name=''), index, modules) is not None
@@ -138,7 +138,7 @@ class CommandSet:
 
 
 def _python(words: Sequence[str], cwd: str | None, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-    """Return a command that names Python, or a Python file, itself."""
+    """Return the command for words that begin with Python or a Python file."""
     first = os.path.basename(words[0]) if words else ''
     if not first.endswith('.py') and not first.startswith('python'):
         return None

@@ -16,7 +16,7 @@ _COLOUR = re.compile(r'\x1b\[[0-9;]*m')
 _PREFIX = re.compile(r'\[[^\]]*\] ')
 
 HintOf = Callable[[dict[str, Any], Mapping[str, str]], 'str | None']
-"""Gives the line below an error, or None: called with the error as plain data and the environment of the reader."""
+"""Returns the line below an error or None, given the error as plain data and the environment of the reader."""
 
 
 class _Pending(NamedTuple):
@@ -35,7 +35,7 @@ class _Pending(NamedTuple):
 class DeferredHints:
     """The hints of one simulated machine.
 
-    :param hint_of: gives the line below an error; with None no error has a hint.
+    :param hint_of: returns the line below an error; with None, no error has a hint.
     """
 
     def __init__(self, hint_of: HintOf | None = None) -> None:
@@ -44,11 +44,11 @@ class DeferredHints:
         self._hint_of = hint_of
 
     def expect(self, text: str, error: dict[str, Any], group: int) -> None:
-        """Note an error that is going to be written.
+        """Record an error that will be written.
 
-        :param text: what is written; the hint waits for its last line.
+        :param text: the output; the hint waits for its last line.
         :param error: type, message, file, line, facts and process, as plain data.
-        :param group: number of the program that a terminal started, in whose terminal this happens.
+        :param group: number of the program that the terminal of the error started.
         """
         lines = [line for line in text.splitlines() if line.strip()]
         if lines and self._hint_of is not None:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class Program(Protocol):
-    """What is looked at of the program that an error ended."""
+    """The parts of a program that an error ended which this module reads."""
 
     index: Index
 
@@ -50,7 +50,7 @@ ENDED_BY = {
     'GuardCondition': 'destroy()',
     'Rate': 'destroy()',
 }
-"""What ends something that rclpy makes, by its class."""
+"""The method that ends an object of rclpy, by the object's class."""
 
 
 def with_facts_at(error: BaseException) -> dict[str, Any]:
@@ -74,7 +74,9 @@ def _innermost(trace: TracebackType | None) -> TracebackType | None:
 
 
 def _kind(name: str, trace: TracebackType) -> str:
-    """The class of rclpy behind the name of a class: its nearest base there, or the name when the program does not have it."""
+    """Return the class of rclpy for the name of a class: its nearest base there, or the name if the program does not have
+    it.
+    """
     known = trace.tb_frame.f_locals.get(name) or trace.tb_frame.f_globals.get(name)
     if not isinstance(known, type):
         return name
@@ -82,14 +84,14 @@ def _kind(name: str, trace: TracebackType) -> str:
 
 
 ENDINGS = ('.so', '.dylib', '.pyd', '.pyx')
-"""Compiled for Unix, macOS and Windows, and what Cython would compile."""
+"""Endings of compiled modules on Unix, macOS and Windows, and of files for Cython."""
 _TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|cython_add_module)\s*\(\s*{name}\b'
 _LIBRARY = re.compile(r'(\S+): cannot open shared object file')
 
 
 def compiled_module(process: Program, name: str) -> str | None:
-    """Return the place of a module's compiled code that Python did not find ('robo/fast.so'), or what would build it;
-    otherwise None.
+    """Return the path of a module's compiled code that Python did not find ('robo/fast.so'), or of the file that builds it, or
+    None.
     """
     parent, _, leaf = name.rpartition('.')
     if parent:
@@ -104,7 +106,7 @@ def compiled_module(process: Program, name: str) -> str | None:
 
 
 def missing_library(error: BaseException) -> str | None:
-    """Return the native library that the operating system did not find when something was loaded."""
+    """Return the native library that the operating system did not find while it loaded a module."""
     found = _LIBRARY.match(str(error))
     return found[1] if found is not None else None
 
@@ -126,7 +128,9 @@ SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
 
 
 def error_facts(process: Program, error: BaseException) -> Found:
-    """`about`, the rule that has words for it, and what they name. What the error itself carries goes first."""
+    """Return the facts of an error with `about`, the rule with the sentences for it. Facts that the error itself carries come
+    first.
+    """
     carried = facts_of(error)
     if carried:
         return carried
@@ -144,7 +148,7 @@ def error_facts(process: Program, error: BaseException) -> Found:
 
 
 def _hiding(process: Program, name: Any) -> Found:
-    """Of something that a standard module has, when a file of the student has its name."""
+    """Return facts about a name of a standard module, if a file of the student hides the module."""
     own = process.loader.modules.get(name) if name in sys.stdlib_module_names else None
     file = getattr(own, '__file__', None)
     if file is None or file == getattr(PathFinder.find_spec(name), 'origin', None):
@@ -153,7 +157,7 @@ def _hiding(process: Program, name: Any) -> Found:
 
 
 def _module(process: Program, name: str) -> Found:
-    """Return facts about an unknown module: what it is, and the nearest name."""
+    """Return facts about an unknown module: the software that it belongs to, and the nearest name."""
     top = name.partition('.')[0]
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
@@ -165,7 +169,7 @@ def _module(process: Program, name: str) -> Found:
 
 
 def _package(process: Program, top: str) -> Found:
-    """Of a package of the workspace whose interfaces or modules are not installed."""
+    """Return facts about a package of the workspace whose interfaces or modules are not installed."""
     if top not in process.index.packages():
         return {}
     if top not in process.overlay.interface_packages:
@@ -175,7 +179,9 @@ def _package(process: Program, top: str) -> Found:
 
 
 def _imported_name(process: Program, error: ImportError) -> Found:
-    """Of a name that a module of the program does not have: the nearest one, or that two modules import each other."""
+    """Return facts about a name that a module of the program does not have: the nearest name, or that two modules import each
+    other.
+    """
     found = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
     if found is None:
         return {}
@@ -208,7 +214,7 @@ def _is_module(path: str) -> bool:
 
 
 def _part(process: Program, name: str) -> Found:
-    """Of a missing part of a package that is there: the modules beside it."""
+    """Return facts about a missing module of an existing package: the modules beside it."""
     parent, _, leaf = name.rpartition('.')
     module: Any = process.loader.modules.get(parent) or sys.modules[parent]
     beside = sorted(
@@ -235,5 +241,5 @@ def _unknown_module(process: Program, top: str) -> Found:
 
 
 def _alike(name: str, near: str) -> bool:
-    """Return whether only a letter or two differ: modules of other projects are called much like ROS's."""
+    """Return whether two names differ by at most two letters, because modules of other projects have names similar to ROS's."""
     return SequenceMatcher(None, name, near).ratio() >= 0.8

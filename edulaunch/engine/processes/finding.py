@@ -33,12 +33,13 @@ class Found(NamedTuple):
 class Finder:
     """Looks for private modules, in Python's order.
 
-    :param installed: gives the modules of the workspaces, name -> folder or .py file.
-    :param loaded: what the program has loaded privately, its `sys` among it, on whose `path` it may have put folders.
+    :param installed: returns the modules of the workspaces, name -> folder or .py file.
+    :param loaded: the modules that the program has loaded privately, including its `sys`, to whose `path` it may have added
+        folders.
     :ivar roots: folders that come first, such as the folder of a script.
-    :ivar last: folders that are searched after everything shared: the program's package folder, of which strictly only what
-        its build file names is installed.
-    :ivar own: the top-level module of the program's entry point, which its own folders decide.
+    :ivar last: folders that are searched after everything shared: the program's package folder, although only the files in its
+        build file would be installed.
+    :ivar own: the top-level module of the program's entry point, which comes from its own folders.
     """
 
     def __init__(self, installed: Callable[[], Mapping[str, str]], loaded: Mapping[str, Any]) -> None:
@@ -71,7 +72,7 @@ class Finder:
         return found
 
     def last_match(self, top: str) -> Found | None:
-        """Return a top-level module for a name that nothing shared has."""
+        """Return a top-level module for a name that no shared module has."""
         _, after = self._program_path()
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
@@ -83,8 +84,8 @@ class Finder:
         return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
 
     def _may_have(self, folder: str, top: str) -> bool:
-        """Return whether a module can be in a folder. Each is listed once: most imports are of something else. What is written
-        there later is found last.
+        """Return whether a module can be in a folder. Each folder is listed once, because most imports are of other modules.
+        Files that are written later are found last.
         """
         names = self._listed.get(folder)
         if names is None:
@@ -96,7 +97,7 @@ class Finder:
         return top in names or f'{top}.py' in names
 
     def _program_path(self) -> tuple[list[str], list[str]]:
-        """Return the folders that the program put on its `sys.path`, before and after the shared ones."""
+        """Return the folders that the program added to its `sys.path`, before and after the shared ones."""
         view = self._loaded.get('sys')
         return ([], []) if view is None else view.private_path()
 
@@ -159,7 +160,7 @@ class Overlay:
 
     @property
     def registry(self) -> Registry:
-        """The interfaces that programs over this index see."""
+        """The interfaces for programs that use this index."""
         return self._interfaces[1]
 
     @cached_property
@@ -181,7 +182,7 @@ answer_with(_registry_of_the_running_program)
 def read_script(path: str) -> CodeType:
     """Return the code of a script or launch file, of which Python keeps no compiled copy.
 
-    :raises: whatever compiling raises.
+    :raises: any error of the compilation.
     """
     with open(path, 'rb') as file:
         source = file.read()

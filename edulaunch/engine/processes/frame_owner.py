@@ -28,24 +28,25 @@ LIBRARIES = tuple(
 
 
 def is_engine(filename: str) -> bool:
-    """Return whether it is a file of edulaunch, or no file at all."""
+    """Return whether a path is a file of edulaunch, or not a file at all."""
     return filename.startswith((ENGINE, '<frozen', '<interface '))
 
 
 def is_library(filename: str) -> bool:
-    """Return whether it belongs to Python or to a package that was installed for it; a student writes neither."""
+    """Return whether a file belongs to Python or to an installed package, neither of which a student writes."""
     return filename.startswith(LIBRARIES) and not is_engine(filename)
 
 
 def is_own(filename: str) -> bool:
-    """Return whether the student wrote it."""
+    """Return whether the student wrote a file."""
     return not filename.startswith(('<frozen', '<interface ', ENGINE, *LIBRARIES))
 
 
 def student_line(frame: FrameType | None = None) -> dict[str, Any]:
-    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact. It has `file`, `line`,
-    the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the module that it replaces.
-    The result is empty if no code of a student is on the way.
+    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact. It has `file`,
+    `line`,
+    the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the module that it
+    replaces. Without code of a student, the result is empty.
     """
     inner: FrameType | None = None
     here = frame if frame is not None else sys._getframe(1)
@@ -62,12 +63,12 @@ def student_line(frame: FrameType | None = None) -> dict[str, Any]:
 
 
 def waiting_line(task: Task) -> dict[str, Any]:
-    """:func:`student_line` of a task that is parked."""
+    """Return the :func:`student_line` of a parked task."""
     return {} if task.frame is None else student_line(task.frame)
 
 
 def coroutine_line(coroutine: Any) -> dict[str, Any]:
-    """Return where a coroutine waits, in the same form."""
+    """Return the place where a coroutine waits, in the form of :func:`student_line`."""
     line: dict[str, Any] = {}
     while (frame := getattr(coroutine, 'cr_frame', None)) is not None:
         if is_own(frame.f_code.co_filename):

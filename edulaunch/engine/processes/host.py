@@ -1,4 +1,4 @@
-"""Starts programs: those it knows as simulated processes, any other as a real program of this machine."""
+"""Starts programs: known ones as simulated processes, and any other as a real program of this machine."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ FIRST_PID = 1001
 
 
 class GeneratedFile(Protocol):
-    """A parameter file that launch made."""
+    """A parameter file that launch generated."""
 
     def entries(self) -> Sequence[Entry]: ...
 
@@ -50,15 +50,16 @@ class Host:
     :param command_set: the tools and the shell of the machine (default: none).
     :param hint_of: returns the hint below an error, see :class:`DeferredHints` (default: no hints).
     :param stdin: input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. It is a string, a
-        list of (simulated seconds, string), or an open text file. Other programs read an empty input, and programs of a launch a
+        list of (simulated seconds, string), or an open text file. Other programs read an empty input, and programs of a launch
+        a
         silent pipe.
-    :cvar is_real: whether programs run on the real rclpy, and ask this computer in place of it.
+    :cvar is_real: whether programs run on the real rclpy, and query this computer instead of the host.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar join_network: joins a real ROS 2 network, or None where that is impossible. It takes an environment, the words of the
         join's options, and a function that reports joining and leaving. It returns a function that leaves the network.
-    :ivar where_on_network: says which real network it is on and by what; None for none.
+    :ivar where_on_network: describes the real network that it has joined and the library for it; None without one.
     :ivar make_launch_observer: makes the observer for the launch service of a process, if there is one.
-    :ivar unread_stdin: those names of `stdin` for which no program was started yet.
+    :ivar unread_stdin: the names of `stdin` whose programs have not been started yet.
     """
 
     is_real = False
@@ -116,7 +117,7 @@ class Host:
         return overlay
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """Return what the parameter file at `path` says: one that launch generated, or any other.
+        """Return the entries of the parameter file at `path`, which launch may have generated.
 
         :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
         """
@@ -127,12 +128,12 @@ class Host:
         return entries_of_file(path if program is None else program.path(path))
 
     def forget_overlays(self) -> None:
-        """Let go of the workspaces of programs that have ended."""
+        """Release the workspaces of programs that have ended."""
         used = [self.index, *(process.index for process in self.processes)]
         self._overlays = [pair for pair in self._overlays if any(pair[0] is index for index in used)]
 
     def next_pid(self) -> int:
-        """Process numbers count up from 1001, so that they repeat from run to run."""
+        """Return the next process number. Numbers begin with 1001, so that they are the same in every run."""
         pid = self._pid
         self._pid += 1
         return pid
@@ -153,7 +154,7 @@ class Host:
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
-        """Return the program of this machine whose code runs now; what it starts finds the packages that it finds."""
+        """Return the program of this machine whose code runs now. Programs that it starts find the same packages."""
         task = running_task()
         owner = None if task is None else task.owner
         return owner if isinstance(owner, Process) and owner.host is self else None
@@ -165,11 +166,11 @@ class Host:
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Process | RealProcess:
-        """Start a program. Its first turn comes after what is due now.
+        """Start a program. Its first turn comes after the items that are due now.
 
-        :param on_output: called as on_output('stdout' | 'stderr', text) for everything it writes.
-        :param on_exit: called with the return code, once.
-        :param index: the packages that it finds, if not those of the program that starts it.
+        :param on_output: called as on_output('stdout' | 'stderr', text) for all its output.
+        :param on_exit: called once with the return code.
+        :param index: the packages that it finds (default: those of the program that starts it).
         :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
         """
         index, starter = index or self._index_here(), self.program_here()
@@ -196,15 +197,15 @@ class Host:
         return self.adopt(process)
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
-        """:meth:`start` for what a launch action asks for, which a dry run only notes."""
+        """Start the program of a launch action; see :meth:`start`. A dry run only records it."""
         return self.start(spec, on_output, on_exit)
 
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
-        """:meth:`start` for a command whose output a launch file needs: it runs in a dry run, too."""
+        """Start a command whose output a launch file needs, even in a dry run; see :meth:`start`."""
         return self.start(spec, on_output, on_exit)
 
     def adopt(self, process: Process) -> Process:
-        """Take charge of a process made elsewhere, and start it."""
+        """Add a process that was created elsewhere, and start it."""
         if self.watchdog is not None:
             self.watchdog.start()
         real_machine.listen()
@@ -214,7 +215,7 @@ class Host:
         return process
 
     def begin(self, process: Process) -> None:
-        """Give a program its first turn: after what is due now."""
+        """Give a program its first turn after the items that are due now."""
         process.lifecycle.task.start()
 
     def knows(self, spec: ProcessSpec) -> bool:
@@ -224,18 +225,18 @@ class Host:
     def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
         """Return the command of a spec, if the simulation runs it.
 
-        :param index: the packages among which it is looked for, if not those of the program whose code runs.
+        :param index: the packages to search (default: those of the program whose code runs).
         """
         packages = index or self._index_here()
         return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)
 
     def ended(self, process: Process) -> None:
-        """Called by a process when it has ended."""
+        """Remove a process that has ended; the process calls this."""
         self.processes.remove(process)
         self.tracer.process_exited(process)
 
     def close(self) -> None:
-        """End everything at once, without more simulated time: tasks are unwound, real programs are killed."""
+        """End everything immediately without more simulated time: unwind tasks, and kill real programs."""
         if self.watchdog is not None:
             self.watchdog.stop()
         for real in list(self.real_programs):

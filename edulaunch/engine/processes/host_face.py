@@ -1,5 +1,5 @@
-"""The machine as its programs see it. The class `Host` fulfils this protocol and starts the programs; so `process` needs nothing
-of `host`.
+"""The machine as its programs see it. The class `Host` implements this protocol and starts the programs, so `process` does not
+import `host`.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ JoinNetwork = Callable[[Mapping[str, str], Sequence[str], Callable[[str], object
 
 
 class HostFace(Protocol):
-    """What a program, and what runs in it, may ask of its machine; `Host` documents each of them."""
+    """The part of a machine that its programs may use; `Host` documents each member."""
 
     is_real: bool
     is_paced: bool

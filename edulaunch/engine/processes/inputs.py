@@ -1,4 +1,4 @@
-"""The inputs of simulated programs: a string, lines at given times, a pipe. (`real_input` is the keyboard of a person.)
+"""The inputs of simulated programs: a string, lines at given times, or a pipe. (`RealInput` is the keyboard of a person.)
 
 Reading waits in simulated time; meanwhile, the other programs continue.
 """
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 
 class Input:
-    """`sys.stdin` of a simulated program: an empty file. Subclasses say where more text comes from.
+    """`sys.stdin` of a simulated program: an empty file. Subclasses define the source of more text.
 
     A program that reads key by key (see the `termios` view) has a keyboard instead: after the last key, no key is pressed.
 
-    :ivar by_key: whether the program took the terminal out of its line mode.
+    :ivar by_key: whether the program switched the line mode of the terminal off.
     :ivar blocking: whether reading waits (see the `fcntl` view).
-    :ivar is_inherited: whether what the program starts reads from it, too.
+    :ivar is_inherited: whether programs that it starts read from it, too.
     """
 
     name = '<stdin>'
@@ -44,11 +44,11 @@ class Input:
         return True
 
     def take_more(self, deadline_ns: int | None) -> bool:
-        """Wait for more text and add it. False when the deadline came first."""
+        """Wait for more text and add it. Return False if the deadline comes first."""
         return False
 
     def take_due(self) -> None:
-        """Add what has come already, without waiting."""
+        """Add the text that has already arrived, without waiting."""
 
     def is_ready(self) -> bool:
         """Return whether reading would not have to wait."""
@@ -56,13 +56,13 @@ class Input:
         return bool(self._text) or (self.has_ended() and not self.by_key)
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """The program sets the local flags of its terminal; see `termios`."""
+        """Set the local flags of the terminal; see `termios`."""
         import termios
 
         self.by_key = not flags & termios.ICANON
 
     def terminal_size(self) -> tuple[int, int]:
-        """Columns and lines of the terminal.
+        """Return the columns and lines of the terminal.
 
         :raises OSError: when it is invalid, with the error of the operating system.
         """
@@ -88,7 +88,7 @@ class Input:
             task.park(deadline_ns)
 
     def _fill(self, size: int, end: str = '') -> None:
-        """Wait until there are `size` characters (-1: all of them), or `end` is there, or no more will come."""
+        """Wait for `size` characters (-1 for all), for `end`, or for the end of the input."""
         self.take_due()
         while (size < 0 or len(self._text) < size) and not (end and end in self._text) and not self.has_ended():
             if not self.blocking:
@@ -104,18 +104,18 @@ class Input:
         return text
 
     def read(self, size: int | None = -1, /) -> str:
-        """As any text file; at the end of a keyboard's keys it waits."""
+        """Read like any text file, but wait at the end of a keyboard's keys."""
         size = -1 if size is None else size
         self._fill(size)
         return self._cut(len(self._text) if size < 0 else size)
 
     def read1(self, size: int) -> str:
-        """Return what is there, at most `size` characters; waits when nothing is."""
+        """Return at most `size` of the available characters; wait for the first one."""
         self._fill(1)
         return self._cut(size)
 
     def readline(self, size: int = -1, /) -> str:
-        """As any text file; at the end of a keyboard's keys it waits."""
+        """Read a line like any text file, but wait at the end of a keyboard's keys."""
         self._fill(size, '\n')
         end = self._text.find('\n') + 1 or len(self._text)
         return self._cut(end if size < 0 else min(size, end))
@@ -139,40 +139,40 @@ class Input:
         return BytesInput(self)
 
     def isatty(self) -> bool:
-        """Return a launched program reads no terminal."""
+        """Return False, because a launched program does not read from a terminal."""
         return False
 
     def fileno(self) -> int:
-        """Return the number that it has in every program."""
+        """Return 0, the number of standard input in every program."""
         return 0
 
     def readable(self) -> bool:
-        """Yes."""
+        """Return True."""
         return True
 
     def writable(self) -> bool:
-        """No."""
+        """Return False."""
         return False
 
     def seekable(self) -> bool:
-        """No."""
+        """Return False."""
         return False
 
     def flush(self) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
     def close(self) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
 
 class SilentPipe(Input):
-    """The input of a program of a launch: a pipe that is never written to and never closed, as in ROS 2."""
+    """The input of a launched program: a pipe that stays open and empty, as in ROS 2."""
 
     is_inherited = True
     _has_warned = False
 
     def has_ended(self) -> bool:
-        """Never."""
+        """Return False."""
         return False
 
     def take_more(self, deadline_ns: int | None) -> bool:
@@ -192,11 +192,11 @@ class BytesInput:
         self._input = text
 
     def read(self, size: int = -1) -> bytes:
-        """As any binary file."""
+        """Read like any binary file."""
         return self._input.read(size).encode()
 
     def readline(self) -> bytes:
-        """As any binary file."""
+        """Read a line like any binary file."""
         return self._input.readline().encode()
 
     def __iter__(self) -> Iterator[bytes]:
@@ -214,7 +214,7 @@ class TypedInput(Input):
         self._pieces = deque(sorted(((round(seconds * 1e9), text) for seconds, text in pieces), key=lambda piece: piece[0]))
 
     def has_ended(self) -> bool:
-        """After the last piece."""
+        """Return whether the last piece has arrived."""
         return not self._pieces
 
     def take_due(self) -> None:
@@ -233,7 +233,7 @@ class TypedInput(Input):
 
 
 class PipedInput(Input):
-    """What another program writes: the other end of `Popen(..., stdin=PIPE).stdin`."""
+    """The other end of `Popen(..., stdin=PIPE).stdin`, to which another program writes."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -241,14 +241,14 @@ class PipedInput(Input):
         self._waiters: deque[Task] = deque()
 
     def feed(self, text: str, *, last: bool = False) -> None:
-        """Add text; after the `last` the file ends."""
+        """Add text; after the `last` one, the file ends."""
         self._text += text
         self._open = self._open and not last
         for task in self._waiters:
             task.wake()
 
     def has_ended(self) -> bool:
-        """When the other end was closed."""
+        """Return whether the other end was closed."""
         return not self._open
 
     def take_more(self, deadline_ns: int | None) -> bool:

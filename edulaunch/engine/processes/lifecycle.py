@@ -1,4 +1,4 @@
-"""The life of a program: its main task, its threads, what is called at its end, and its return code."""
+"""The life of a program: its main task, its threads, the functions to call at its end, and its return code."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.engine.sim.task import Task, TaskKilled
 
 
 class Program(Protocol):
-    """What a lifecycle asks of its program."""
+    """The part of a program that its lifecycle needs."""
 
     sim: Simulation
 
@@ -35,15 +35,15 @@ class Program(Protocol):
 class Lifecycle:
     """Runs a program from its first turn to its end.
 
-    :param main: the program's main function; what it returns is the exit status, as for `sys.exit`.
+    :param main: the program's main function; it returns the exit status, as for `sys.exit`.
     :ivar task: the main thread.
     :ivar threads: threads that the program waits for before it ends.
-    :ivar before_join: called before the program waits for its threads, the last one first.
-    :ivar exit_calls: what the program registered with `atexit`: function, arguments, options.
-    :ivar at_exit: called when the program has ended in whatever way.
+    :ivar before_join: functions to call before the program waits for its threads, the last one first.
+    :ivar exit_calls: the functions that the program registered with `atexit`, with arguments and options.
+    :ivar at_exit: functions to call when the program has ended, for any reason.
     :ivar returncode: None while it runs; negative for a signal, as in `subprocess`.
     :ivar killed_by: the signal that ended it.
-    :ivar is_dead: it has ended, though its stack may still unwind: nothing that it does counts.
+    :ivar is_dead: whether it has ended; its stack may still unwind, but its actions have no effect.
     """
 
     def __init__(self, program: Program, main: Callable[[], object]) -> None:
@@ -60,9 +60,10 @@ class Lifecycle:
         self.task.add_done_callback(self._end_unbegun)
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """Return a further task of the program. The program does not end before its threads do, unless they are daemons.
+        """Start another task of the program, and return it. The program does not end before its threads do, unless they are
+        daemons.
 
-        :param at_once: let it run up to where it first waits, before this returns.
+        :param at_once: let the task run until it waits for the first time, before this call returns.
         """
         task = Task(self._program.sim, lambda: self._run_thread(body), name=name, owner=self._program)
         if not daemon:
@@ -85,13 +86,15 @@ class Lifecycle:
             return None
 
     def vanish(self) -> None:
-        """Kill the program. Unwinding its stack runs its `finally` blocks, which a real end does not: they have no effect."""
+        """Kill the program. Unwinding its stack runs its `finally` blocks, but without effect, because a killed program would
+        not run them.
+        """
         self.is_dead = True
         self._program.leave_graph()
         self.task.kill()
 
     def exit_now(self, code: int) -> None:
-        """End at once without cleaning up, as `os._exit`; called inside the program."""
+        """End immediately without cleaning up, like `os._exit`; called inside the program."""
         self.returncode = code
         self.vanish()
         self.task.park()
@@ -109,7 +112,7 @@ class Lifecycle:
             self._end()
 
     def _end_unbegun(self, task: Task) -> None:
-        """A signal that comes before the first turn ends the program, too."""
+        """End a program that a signal reached before its first turn."""
         if self.returncode is None:
             interrupted = isinstance(task.exception, KeyboardInterrupt)
             self.returncode = -(Signals.SIGINT if interrupted else self.killed_by or Signals.SIGKILL)
@@ -133,7 +136,9 @@ class Lifecycle:
             return 1
 
     def _exit_code(self, value: object) -> int:
-        """Return the exit status that `sys.exit(value)` gives: None is 0, a number itself, anything else is printed and 1."""
+        """Return the exit status of `sys.exit(value)`: 0 for None, a number unchanged, and 1 for anything else, which is
+        printed.
+        """
         if value is None:
             return 0
         if isinstance(value, int):
@@ -142,7 +147,7 @@ class Lifecycle:
         return 1
 
     def run_exit_calls(self) -> None:
-        """Call what the program registered with `atexit`, the last one first."""
+        """Call the functions that the program registered with `atexit`, the last one first."""
         while self.exit_calls:
             function, arguments, options = self.exit_calls.pop()
             try:

@@ -8,14 +8,14 @@ from edulaunch.engine.sim.simulation import Simulation
 
 MOST_WRITES = 10_000
 MOST_TEXT = 4_000_000
-"""How many times, and how many characters, a program may write while no simulated time passes; and for each that it started."""
+"""The number of writes and characters that a program may write at one instant, and for each program that it has started."""
 
 
 class WriteLimit:
     """Counts what one program writes at one instant of simulated time.
 
-    :ivar programs: how many programs' output it may have to write; its own counts as one.
-    :ivar writes: how many times it has written at this instant.
+    :ivar programs: the number of programs whose output it may write, including its own.
+    :ivar writes: the number of writes at this instant.
     """
 
     def __init__(self, sim: Simulation) -> None:
@@ -34,5 +34,5 @@ class WriteLimit:
         return self.writes > MOST_WRITES * self.programs or self._characters > MOST_TEXT * self.programs
 
     def reset(self) -> None:
-        """Count from nothing again, also at this instant."""
+        """Start counting again at zero, also at this instant."""
         self._instant_ns = 0

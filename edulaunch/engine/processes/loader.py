@@ -1,9 +1,11 @@
 """The private modules of one program.
 
 Two copies of one node must not share globals, and each must have its own clock, arguments and streams. So each process executes
-its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__` that
-comes here first. Everything else (the standard library, numpy, the ROS packages) is shared. Views (`processes/views/`) replace
-the few standard modules with time, random numbers, threads or the process itself. A few more are executed privately, so that they
+its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__`
+that calls this module first. Everything else (the standard library, numpy, the ROS packages) is shared. Views
+(`processes/views/`) replace
+the few standard modules with time, random numbers, threads or the process itself. A few more are executed privately, so that
+they
 use those views.
 """
 
@@ -25,11 +27,11 @@ from edulaunch.engine.processes.views import PRIVATE_COPIES, VIEWS, make_view
 
 _shared_import = builtins.__import__
 LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))
-"""What Python itself has loaded before it looks at any file of a program."""
+"""The modules that Python has loaded before it reads any file of a program."""
 
 
 class Owner(real_machine.Noting, Protocol):
-    """What a loader needs of the program whose modules it loads."""
+    """The part of a program that the loader of its modules needs."""
 
     argv: list[str]
 
@@ -40,15 +42,15 @@ class Owner(real_machine.Noting, Protocol):
 
 
 Compiled = dict[str, tuple[tuple[int, int], CodeType]]
-"""By path: time of the last change with the size, and the code."""
+"""For each path: the time of the last change with the size, and the code."""
 
 
 class Loader:
     """Finds and executes modules for one process.
 
     :param compiled: code that programs of one machine share.
-    :ivar finder: where private modules are looked for; `roots` are the folders that come first.
-    :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
+    :ivar finder: searches private modules; `roots` are the folders that come first.
+    :ivar modules: the privately loaded modules by name (the process's `sys.modules` shows these first).
     :ivar shared: the packages that this program imported and that all programs share.
     """
 
@@ -63,17 +65,16 @@ class Loader:
 
     @property
     def builtins(self) -> dict[str, Any]:
-        """`__builtins__` of this program's modules: Python's own, but for what names the process."""
+        """`__builtins__` of this program's modules: Python's own, except for the names that depend on the process."""
         if self._builtins is None:
             self._builtins = self.import_module('builtins').__dict__
         return self._builtins
 
     def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:
-        """Execute a Python file as a module of that name.
+        """Execute a Python file as a module of that name. The folder of a script comes first on its search path, as in Python.
+        The folder of a launch file does not, as in ROS 2.
 
-        A script's folder goes first on its search path, as Python does it; a launch file's does not, as in ROS 2.
-
-        :raises: whatever reading, compiling or executing the file raises (`FileNotFoundError`, `SyntaxError` ...).
+        :raises: any error of reading, compiling or executing the file (`FileNotFoundError`, `SyntaxError` ...).
         """
         path = os.path.abspath(self.process.path(path))
         if script:
@@ -88,7 +89,7 @@ class Loader:
         return module
 
     def run_module(self, name: str) -> ModuleType:
-        """Execute a module of the program as `python -m` does: as `__main__`, in its package.
+        """Execute a module of the program like `python -m`, as `__main__` in its package.
 
         :raises ModuleNotFoundError: when no module has that name.
         """
@@ -117,7 +118,9 @@ class Loader:
         return known[1]
 
     def load_entry_module(self, name: str) -> ModuleType:
-        """Return the module of an entry point. One of the underlay is executed privately too, its package is shared."""
+        """Return the module of an entry point. A module of the underlay is also executed privately, but its package is
+        shared.
+        """
         self.finder.own = name.partition('.')[0]
         if self.finder.last:
             return self.import_module(name)
@@ -135,7 +138,7 @@ class Loader:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """Return what `import` statements of this program call."""
+        """Implement `__import__` for the `import` statements of this program."""
         if level:
             name = absolute_name(name, globals or {}, level)
         top = name.partition('.')[0]
@@ -164,9 +167,8 @@ class Loader:
         return module
 
     def import_module(self, name: str) -> ModuleType:
-        """Load a module by its full name, its packages first: privately where the program has it, else the shared one.
-
-        :raises ModuleNotFoundError: with Python's own text.
+        """Load a module by its full name, after its packages: a private one if the program has it, otherwise the shared one.
+        :raises ModuleNotFoundError: with Python's own message.
         """
         module = self.modules.get(name) or self._view(name)
         if module is not None:
@@ -225,7 +227,7 @@ class Loader:
         return sys.modules[name]
 
     def _interfaces(self, name: str) -> ModuleType | None:
-        """`pkg.msg` and what is in it, of a package of the workspace, before any generated files that lie about."""
+        """Return `pkg.msg` or a module in it, for a package of the workspace. It comes before any generated files."""
         overlay = self.process.overlay
         if name.partition('.')[0] not in overlay.interface_packages:
             return None
@@ -249,7 +251,9 @@ class Loader:
         return interfaces
 
     def _interfaces_of_the_underlay(self, name: str) -> ModuleType | None:
-        """Return a student's copy of a package such as turtlesim may have modules; its interfaces are the underlay's."""
+        """Return the interfaces of the underlay for a student's copy of a package such as turtlesim, which may have its own
+        modules.
+        """
         if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
             return None
         try:
@@ -280,7 +284,7 @@ class Loader:
         return top in VIEWS and top not in LOADED_FIRST and self.finder.first_match(top) is not None
 
     def load_file(self, name: str, found: Found) -> ModuleType:
-        """Execute a file, or take a folder, as the private module of that name."""
+        """Execute a file as the private module of that name, or use a folder as a package."""
         path, is_package = found
         module = ModuleType(name)
         source = None if os.path.isdir(path) else SourceFileLoader(name, path)
@@ -304,15 +308,15 @@ class Loader:
         return module
 
     def reload(self, module: ModuleType) -> ModuleType:
-        """Execute a private module again, in its own namespace, as `importlib.reload`."""
+        """Execute a private module again in its own namespace, like `importlib.reload`."""
         file = module.__file__
         assert file is not None
         self._execute(module, code_of(SourceFileLoader(module.__name__, file)))
         return module
 
     def _execute(self, module: ModuleType, code: CodeType) -> None:
-        """Run the code with the private builtins. While it runs, `sys.modules` shows the module where that name is free:
-        class decorators such as `dataclass` look their module up there.
+        """Run the code with the private builtins. While it runs, `sys.modules` contains the module if the name is free, because
+        class decorators such as `dataclass` look it up there.
         """
         module.__dict__['__builtins__'] = self.builtins
         self.modules[module.__name__] = module

@@ -28,19 +28,20 @@ class Process:
     """One simulated program.
 
     :param host: the machine that it runs on.
-    :param argv: its command line as it sees it itself.
-    :param main: the program; called with this process.
-    :ivar sim, graph, index, tracer: of the machine; the index is that of the program that started this one.
-    :ivar env: the environment, a dict of its own.
-    :ivar sourced_path: AMENT_PREFIX_PATH as sourcing left it.
+    :param argv: its command line as the program itself sees it.
+    :param main: the function of the program, called with this process.
+    :ivar sim, graph, index, tracer: those of the machine; the index is that of the program that started this one.
+    :ivar env: its own copy of the environment.
+    :ivar sourced_path: AMENT_PREFIX_PATH as sourcing has set it.
     :ivar cwd: the working folder, None for that of the launcher.
-    :ivar state: where the ROS packages keep what would be process-wide globals.
-    :ivar exception: what ended the program: type, message, place and facts.
-    :ivar used: what it used of the real machine.
-    :ivar is_recorded: its output is recorded; that of a child is, as far as it reaches the program that started it.
+    :ivar state: the values that ROS packages would keep in process-wide globals.
+    :ivar exception: the error that ended the program: type, message, place and facts.
+    :ivar used: the parts of the real machine that it used.
+    :ivar is_recorded: whether its output is recorded; that of a child is recorded as far as it reaches the program that started
+        it.
     :ivar group: the program that a terminal started, whose Ctrl-C reaches this one.
-    :ivar is_passed_on: the program that started this one hands it the Ctrl-C that it gets.
-    :ivar on_output, on_exit: called with what it writes, and with its return code.
+    :ivar is_passed_on: whether the program that started this one passes its own Ctrl-C on.
+    :ivar on_output, on_exit: called with its output, and with its return code.
     :ivar on_sleep: called with the seconds of each `time.sleep`.
     """
 
@@ -105,7 +106,7 @@ class Process:
         return self.host.overlay(self.index)
 
     def path(self, path: str) -> str:
-        """Return a path as the program means it: a relative one begins in the folder where the program runs."""
+        """Return the path that the program means: a relative path starts in the program's current folder."""
         return path if self.cwd is None else os.path.join(self.cwd, path) if path else self.cwd
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
@@ -125,9 +126,9 @@ class Process:
         return self._main(self)
 
     def write(self, stream: str, text: str) -> None:
-        """Write to 'stdout' or 'stderr', as the program itself does; the text is recorded and handed to `on_output`.
+        """Write to 'stdout' or 'stderr', as the program itself does; record the text and pass it to `on_output`.
 
-        :raises RunawayProgram: inside a program that writes on and on without letting time pass.
+        :raises RunawayProgram: inside a program that writes without end at one instant.
         """
         if self.lifecycle.is_dead:
             return
@@ -148,7 +149,7 @@ class Process:
             self.streams.is_writing = before
 
     def _show_hint_below(self, stream: str, text: str) -> None:
-        """The hint for an error that has just come to the console; not recorded."""
+        """Write the hint for an error that has just appeared on the console, without recording it."""
         hint = self.host.hints.below(text, self.group.pid, self.group.env)
         if hint and self.on_output is not None:
             self.on_output(stream, hint)
@@ -159,12 +160,12 @@ class Process:
             self.tracer.log(self, level, logger, message)
 
     def note(self, kind: str, text: str) -> None:
-        """Record something that the engine noticed and the user should know."""
+        """Record a message of the engine to the user."""
         if not self.lifecycle.is_dead:
             self.tracer.note(self, kind, text)
 
     def fact(self, kind: str, key: Hashable, data: dict[str, Any]) -> None:
-        """Record something odd in plain data, without words (`edulaunch.advice` has those); counted when the key came before.
+        """Record an unusual fact as plain data (`edulaunch.advice` has the sentences); count a repeated key.
 
         File and line of the student's code are in it as `file` and `line`; times are seconds since the start.
         """
@@ -172,7 +173,7 @@ class Process:
             self.tracer.fact(self, kind, key, data)
 
     def fact_over(self, kind: str, key: Hashable) -> None:
-        """Take such a fact back: what looked odd has come right."""
+        """Withdraw such a fact, because the unusual state is over."""
         if not self.lifecycle.is_dead:
             self.tracer.fact_over(self, kind, key)
 
@@ -205,13 +206,13 @@ class Process:
         self.write('stderr', f'Exception ignored in atexit callback:\n{student_traceback(error)[0]}')
 
     def _write_error(self, text: str, kind: str, message: str, place: Origin | None, facts: dict[str, Any]) -> None:
-        """Write what ended the program, and keep it as data."""
+        """Write the error that ended the program, and store it as data."""
         self.exception = {'type': kind, 'message': message, 'place': place, 'facts': facts}
         self.host.hints.expect(text, {**self.exception, 'process': self.name}, self.group.pid)
         self.write('stderr', text)
 
     def leave_graph(self) -> None:
-        """Take the program's nodes out of the graph."""
+        """Remove the program's nodes from the graph."""
         self.graph.remove_process(self)
 
     def report_end(self) -> None:

@@ -17,7 +17,7 @@ from edulaunch.engine.processes.process import Process
 
 
 def run_program(process: Process, program: Program) -> object:
-    """Run `program` with the process's private modules; returns what its main function returned."""
+    """Run `program` with the process's private modules; return the result of its main function."""
     loader = process.loader
     if program.kind != 'module':
         loader.finder.last.extend(program.python_roots)
@@ -35,7 +35,7 @@ def run_program(process: Process, program: Program) -> object:
 
 
 def _cannot_run(program: Program) -> OSError:
-    """Return what the system says of a file that is not there or is for another machine, and why."""
+    """Return the operating system's message about a file that is missing or built for another machine, and the reason."""
     absent = program.kind == 'absent'
     number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
     error = OSError(number, os.strerror(number), name)
@@ -94,10 +94,10 @@ _FLAGS_WITH_VALUE = frozenset(('-W', '-X'))
 
 
 def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -> tuple[list[str], Program] | None:
-    """Return what the program sees of the words, and the program; None for any other command.
+    """Return the words that the program sees, and the program; None for any other command.
 
     :param cwd: the folder in which the command is started.
-    :param modules: top-level modules of the workspaces; with `-m` any other module is left to a real Python.
+    :param modules: top-level modules of the workspaces; with `-m`, a real Python runs any other module.
     """
     if not words:
         return None
@@ -118,7 +118,7 @@ def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -
 
 
 def _script(words: list[str], folder: str, needs_mark: bool) -> tuple[list[str], Program] | None:
-    """Return a Python file; one that is started by itself must say so in its first line."""
+    """Return a Python file. A file that is started directly must name Python in its first line."""
     path = os.path.normpath(os.path.join(folder, os.path.expanduser(words[0]))) if words else ''
     if not path.endswith('.py') or not os.path.isfile(path) or (needs_mark and not _is_marked(path)):
         return None

@@ -1,7 +1,8 @@
-"""Real programs of this machine, started by ExecuteProcess; and its files, such as the terminal, that a simulated program reads.
+"""Real programs of this machine, started by ExecuteProcess; and its files, such as the terminal, that a simulated program
+reads.
 
 While one of them runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
-cannot repeat exactly; a recording says so.
+cannot repeat exactly, which their recordings state.
 """
 
 from __future__ import annotations
@@ -28,18 +29,19 @@ if TYPE_CHECKING:
 
 CHUNK = 4096
 MOST_WAITING = 16
-"""Pieces of output of a program that wait for somebody to take them. Then the program waits too, as at a full pipe."""
+"""The largest number of waiting pieces of a program's output. Then the program waits, too, as at a full pipe."""
 MOST_AT_ONCE = 4
-"""Pieces that are handed on before other programs and Ctrl-C have their turn."""
+"""The number of pieces that are passed on before other programs and Ctrl-C have their turn."""
 READER_NAME = 'edulaunch reads '
-"""How the names of the threads begin that read what real programs print."""
+"""The prefix for names of threads that read the output of real programs."""
 
 
 class RealLook:
-    """Checks all real programs of a simulation: it passes on their output and, while any of them runs, keeps simulated time equal
+    """Checks all real programs of a simulation: it passes on their output and, while any of them runs, keeps simulated time
+    equal
     to real time.
 
-    :ivar news: where their threads put (program, stream, text).
+    :ivar news: a queue to which their threads add (program, stream, text).
     """
 
     def __init__(self, host: HostFace) -> None:
@@ -47,7 +49,7 @@ class RealLook:
         self._host = host
 
     def begin(self) -> None:
-        """The first program is about to run."""
+        """Prepare for the first real program."""
         self._host.pace.begin()
         self._look_later()
 
@@ -71,7 +73,7 @@ class RealLook:
 
 
 class RealProcess:
-    """A program of the operating system with the same face as a simulated one: `pid`, `returncode`, `send_signal`."""
+    """A program of the operating system with the interface of a simulated one: `pid`, `returncode`, `send_signal`."""
 
     def __init__(self, host: HostFace, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
         self.host = host
@@ -127,14 +129,16 @@ class RealProcess:
             self._news.put((self, stream, None))
 
     def _wait(self) -> None:
-        """Alone in asking the system for the program's end: in the main thread a signal handler could lose the answer."""
+        """Wait for the program's end in a separate thread, because in the main thread a signal handler could lose the
+        result.
+        """
         self._code = self._child.wait()
         if self._child.stdin is not None:
             self._child.stdin.close()
         self._news.put((self, '', None))
 
     def take(self, stream: str, text: str | None) -> None:
-        """What one of its threads has to say: a piece of output, or (None) that it has ended."""
+        """Handle the message of one of its threads: a piece of output, or None for its end."""
         if text is not None:
             self._room.release()
             if text and self.on_output is not None:
@@ -167,7 +171,7 @@ class RealProcess:
 
 
 def _terminal() -> tuple[int, int]:
-    """Return both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
+    """Return both ends of a new terminal, ours first. The terminal does not change line ends."""
     import pty
     import termios
 
@@ -179,7 +183,7 @@ def _terminal() -> tuple[int, int]:
 
 
 def _chunk(reader: int) -> bytes:
-    """Return what comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
+    """Return the next piece of output, or b'' at the end. On Linux, reading at the end of a terminal raises an error."""
     try:
         return os.read(reader, CHUNK)
     except OSError as error:
@@ -209,8 +213,8 @@ class RealInput(Input):
         return bool(self._file.isatty())
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends.
-        Ctrl-C stays what it is.
+        """Make the real terminal send each key immediately, or whole lines again. Its own mode is restored when the program
+        ends. Ctrl-C does not change.
         """
         import termios
 
@@ -227,7 +231,7 @@ class RealInput(Input):
         termios.tcsetattr(number, termios.TCSADRAIN, mode)
 
     def has_ended(self) -> bool:
-        """At the end of the file."""
+        """Return whether the file has ended."""
         return self._ended
 
     def take_due(self) -> None:
@@ -236,7 +240,7 @@ class RealInput(Input):
             self._look(0.0)
 
     def take_more(self, deadline_ns: int | None) -> bool:
-        """Wait a moment of real and as much simulated time."""
+        """Wait for a moment of real time and the same simulated time."""
         if self._number is None:
             return self._read_patiently()
         if self._look(self._host.pace.ahead_s()):

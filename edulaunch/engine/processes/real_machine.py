@@ -1,7 +1,8 @@
-"""Notes which simulated programs read the real machine: then a run cannot repeat, and its recording says so.
+"""Records which simulated programs read the real machine. Such a run cannot repeat exactly, which its recording states.
 
-It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few modules
-and functions reveal facts about the machine without such an event; they are noted when the student's code asks for them.
+It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few
+modules
+and functions reveal facts about the machine without such an event; their use by the student's code is recorded.
 Importing a library that inspects the machine does not count, because its result seldom matters. Views cannot replace the audit
 hook: they see only calls from the student's own code, and installed libraries do not use them. The file also has the folders of
 this machine that a digest must not depend on.
@@ -22,11 +23,11 @@ from edulaunch.engine.processes.frame_owner import is_library, is_own
 from edulaunch.engine.sim.task import AmbientTask, running_task
 
 KIND = 'real machine'
-"""Of the note."""
+"""The kind of the note."""
 MODULES = frozenset({'cpuinfo', 'getmac', 'netifaces', 'platform', 'psutil', 'pwd', 'resource', 'GPUtil', 'pynvml'})
-"""Whoever imports one of these wants to know the machine."""
+"""Modules whose import counts as reading the machine."""
 FUNCTIONS = ('getloadavg', 'getlogin', 'getresuid', 'getuid', 'sched_getaffinity', 'statvfs', 'times', 'uname')
-"""Of `os`."""
+"""Functions of `os` that reveal facts about the machine."""
 FOLDERS = ('/proc/', '/sys/', '/dev/')
 REPEATS = frozenset({'/dev/null', '/dev/full', '/dev/zero', '/dev/stdin', '/dev/stdout', '/dev/stderr', '/dev/tty'})
 SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 'gethostbyname', 'gethostname', 'sendto'))
@@ -38,7 +39,7 @@ _listening = False
 
 
 def listen() -> None:
-    """Install the hook. Python cannot remove it; while no simulated program runs, it notes nothing."""
+    """Install the hook. Python cannot remove it; while no simulated program runs, it records nothing."""
     global _listening
     if not _listening:
         _listening = True
@@ -46,11 +47,11 @@ def listen() -> None:
 
 
 PERSONAL = frozenset({'USER', 'LOGNAME', 'HOSTNAME'})
-"""Variables of the environment that have another value for each person or computer."""
+"""Environment variables whose value differs for each person or computer."""
 
 
 class Environment(dict[str, str]):
-    """The environment of a program, which notes that one of the :data:`PERSONAL` variables was read.
+    """The environment of a program, which records each read of one of the :data:`PERSONAL` variables.
 
     :param process: the program.
     """
@@ -65,7 +66,7 @@ class Environment(dict[str, str]):
         return super().__getitem__(name)
 
     def get(self, name: str, default: Any = None) -> Any:
-        """As dict.get."""
+        """Do the same as dict.get."""
         try:
             return self[name]
         except KeyError:
@@ -73,7 +74,7 @@ class Environment(dict[str, str]):
 
 
 class Noting(Protocol):
-    """A program whose use of the real machine is noted."""
+    """A program whose use of the real machine is recorded."""
 
     used: set[str]
 
@@ -84,7 +85,7 @@ class Noting(Protocol):
 
 
 def note_use(process: Noting, what: str) -> None:
-    """A program used something of the real machine: noted once."""
+    """Record once that a program used a part of the real machine."""
     text = f'{process.name} used {what}: this run cannot repeat exactly'
     if text not in process.used:
         process.used.add(text)
@@ -92,7 +93,7 @@ def note_use(process: Noting, what: str) -> None:
 
 
 def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function, whose use by the student's own code is noted."""
+    """Return a wrapper of the function that records its use by the student's own code."""
 
     def call(*arguments: Any, **options: Any) -> Any:
         if _library_between(VIEWS) is not None:
@@ -119,9 +120,10 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
 
 
 def _library_between(views: str) -> str | None:
-    """Return the library through which the student's code came here ('' for none); None when it was not the student's code.
+    """Return the library between the student's code and this call ('' without one); None if the student's code did not cause
+    the call.
 
-    :param views: a folder of modules that only hand on what is asked of them.
+    :param views: a folder of modules that only pass calls on.
     """
     frame: FrameType | None = sys._getframe(2)
     library = ''
@@ -138,11 +140,11 @@ def _library_between(views: str) -> str | None:
 
 
 SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
-"""Folders that are no place of their own: other things lie in them on every machine."""
+"""Folders that are left out, because their content differs on every machine."""
 
 
 def machine_roots() -> list[list[str]]:
-    """Return (folder, short name), with the more specific ones first: if two are the same folder, the first one counts."""
+    """Return (folder, short name), the more specific ones first. If two are the same folder, the first one counts."""
     import tempfile  # imported here, because only a recording needs it
 
     packages = [sysconfig.get_path('purelib'), sysconfig.get_path('platlib'), site.getusersitepackages()]
@@ -160,7 +162,7 @@ def machine_roots() -> list[list[str]]:
 
 
 def with_real_paths(roots: Iterable[tuple[str, str]]) -> Iterator[list[str]]:
-    """Yield the roots, each followed by what it is when links are followed; without the folders of the system."""
+    """Yield the roots, each followed by its real path without links; leave out the folders of the system."""
     for path, name in roots:
         for place in dict.fromkeys((path, os.path.realpath(path))):
             if place not in SYSTEM:

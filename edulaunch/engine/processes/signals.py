@@ -1,4 +1,4 @@
-"""The signals that a program gets: its handlers, and what a signal does that has none."""
+"""The signals of a program: its handlers, and the effect of a signal without a handler."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from edulaunch.engine.processes.spec import Signals
 from edulaunch.engine.sim.task import running_task
 
 DEADLY = (Signals.SIGKILL, Signals.SIGTERM, Signals.SIGQUIT, Signals.SIGHUP, Signals.SIGALRM, Signals.SIGUSR1, Signals.SIGUSR2)
-"""Signals that end a program which has no handler for them."""
+"""Signals that end a program without a handler for them."""
 FORCED = (Signals.SIGTERM, Signals.SIGKILL)
-"""Signals that come when a program does not end by itself."""
+"""Signals that are sent to a program that does not end by itself."""
 
 
 class SignalDelivery:
     """Delivers signals to one program.
 
-    :param note_force: called with a signal of `FORCED` and where each thread of the program waits, before it is delivered.
-    :ivar handlers: what the program installed, by the number of the signal.
+    :param note_force: called before a signal of `FORCED` is delivered, with the signal and the place where each thread waits.
+    :ivar handlers: the program's handlers by the number of the signal.
     """
 
     def __init__(self, lifecycle: Lifecycle, note_force: Callable[[int, list[dict[str, Any]]], object]) -> None:
@@ -29,11 +29,9 @@ class SignalDelivery:
         self._note_force = note_force
 
     def deliver(self, signum: int) -> None:
-        """Deliver a signal.
-
-        A handler decides. Without one, SIGINT raises KeyboardInterrupt in the program where it waits, those of DEADLY end the
-        program, and any other is ignored. Nothing happens after the end. A program that sends a signal to itself gets it before
-        this returns.
+        """Deliver a signal to its handler. Without one, SIGINT raises KeyboardInterrupt where the program waits, the signals of
+        DEADLY end the program, and all others are ignored. After the end, do nothing. A program that sends a signal to itself
+        gets it before this call returns.
         """
         signum, task = int(signum), self._lifecycle.task
         if self._lifecycle.returncode is not None:
@@ -51,12 +49,12 @@ class SignalDelivery:
             task.attend()
 
     def _waits(self) -> list[dict[str, Any]]:
-        """Return the current place of each thread of the program, main first."""
+        """Return the current place of each thread of the program, beginning with the main thread."""
         tasks = (self._lifecycle.task, *self._lifecycle.threads)
         return [{'thread': task.name, **waiting_line(task)} for task in tasks if not task.finished]
 
     def die_of(self, signum: int) -> None:
-        """End by a signal without a handler: Python has no time for `finally` blocks then."""
+        """End the program by a signal without a handler, so that no `finally` block has an effect."""
         self._lifecycle.killed_by = signum
         self._lifecycle.vanish()
 

@@ -1,10 +1,11 @@
-"""What a simulated program writes to.
-
-A student's own modules get the streams of their program from the `sys` view. Output of the standard library or an installed
-package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a :class:`SharedStream`
+"""The output streams of a simulated program. A student's own modules get the streams of their program from the `sys` view.
+Output of the standard library or an installed
+package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a
+:class:`SharedStream`
 in their place, so each call reaches the program that makes it.
 
-Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run to
+Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run
+to
 run, and recordings must not. So the addresses are replaced by numbers, in the order of their appearance.
 """
 
@@ -38,7 +39,7 @@ class OutputStream:
         self.name = f'<{name}>'
 
     def write(self, text: str) -> int:
-        """Hand the text on at once."""
+        """Pass the text on immediately."""
         if not isinstance(text, str):
             raise TypeError(f'write() argument must be str, not {type(text).__name__}')
         if text:
@@ -46,15 +47,15 @@ class OutputStream:
         return len(text)
 
     def writelines(self, lines: list[str]) -> None:
-        """Write all of them."""
+        """Write all lines."""
         for line in lines:
             self.write(line)
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing, because nothing is buffered."""
 
     def isatty(self) -> bool:
-        """Return a launched program writes to a pipe; one that was started in a terminal, to that."""
+        """Return whether the program writes to a terminal; a launched program writes to a pipe."""
         return self.is_terminal
 
     @property
@@ -63,18 +64,18 @@ class OutputStream:
         return BytesOutput(self)
 
     def reconfigure(self, **_: object) -> None:
-        """Everything is UTF-8 and goes out at once, whatever is asked for."""
+        """Do nothing: the stream is always UTF-8 and unbuffered."""
 
     def writable(self) -> bool:
-        """Yes."""
+        """Return True."""
         return True
 
     def readable(self) -> bool:
-        """No."""
+        """Return False."""
         return False
 
     def fileno(self) -> int:
-        """Return the number that the stream has in every program."""
+        """Return 1 or 2, the number of the stream in every program."""
         return 1 if self._stream == 'stdout' else 2
 
 
@@ -85,19 +86,21 @@ class BytesOutput:
         self._stream = stream
 
     def write(self, data: bytes) -> int:
-        """Hand the bytes on at once."""
+        """Pass the bytes on immediately."""
         self._stream.write(bytes(data).decode('utf-8', 'replace'))
         return len(data)
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing, because nothing is buffered."""
 
 
 NAMES = ('stdin', 'stdout', 'stderr')
 
 
 class SharedStream:
-    """The stream of that name of the program whose code runs; outside any program, and below its own output, the real one."""
+    """Stands for the stream of that name of the running program, or for the real one outside any program and while it
+    writes.
+    """
 
     def __init__(self, name: str, real: Any) -> None:
         self._name = name
@@ -117,7 +120,7 @@ class SharedStream:
 
 @contextmanager
 def streams_of_programs() -> Iterator[None]:
-    """Meanwhile what a program writes to the real `sys`, through modules that it shares with others, goes to its own streams."""
+    """Inside this context, output to the real `sys` through shared modules goes to the running program's own streams."""
     before = {name: getattr(sys, name) for name in NAMES}
     ours = {name: SharedStream(name, stream) for name, stream in before.items()}
     for name in NAMES:
@@ -132,19 +135,19 @@ def streams_of_programs() -> Iterator[None]:
 
 FIRST = 0x7F0000000010
 MARK = ' at 0x'
-"""What to look for before anything else is done with a text."""
+"""A string without this has no address, so nothing else needs to be done with it."""
 _ADDRESS = re.compile(r'(?<= at )0x[0-9a-f]{5,16}\b')
 
 
 class Addresses:
-    """What one program has written of addresses so far."""
+    """The addresses that one program has written so far."""
 
     def __init__(self) -> None:
         self._shown: dict[str, str] = {}
         self._count = 0
 
     def steady(self, text: str) -> str:
-        """Return the text with its addresses numbered; what has been numbered already stays as it is."""
+        """Return the text with its addresses numbered; numbered addresses do not change."""
         return _ADDRESS.sub(lambda found: self._number(found[0]), text)
 
     def _number(self, address: str) -> str:
@@ -159,9 +162,10 @@ class Addresses:
 class Streams:
     """The three streams of one program.
 
-    :param stdin: what the program reads.
-    :param write: takes the output of the program: the name of the stream and a string.
-    :ivar is_writing: its output is being handed on now; what is written meanwhile to the real `sys` is not the program's.
+    :param stdin: the input of the program.
+    :param write: receives the output of the program: the name of the stream and a string.
+    :ivar is_writing: whether its output is being passed on now; output to the real `sys` during this time does not belong to
+        the program.
     """
 
     def __init__(self, stdin: Any, write: Callable[[str, str], object]) -> None:

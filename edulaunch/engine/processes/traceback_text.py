@@ -18,7 +18,7 @@ from edulaunch.engine.processes.spec import Origin
 
 MOST_NAMES, LONGEST_NAME = 750, 40
 STEP, CASE = 2, 1
-"""What it costs to add, drop or exchange a letter, and to change only its case."""
+"""The cost of adding, dropping or replacing a letter, and of changing only its case."""
 _SAID = re.compile(r"\. Did you (mean: '[^']*'\?( Or did you forget to import '[^']*'\??)?|forget to import '[^']*'\??)$")
 _NOT_IN_MODULE = re.compile(r"cannot import name '(\w+)' from '([\w.]+)' ")
 
@@ -55,7 +55,7 @@ def _names_of(error: Any) -> list[str]:
 
 
 def _name_in_reach(error: NameError) -> str | None:
-    """Return the nearest variable where the error arose, or the attribute of `self` that has the very name."""
+    """Return the nearest variable at the place of the error, or the attribute of `self` with exactly this name."""
     trace = error.__traceback__
     if trace is None or not error.name:
         return None
@@ -86,7 +86,7 @@ def _nearest(wrong: str, names: list[str]) -> str | None:
 
 
 def _changes(one: str, other: str) -> int:
-    """Return what it costs to make one word of the other."""
+    """Return the cost of turning one word into the other."""
     row = list(range(0, STEP * len(other) + 1, STEP))
     for letter in one:
         diagonal, row[0] = row[0], row[0] + STEP
@@ -98,11 +98,11 @@ def _changes(one: str, other: str) -> int:
 
 
 MOST = 15
-"""So many members are shown, as Python shows by default."""
+"""The number of shown members, which is Python's default."""
 
 
 def members_of(error: BaseException) -> tuple[BaseException, ...]:
-    """Return the members of an exception group, which Python has from 3.11 on; none of any other error."""
+    """Return the members of an exception group, which Python has from 3.11 on; other errors have none."""
     members = getattr(error, 'exceptions', ())
     is_group = isinstance(members, tuple) and hasattr(error, 'derive') and hasattr(error, 'split')
     return members if is_group else ()
@@ -118,9 +118,9 @@ def within(text: str, depth: int, corner: str = '|') -> str:
 
 
 def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseException, int], Iterator[str]]) -> Iterator[str]:
-    """Yield the members one below the other in a frame of their own.
+    """Yield the members below each other, each in its own frame.
 
-    :param depth: how many frames are around the group, its own among them.
+    :param depth: the number of frames around the group, including its own.
     :param tell: returns the message of one member, inside this many frames.
     """
     indent = '  ' * depth
@@ -163,9 +163,9 @@ def _place(error: BaseException) -> Origin | None:
 
 
 def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> Iterator[str]:
-    """Yield the error after the one that it was raised from or that was being handled, if that came about in the student's code.
+    """Yield an error after its cause or the error during whose handling it was raised, if that is in the student's code.
 
-    :param depth: how many frames of exception groups are around it.
+    :param depth: the number of frames of exception groups around it.
     """
     told.append(error)
     cause, context = error.__cause__, error.__context__
@@ -208,7 +208,7 @@ def _lines_of_python(error: BaseException) -> list[str]:
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:
-    """Return the frames that are not the engine's."""
+    """Return the frames outside the engine."""
     return [frame for frame in traceback.extract_tb(error.__traceback__) if not is_engine(frame.filename)]
 
 

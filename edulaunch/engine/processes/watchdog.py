@@ -1,4 +1,4 @@
-"""Stops programs that never give their turn back, such as `while True: pass`.
+"""Stops programs that never end their turn, such as `while True: pass`.
 
 A thread sometimes checks what the simulation's thread is doing. Nothing is counted or checked while programs run, so this costs
 them nothing. The processor time of a turn counts, so that a busy machine stops no program.
@@ -20,11 +20,13 @@ from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.task import Task, task_around
 
 LOOKS = 8
-"""How many times in a row a turn is seen, at least, before its program is stopped."""
+"""The least number of consecutive observations of a turn before its program is stopped."""
 WORKING = 3
 IN_LIBRARY = 5
 ASLEEP = 10
-"""How many times as long a turn may last in which variables change, or a library works (is imported); and by the wall's clock."""
+"""The factors by which a turn may last longer if variables change, if a library works (or is being imported), and in real
+time.
+"""
 PAUSES_S = (0.01, 0.03, 0.1, 0.3)
 """Between attempts to start the thread on a computer that has no threads left for a moment."""
 VALUES = frozenset({int, float, bool, str, bytes, complex})
@@ -32,10 +34,10 @@ CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 
 
 class RunawayProgram(BaseException):
-    """Raised inside a program that kept its turn for too long, wherever it is; no `except Exception` of the program stops it.
+    """Raised inside a program that kept its turn for too long, at any line; `except Exception` does not catch it.
 
-    :param did: what it did, as the rest of a sentence after its name.
-    :param counted: whether it was found by counting, which repeats, and not by the time that it took.
+    :param did: the rest of a sentence after the program's name.
+    :param counted: whether counting found it, which repeats exactly, and not its duration.
     """
 
     def __init__(self, did: str = 'kept its turn for too long', *, counted: bool = False) -> None:
@@ -44,9 +46,8 @@ class RunawayProgram(BaseException):
 
 
 class Turn(NamedTuple):
-    """What one look sees: whose turn it is since when, and what the innermost function of the student's code holds.
-
-    While a library works for that function, `state` has the value None.
+    """One observation: the running task, the start of its turn, and the variables of the innermost function of the student's
+    code. While a library works for that function, `state` has the value None.
     """
 
     task: Task
@@ -90,7 +91,7 @@ class Watchdog:
         return threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True)
 
     def stop(self) -> None:
-        """Watch no longer."""
+        """Stop watching."""
         self._over.set()
 
     def _watch(self) -> None:
@@ -139,13 +140,17 @@ class Watchdog:
         return Turn(task, sim.now_ns, frame and (id(frame), *map(_held, list(frame.f_locals.values()))))
 
     def _running(self) -> tuple[Task | None, FrameType | None]:
-        """The task that has its turn, found at the bottom of what the simulation's thread executes, and the top of that."""
+        """Return the task that has its turn, from the bottom of the stack of the simulation's thread, and the top frame of this
+        stack.
+        """
         top = sys._current_frames().get(self.thread or 0)
         task = task_around(top)
         return (None, None) if task is None else (task, top)
 
     def _processor_s(self) -> float:
-        """Return the processor time of the simulation's thread; where a system does not report it, return that of all threads."""
+        """Return the processor time of the simulation's thread; on a system that does not report it, return that of all
+        threads.
+        """
         try:
             return time.clock_gettime(time.pthread_getcpuclockid(self.thread or 0))
         except (AttributeError, OSError):
@@ -153,7 +158,9 @@ class Watchdog:
 
 
 def _held(value: Any, deep: bool = True) -> Any:
-    """What stays the same while a variable does: a number itself, an object with its attributes. Runs no code of the object."""
+    """Return a value that is equal as long as a variable does not change: a number itself, or an object with its attributes. It
+    runs no code of the object.
+    """
     kind = type(value)
     if kind in VALUES:
         return value

@@ -1,6 +1,7 @@
-"""The narrow waist: everything below produces a Recording, everything above reads one.
+"""Recordings: the wings below produce a Recording, and the wings above read one.
 
-`records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions about
+`records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions
+about
 it, and `file_format.py` writes and reads it as text that is the same byte for byte for the same run. Other wings register their
 views of a recording in `views.py`.
 """
@@ -17,7 +18,7 @@ __all__ = ['Recorder', 'Recording']
 
 
 def __getattr__(name: str) -> Any:
-    """Load late: who only reads recordings loads no recorder."""
+    """Load a name on first use, so that code that only reads recordings does not load the recorder."""
     if name == 'Recording':
         from edulaunch.engine.recording.recording import Recording
 

@@ -1,4 +1,4 @@
-"""Errors for questions about something that did not happen: one message, without frames of edulaunch."""
+"""Errors for questions about missing parts of a recording: one message, without frames of edulaunch."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ class NotRecorded(EdulaunchError, KeyError):
 
 
 class NothingToDraw(EdulaunchError, ValueError):
-    """A recording holds nothing that a picture could show."""
+    """A recording has nothing that a picture could show."""
 
 
 def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
-    """Return the error for an unknown name. It lists the known names, and the one that was probably meant.
+    """Return the error for an unknown name. It lists the known names, and the nearest one.
 
-    :param text: what is not there, in words that end with the name.
+    :param text: a description of the missing thing that ends with its name.
     """
     from difflib import get_close_matches
 
@@ -32,7 +32,7 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
 
 
 class NodeParameters(dict[str, Any]):
-    """The parameters of a node. Asking for one that it does not have says which there are, and when the node has ended."""
+    """The parameters of a node. The error for an unknown one lists them, and names the end of the node."""
 
     def __init__(self, node: str, ended_s: float | None) -> None:
         super().__init__()
@@ -62,7 +62,7 @@ class NoMessages(list[Any]):
 
 
 class RecordedFrames(dict[str, Frame]):
-    """The tf frames at a time, by name; asking for another one says which there are."""
+    """The tf frames at a time, by name; the error for an unknown one lists them."""
 
     def __missing__(self, name: str) -> Frame:
         raise not_recorded(f'no tf frame {name!r}', name, self)

@@ -1,4 +1,4 @@
-"""The part of a recording that its digest covers: what happened, without where files lie on this machine."""
+"""The part of a recording that its digest covers: all events, without the places of files on this machine."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ from typing import Any
 
 TEXT_PARTS = ('launch', 'processes', 'logs', 'notes', 'parameters', 'calls')
 ONLY_FRAMES = ('tf2_msgs/', 'geometry_msgs/', 'sensor_msgs/', 'nav_msgs/')
-"""Packages whose messages have no texts but names of frames: they are not searched for files, there are too many of them."""
+"""Packages whose messages have no strings except frame names. They are not searched for paths, because there are too many
+messages.
+"""
 _BEGINS = r'(?:(?<![\w/.@+~-])|(?<=file://)|(?<=\dm)|(?<=\\n))'
-"""Where a path may begin: not within another one; but behind a colour, or a line's end that is spelled out."""
+"""Where a path may begin: not inside another path, but after a colour code or an escaped line end."""
 _ENDS = r'(?![\w+-]|\.\w)'
 _LIBRARY_FRAME = re.compile(r'(?:\[[^]]*\] )?  File "@(?:stdlib|site-packages)[/"]')
 _SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
-    """Return the content with short names in place of the folders in `roots` in every string. These are workspaces, the package
+    """Return the content in which short names replace the folders in `roots` in every string. These are workspaces, the package
     edulaunch, the launch file's folder, Python's folders and temporary files. Frames of libraries in tracebacks are removed,
     because they differ between versions.
     """
@@ -63,7 +65,9 @@ def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
 
 
 def _without_library_frames(rows: list[list[Any]]) -> list[list[Any]]:
-    """Output rows (time, process, stream, text); a traceback may come in one row, or, as launch prints it, line by line."""
+    """Return output rows (time, process, stream, text) without library frames. A traceback may be in one row or, as launch
+    prints it, in one row per line.
+    """
     within: dict[str, bool] = {}
     found = []
     for *before, text in rows:

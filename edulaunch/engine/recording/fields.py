@@ -12,7 +12,7 @@ _STEP = re.compile(r'([A-Za-z_]\w*)((?:\[-?\d+\])*)')
 
 
 def getter(cls: Any, path: str) -> Callable[[Any], Any]:
-    """Return a function that takes a field out of messages of a class.
+    """Return a function that reads a field from messages of a class.
 
     :raises NotRecorded: when the type has no such field; the message names the nearest one.
     :raises ValueError: when the path cannot be read.
@@ -45,5 +45,5 @@ def _element(values: Sequence[Any], number: int, path: str) -> Any:
 
 
 def leaf_paths(cls: Any) -> list[str]:
-    """Return the paths of all fields that hold no message."""
+    """Return the paths of all fields that are not messages."""
     return [path for path, _ in cls.wire_type()]

@@ -24,8 +24,8 @@ HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
 TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
 TOPIC_KEYS = tuple(schema.TOPIC)
 MOST_BYTES, MOST_LINE_BYTES, MOST_VALUES = 1 << 28, 1 << 27, 10_000_000
-"""What is larger is only read when somebody trusts it. A value takes up to 90 bytes of memory, and two or three of a file: ten
-minutes of ten turtles are 4 million values.
+"""The limits for a recording that the caller does not trust. A value takes up to 90 bytes of memory, and two or three of a
+file. Ten minutes of ten turtles have 4 million values.
 """
 
 
@@ -35,7 +35,7 @@ def encode(content: dict[str, Any]) -> bytes:
 
 
 def lines_of(content: dict[str, Any]) -> Iterator[bytes]:
-    """Yield the same, line by line: a long run need not be in memory twice to be written."""
+    """Yield the same bytes line by line, so that writing a long run needs less memory."""
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
     yield from (_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part))
@@ -59,9 +59,9 @@ def _restore(mapping: dict[str, Any]) -> Any:
 
 
 def refuse_huge(data: bytes, name: str) -> None:
-    """Look at the size of a recording, before its values take memory and time.
+    """Check the size of a recording before its values take memory and time.
 
-    :raises RecordingError: when its bytes, its longest line or its values are too many.
+    :raises RecordingError: when it has too many bytes or values, or too long a line.
     """
     values = sum(map(data.count, (b',', b'[', b'{')))
     line = max(map(len, io.BytesIO(data)), default=0)
@@ -116,7 +116,7 @@ def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
 
 
 def _check(content: dict[str, Any], name: str) -> None:
-    """Every part is there and of the right kind, so that nothing above has to doubt it."""
+    """Check that every part exists and has the right form, so that other code can rely on it."""
     numbers = [content[key] for key in HEADER_NUMBERS]
     if not all(map(schema.number, numbers)) or not 0 <= content['duration_ns'] < schema.FAR - abs(content['start_ns']):
         raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')

@@ -1,4 +1,4 @@
-"""The tf frames of a recording at a time: what a listener that heard everything would know."""
+"""The tf frames of a recording at a time, as a listener that received everything would have them."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from edulaunch.engine.recording.records import Frame
 
 TF_TYPE = 'tf2_msgs/msg/TFMessage'
 TOPICS = (('/tf_static', True), ('/tf', False))
-"""Where transforms are published, and whether they are static; in the order in which tf2 would let them count."""
+"""The topics of transforms, and whether they are static, in the order in which tf2 would apply them."""
 
 
 def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
     """Yield all transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
 
-    Messages are not built: a run has thousands.
+    It creates no messages, because a run has thousands.
     """
     for time_ns, wire in recording.wires(topic, TF_TYPE):
         for transform in wire[0]:
@@ -25,7 +25,9 @@ def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Se
 
 
 def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
-    """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
+    """See `Recording.frames_at`. Among dynamic transforms, the newest stamp counts; among equal stamps, the last published
+    one.
+    """
     found = RecordedFrames()
     for topic, is_static in TOPICS:
         for published_s, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
@@ -53,7 +55,7 @@ class FrameLink(NamedTuple):
 
     @property
     def rate_hz(self) -> float | None:
-        """How often it was broadcast, on average; None for a static frame, or one broadcast once."""
+        """The mean rate of broadcasts; None for a static frame, or one that was broadcast once."""
         return None if self.is_static or self.last_s <= self.first_s else (self.messages - 1) / (self.last_s - self.first_s)
 
 

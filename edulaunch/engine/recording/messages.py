@@ -1,4 +1,4 @@
-"""The messages of a recording: who exchanged them, and what was in them."""
+"""The messages of a recording: their senders, receivers and content."""
 
 from __future__ import annotations
 
@@ -155,7 +155,7 @@ class Messages:
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:
-        """Requests and their replies, as messages, in order of the requests."""
+        """Return the requests and their replies as messages, in order of the requests."""
         calls = []
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
             cls = self._class(kind)

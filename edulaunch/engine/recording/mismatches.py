@@ -1,4 +1,4 @@
-"""Ends of a topic that could not be joined: they have different types, or their quality of service does not fit."""
+"""Endpoints of a topic that were not connected, because their types differ or their quality of service is incompatible."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _TEXT = re.compile(
 
 
 class Mismatch(NamedTuple):
-    """The recorder's note of such ends, with the topic, the reason ('TYPE' or the policy), and the names of the two nodes."""
+    """The record of such endpoints, with the topic, the reason ('TYPE' or the policy), and the names of the two nodes."""
 
     note: Note
     topic: str

@@ -1,5 +1,5 @@
-"""The classes of a student's own messages, made from their definitions in a recording without compiling anything, because a
-file is data.
+"""The classes of a student's own messages, created from their definitions in a recording. Nothing is compiled, because a
+recording is only data.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class RecordedTypes(TextRegistry):
         return made  # type: ignore[no-any-return]
 
     def _reader(self, field: Field) -> Read:
-        """Return what takes the field's values off the wire and gives the field as its reader sees it."""
+        """Return a function that reads the values of a field from a wire tuple, in the form for a reader of the field."""
         kind = field.type.kind
         if kind is None:
             one = self.get(field.type.base).from_wire
@@ -71,7 +71,7 @@ class RecordedTypes(TextRegistry):
 
 
 def _frozen(value: Any) -> Any:
-    """Lists of a file as the tuples that they were."""
+    """Convert the lists of a file back to tuples."""
     return tuple(map(_frozen, value)) if type(value) in (list, tuple) else value
 
 

@@ -18,25 +18,26 @@ if TYPE_CHECKING:
 
 
 class Beside(Protocol):
-    """What another wing records about a process."""
+    """A record of another wing about a process."""
 
     @property
     def pid(self) -> int:
-        """The process."""
+        """The number of the process."""
 
     def told(self, since: int = 0) -> dict[str, Any]:
-        """Return all of it as plain data, or what came after the first `since` pieces."""
+        """Return all pieces as plain data, or those after the first `since` ones."""
 
 
 class Recorder(Tracer):
     """A tracer that records all events, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
-    :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here; see :meth:`numbers`.
-    :ivar lines: file and line of the student's code that made each publisher, subscription, service or client, by its index.
-    :ivar groups: of each program, by process id, the program that a terminal or a session started: also by process id.
+    :ivar forgotten: the number of dropped messages of each (topic, type), and of dropped rows of each part; see
+        :meth:`numbers`.
+    :ivar lines: file and line of the student's code that created each publisher, subscription, service or client, by its index.
+    :ivar groups: for each process id, the process id of the program that a terminal or a session started.
     :ivar pids: the process id of each node's program, by the node's index.
-    :ivar beside: by name: what other wings record. Recording files contain it, and the digest does not cover it.
-    :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
+    :ivar beside: the records of other wings, by name. Recording files contain it, and the digest does not cover it.
+    :ivar overlay: the student's workspaces, if there are any; their message types are recorded with the messages.
     """
 
     def __init__(self, sim: Simulation) -> None:
@@ -78,7 +79,7 @@ class Recorder(Tracer):
             self._duration_ns = self._now()
 
     def recording(self) -> Recording:
-        """Return what has been collected, as a Recording. Stops first."""
+        """Stop recording, and return the collected data as a Recording."""
         from edulaunch.engine.recording.recording import Recording
 
         self.stop()
@@ -111,11 +112,11 @@ class Recorder(Tracer):
         }
 
     def facts_now(self) -> list[list[Any]]:
-        """Return the facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
+        """Return the facts that still hold, including those about live nodes, in the order of their first time."""
         return sorted((row for _, row in self.facts_of()), key=lambda row: row[0])
 
     def facts_of(self) -> Iterator[tuple[int, list[Any]]]:
-        """Yield the same, each with the process id of its program."""
+        """Yield the current facts, each with the process id of its program."""
         yield from ((key[0].pid, row) for key, row in self.facts.items())
         now = self._now()
         for node, look in self.looks.items():
@@ -135,16 +136,15 @@ class Recorder(Tracer):
         return texts_of(self.overlay.registry, used)
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """Return one list per topic and type; publishing extends it by the three entries of a record.
-
-        Flat, because a list of a million records would keep the garbage collector busy, and take three times the memory.
+        """Return the list for a topic and type, which each publication extends by three entries. The list is flat, because a
+        list of a million records would take three times the memory and keep the garbage collector busy.
         """
         return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
 
     def forget_before(self, at_ns: int, kept: int) -> None:
         """Delete records before a simulated time, but keep the last `kept` messages of each topic and their origin.
 
-        What is alive stays, and the last value of each parameter.
+        Records of live nodes and the last value of each parameter stay.
         """
         for key, flat in self.columns.items():
             count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
@@ -183,7 +183,7 @@ class Recorder(Tracer):
         self._numbers[name] = kept
 
     def numbers(self, name: str) -> Sequence[int]:
-        """Return the place of each row of a part among all that there ever were."""
+        """Return the number of each row of a part, counted over all rows of the run."""
         kept, gone = self._numbers.get(name, ()), self.forgotten.get(name, 0)
         later = range(gone + len(kept), gone + len(getattr(self, name)))
         return [*kept, *later] if kept else later

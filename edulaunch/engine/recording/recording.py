@@ -1,4 +1,4 @@
-"""What a run leaves behind, and the questions one asks it."""
+"""The recording of a run, and its methods."""
 
 from __future__ import annotations
 
@@ -40,23 +40,24 @@ UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
 class Recording(Messages, Views):
     """A run as data: processes, nodes, parameters with their origin, every message, tf, logs.
 
-    All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
+    All times are float seconds since the start of the simulation. `edulaunch.run` and :meth:`load` return one.
     """
 
     command: frozenset[str] | None = None
-    """Launch names of the programs of the command that this is an excerpt of; None: of everything on the machine."""
+    """Launch names of the programs of a command, if this is an excerpt for a command; otherwise None."""
     beside: Mapping[str, str] = {}
-    """Of the other programs of an excerpt, by launch name: the command that started them."""
+    """The commands that started the other programs of an excerpt, by launch name."""
     owners: dict[str, list[int]] | None = None
     """For 'nodes', 'parameters', 'logs' and 'output': the position in `processes` of the process behind each row, as a
-    trusted peer (`edulaunch.runtime.link`) knows it; None when all ran in one process."""
+    trusted peer (`edulaunch.runtime.link`) knows it; None if all of them ran in one process."""
     hosted: dict[int, tuple[str, str]] | None = None
     """The package and the executable of each program that a trusted peer ran itself, by position in `processes`."""
 
     def __init__(self, content: dict[str, Any], lines: Mapping[int, tuple[str, int]] | None = None) -> None:
         """
         :param content: the parts of a recording, as plain data.
-        :param lines: file and line that made each publisher, subscription, service or client, by its index; not kept in files.
+        :param lines: file and line that created each publisher, subscription, service or client, by its index; files do not
+            contain them.
         """
         super().__init__(content)
         self.lines = dict(lines or {})
@@ -73,8 +74,8 @@ class Recording(Messages, Views):
     def load(cls, path: str | os.PathLike[str], *, trusted: bool = False) -> Recording:
         """Read a recording file.
 
-        :param trusted: read it however large it is; a stranger's recording could take all memory.
-        :raises RecordingError: when the file is missing, damaged, too large, or something else.
+        :param trusted: whether to read it without a size limit; a stranger's recording could take all memory.
+        :raises RecordingError: when the file is missing, damaged, too large, or not a recording.
         """
         name = os.fspath(path)
         try:
@@ -116,9 +117,8 @@ class Recording(Messages, Views):
             raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: this computer has no memory left') from None
 
     def digest(self) -> str:
-        """SHA-256 of everything that happened: equal for equal launch file, arguments and seed, on every machine.
-
-        It does not cover what other wings record beside the run. Paths of the launch files are left out, so that a copy of a
+        """The SHA-256 hash of all events. It is equal for equal launch file, arguments and seed, on every machine. It does not
+        cover the records of other wings. Paths of the launch files are left out, so that a copy of a
         workspace gives the same digest.
         """
         import hashlib
@@ -129,7 +129,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def launch(self) -> LaunchRecord:
-        """What was launched, its declared arguments, and launch's return code."""
+        """The launch file, its declared arguments, and launch's return code."""
         fields = {**self._content['launch']}
         for words in ('warnings', 'help'):  # older recordings lack them, so they are computed again
             fields.pop(words, None)
@@ -144,14 +144,14 @@ class Recording(Messages, Views):
 
     @cached_property
     def processes(self) -> list[ProcessRecord]:
-        """The programs that were started, in order."""
+        """The started programs, in order."""
         fields = [dict(row) for row in self._content['processes']]
         times = [{'started_s': row.pop('started') / 1e9, 'ended_s': seconds(row.pop('ended'))} for row in fields]
         return [ProcessRecord(**row, **span) for row, span in zip(fields, times, strict=True)]
 
     @cached_property
     def nodes(self) -> list[NodeRecord]:
-        """The nodes that joined the graph, in order, with everything they ever published, heard, served or called."""
+        """The nodes of the run, in order, with all their topics and services."""
         ends: dict[int, dict[str, list[tuple[str, str]]]] = {}
         for kind, name, type_name, node, *_ in self._content['endpoints']:
             of_kind = ends.setdefault(node, {}).setdefault(kind, [])
@@ -170,7 +170,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def ends(self) -> list[EndRecord]:
-        """All publishers, subscriptions, services and clients, in order of their making."""
+        """All publishers, subscriptions, services and clients, in the order of their creation."""
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         return [
             EndRecord(kind, name, type_name, nodes.get(node, ''), made / 1e9, qos)
@@ -236,12 +236,12 @@ class Recording(Messages, Views):
 
     @cached_property
     def output(self) -> list[Output]:
-        """What programs wrote, in order."""
+        """The output of programs, in order."""
         return [Output(row[0] / 1e9, *row[1:]) for row in self._content['output']]
 
     @cached_property
     def notes(self) -> list[Note]:
-        """What the engine noticed, in order."""
+        """The messages of the engine to the user, in order."""
         return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
 
     @cached_property
@@ -252,7 +252,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def mismatches(self) -> list[Mismatch]:
-        """Publishers and subscriptions of one topic that could not be joined, in order of time."""
+        """Publishers and subscriptions of one topic that were not connected, in order of time."""
         from edulaunch.engine.recording.mismatches import mismatches
 
         return list(mismatches(self.nodes, self.notes))

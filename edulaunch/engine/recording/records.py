@@ -1,4 +1,4 @@
-"""What a recording holds: plain frozen data. Times are seconds since the start of the simulation."""
+"""The content of a recording: plain frozen data. Times are seconds since the start of the simulation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ PARAMETER_SERVICES = (
 
 
 class DeclaredArgument(NamedTuple):
-    """A launch argument as the launch files declare it; `default` as `ros2 launch -s` shows it, None when it is required."""
+    """A launch argument as the launch files declare it; `default` has the form of `ros2 launch -s`. A required argument has
+    None.
+    """
 
     name: str
     default: str | None
@@ -30,7 +32,7 @@ class DeclaredArgument(NamedTuple):
 
 
 class UnreadArgument(NamedTuple):
-    """A launch argument that was given, and that no launch file declares or reads; what is declared where it was given.
+    """A launch argument that was passed, although no launch file declares or reads it, with the declared names.
 
     `included` is the launch file that received it, if an include at `file` and `line` passed it on.
     """
@@ -43,8 +45,8 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """What was launched, and the result of the launch. `error` is launch's own text when a description failed, with its place;
-    `error_type`, `error_cause` and `error_facts` are what is behind it, as data.
+    """A launch and its result. `error` is launch's own message about a failed description, with its place. `error_type`,
+    `error_cause` and `error_facts` describe the cause as data.
     """
 
     file: str = ''
@@ -62,7 +64,7 @@ class LaunchRecord(NamedTuple):
 
     @property
     def help(self) -> str | None:
-        """What to do about the error, in the reader's language."""
+        """Advice on the error, in the reader's language."""
         if self.error is None:
             return None
         place = None if self.error_file is None else (self.error_file, self.error_line)
@@ -91,7 +93,7 @@ class ProcessRecord(NamedTuple):
 
     @property
     def origin(self) -> tuple[str, int] | None:
-        """Launch file and line of the action that started it."""
+        """The launch file and the line of the action that started it."""
         return None if self.file is None or self.line is None else (self.file, self.line)
 
 
@@ -109,7 +111,9 @@ class NodeRecord(NamedTuple):
 
 
 class EndRecord(NamedTuple):
-    """A publisher, subscription, service or client (`kind`) that ever was: absolute name, type, the node that made it, when."""
+    """A publisher, subscription, service or client (`kind`) of the run: its absolute name, its type, its node, and the time of
+    its creation.
+    """
 
     kind: str
     name: str
@@ -120,7 +124,9 @@ class EndRecord(NamedTuple):
 
 
 class TopicRecord(NamedTuple):
-    """A topic: its type (the first one seen), who publishes and who listens (fully qualified names), how many messages."""
+    """A topic: its (first) type, the fully qualified names of its publishers and subscribers, and the number of its
+    messages.
+    """
 
     name: str
     type: str
@@ -130,7 +136,7 @@ class TopicRecord(NamedTuple):
 
 
 class Parameter(NamedTuple):
-    """A parameter's value at the end of the run, and in words where that value came from."""
+    """The value of a parameter at the end of the run, and the origin of the value in words."""
 
     value: Any
     origin: str
@@ -156,7 +162,7 @@ class Output(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Something the engine noticed, such as endpoints that cannot talk because of their QoS."""
+    """A message of the engine to the user, for example about endpoints with incompatible QoS."""
 
     time_s: float
     process: str | None
@@ -178,7 +184,7 @@ class Fact(NamedTuple):
 
 
 class ServiceCall(NamedTuple):
-    """A request and when its reply came (None: never). `served` is False when no server existed."""
+    """A request and the time of its reply (None without a reply). `served` is False if no server existed."""
 
     time_s: float
     service: str

@@ -1,4 +1,4 @@
-"""Writes a file whole or not at all: an older file of that name stays until the new one is safe on the disk."""
+"""Writes a file completely or not at all. An older file of that name stays until the new one is safe on the disk."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from contextlib import suppress
 from typing import BinaryIO
 
 NO_SUCH_CALL = (errno.EINVAL, errno.ENOTSUP)
-"""What some file systems answer to `fsync`: they have no such thing."""
+"""Errors of file systems that do not support `fsync`."""
 
 
 def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
     """Write a file. A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly.
 
-    The lines go into a draft with a name of its own, so that two programs can write the same file at once. The draft takes the
-    name of the file when the disk has it. It goes away when that fails, and the older file stays.
+    The lines are written to a draft with its own name, so that two programs can write the same file at the same time. When the
+    draft is safe on the disk, it replaces the file. If that fails, the draft is removed, and the older file stays.
 
     :raises OSError: when the file cannot be written.
     """
@@ -52,16 +52,16 @@ def remove_drafts(path: str | os.PathLike[str]) -> None:
 
 
 def _stem(target: str) -> str:
-    """Return how the names of all drafts of a file begin. File systems take names of 255 bytes."""
+    """Return the common prefix of all drafts of a file. File systems allow names of 255 bytes."""
     folder, name = os.path.split(target)
     return os.path.join(folder, f'.{os.fsdecode(os.fsencode(name)[:200])}.')
 
 
 def _lock(file: BinaryIO) -> None:
-    """Hold a draft until its file is closed.
+    """Lock a draft until its file is closed.
 
-    :raises OSError: when another process holds it, or the file system has no locks.
-    :raises ImportError: when this system has none.
+    :raises OSError: when another process has locked it, or the file system has no locks.
+    :raises ImportError: when this system has no locks.
     """
     import fcntl
 
@@ -77,7 +77,9 @@ def _sync(descriptor: int) -> None:
 
 
 def _sync_folder(folder: str) -> None:
-    """Keep the new name over a power cut. The file itself is safe already, and some systems open no folders."""
+    """Make the new name survive a power cut. The file itself is safe already, so do nothing on systems that cannot open
+    folders.
+    """
     with suppress(OSError):
         descriptor = os.open(folder, os.O_RDONLY)
         try:

@@ -1,4 +1,4 @@
-"""What each part of a recording file must look like, so that nothing above has to doubt what it reads."""
+"""The valid form of each part of a recording file, so that other code can rely on it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ FAR = 1 << 63
 
 
 def text(value: Any) -> bool:
-    """Return a string."""
+    """Accept a string."""
     return type(value) is str
 
 
@@ -20,41 +20,41 @@ def number(value: Any) -> bool:
 
 
 def quantity(value: Any) -> bool:
-    """Return a number, whole or not."""
+    """Accept a number, whole or not."""
     return type(value) in (int, float)
 
 
 def numbers(value: Any) -> bool:
-    """Accept a list of numbers. Looked at together, the times of messages take a fifth of the time that `each(number)` takes."""
+    """Accept a list of numbers. For the times of messages, this takes a fifth of the time of `each(number)`."""
     if type(value) is not list or not set(map(type, value)) <= {int}:
         return False
     return not value or (min(value) >= -FAR and max(value) < FAR)
 
 
 def maybe(check: Check) -> Check:
-    """Return what passes the check, or None."""
+    """Return a check that accepts the values of another check, and None."""
     return lambda value: value is None or check(value)
 
 
 def each(check: Check) -> Check:
-    """Return a list of what passes the check."""
+    """Return a check for a list whose entries all pass a check."""
     return lambda value: type(value) is list and all(map(check, value))
 
 
 def row(*checks: Check) -> Check:
-    """Return a list of as many entries as there are checks."""
+    """Return a check for a list with one entry for each of some checks."""
     return lambda value: (
         type(value) is list and len(value) == len(checks) and all(check(item) for check, item in zip(checks, value, strict=True))
     )
 
 
 def table(check: Check) -> Check:
-    """Return a mapping of names to what passes the check."""
+    """Return a check for a mapping of names to values that all pass a check."""
     return lambda value: type(value) is dict and all(map(check, value.values()))
 
 
 def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -> Check:
-    """Return a mapping with these keys and no others."""
+    """Return a check for a mapping with exactly these keys."""
     known = {**needed, **(optional or {})}
     return lambda value: (
         type(value) is dict and needed.keys() <= value.keys() <= known.keys() and all(known[key](value[key]) for key in value)
@@ -62,7 +62,7 @@ def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -
 
 
 def wire(value: Any) -> bool:
-    """Return the values of a message; whether they fit its type is looked at when they are read (`wire_check`)."""
+    """Accept the values of a message; `wire_check` compares them with the type when they are read."""
     return type(value) is list
 
 
@@ -72,12 +72,12 @@ def wires(value: Any) -> bool:
 
 
 def truth(value: Any) -> bool:
-    """Return True or False."""
+    """Accept True or False."""
     return type(value) is bool
 
 
 def anything(value: Any) -> bool:
-    """Return any plain data: a parameter's value."""
+    """Accept any plain data, such as the value of a parameter."""
     return True
 
 
@@ -87,7 +87,7 @@ def fact(value: Any) -> bool:
 
 
 def root(value: Any) -> bool:
-    """Return a folder and the short name that stands for it in a digest."""
+    """Accept a folder and the short name that replaces it in a digest."""
     return row(text, text)(value) and value[1].startswith('@') and len(value[1]) <= 40
 
 
@@ -145,9 +145,8 @@ OPTIONAL: dict[str, Check] = {
     'descriptors': each(row(number, text, text, text, truth, maybe(row(quantity, quantity, quantity)))),
     'beside': table(each(table(anything))),
 }
-"""Parts that are only there when there is something in them.
-
-Something odd has happened: time, process, kind, data, how often, last time. A parameter is declared to be more than its type
-says: time, node, name, description, whether it is read-only, and (least, largest, step). What other wings record, by name.
+"""Optional parts, which are never empty. Unusual facts have a time, process, kind, data, count, and last time. Descriptors of
+parameters have a time, node, name, description, whether it is read-only, and (least, largest, step). The last part has the
+records of other wings by name.
 """
 TOPIC: dict[str, Check] = {'topic': text, 'type': text, 'times': numbers, 'publishers': numbers, 'messages': wires}

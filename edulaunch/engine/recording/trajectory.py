@@ -1,4 +1,4 @@
-"""Where a turtle or a robot was, over time."""
+"""The position of a turtle or a robot over time."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ _VIEWS: dict[str, Callable[..., Any]] = {}
 
 
 def register(**views: Callable[..., Any]) -> None:
-    """Register views by name; a later one of the same name takes its place."""
+    """Register views by name; a later one replaces an earlier one of the same name."""
     _VIEWS.update(views)
 
 

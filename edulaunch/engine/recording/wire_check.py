@@ -1,4 +1,4 @@
-"""Whether the values of a recorded message are such as a message of its type could have."""
+"""Checks whether a message of its type can have the values of a recorded message."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from edulaunch.engine.interfaces.spec import FieldType, MessageSpec
 from edulaunch.errors import InterfaceError
 
 Check = Callable[[Collection[Any]], bool]
-"""Whether all of these values fit. Many values at once take a tenth of the time that a call for each takes."""
+"""Returns whether all of these values are valid. One call for many values takes a tenth of the time of many calls."""
 MOST_VALUES = 10_000
-"""Of one message and of the messages in it, its repeated fields counted once."""
+"""The most values of one message with its nested messages; a repeated field counts as one value."""
 LENGTHS: dict[str, Callable[[int, int], bool]] = {'fixed': eq, 'bounded': le}
 SEQUENCES: set[Any] = {list, tuple}
 
 
 class WireChecks:
-    """Looks at wires (see `interfaces.layout`) as they come out of a file, by the types of a registry."""
+    """Checks wires (see `interfaces.layout`) from a file against the types of a registry."""
 
     def __init__(self, registry: Registry) -> None:
         self._registry = registry
@@ -29,7 +29,7 @@ class WireChecks:
         self._open: list[str] = []
 
     def entries(self, type_name: str) -> list[Check]:
-        """Return what looks at the values of each field of messages, nested messages laid flat.
+        """Return the checks for the values of each field of messages, with the fields of nested messages in place of these.
 
         :raises InterfaceError: when there is no such message type, it contains itself, or has more than MOST_VALUES values.
         """
@@ -63,7 +63,7 @@ class WireChecks:
         return found
 
     def check(self, type_name: str) -> Check:
-        """Return whether values are wires of messages of that type. Raises as :meth:`entries`."""
+        """Return whether values are wires of messages of that type. Raise the same errors as :meth:`entries`."""
         checks = self.entries(type_name)
 
         def fit(values: Collection[Any]) -> bool:

@@ -16,7 +16,7 @@ from edulaunch.engine.sim.task import Task, TaskKilled, current_task
 
 
 class _Turns:
-    """What asyncio takes for its selector: waiting for files becomes giving the turn back."""
+    """Used by asyncio as its selector: instead of waiting for files, it ends the turn."""
 
     def __init__(self, loop: SimulatedEventLoop) -> None:
         self._loop = loop
@@ -40,14 +40,16 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
         self._clock_resolution = 1e-9
 
     def __del__(self, _warn: object = None) -> None:
-        """It uses no resource of the operating system, so an unclosed loop causes no warning."""
+        """Print no warning about an unclosed loop, because it uses no resource of the operating system."""
 
     def time(self) -> float:
-        """Simulated seconds since the start."""
+        """Return the simulated seconds since the start."""
         return self.task.sim.elapsed_s
 
     def run_forever(self) -> None:
-        """As asyncio's, in the running task; a loop that runs around it (a notebook's) is set aside meanwhile."""
+        """Do the same as asyncio's method in the running task. A loop that runs around it (such as a notebook's) is set aside
+        during this time.
+        """
         self.task = current_task()
         outer, outer_loop = set_aside(), self.task.loop
         self.task.loop = self
@@ -58,7 +60,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             put_back(outer)
 
     def _check_running(self) -> None:
-        """Another loop may run around this one: `run_forever` sets it aside."""
+        """Allow a loop around this one, because `run_forever` sets it aside."""
         if self.is_running():
             raise RuntimeError('This event loop is already running')
 
@@ -68,7 +70,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             super().call_exception_handler(context)
 
     def step_aside(self, switch: Callable[[], object]) -> None:
-        """Give the turn back with this loop set aside, so that others may run theirs."""
+        """End the turn with this loop set aside, so that other programs may run theirs."""
         mine = set_aside()
         try:
             switch()
@@ -76,7 +78,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             put_back(mine if self.is_running() else NOTHING)
 
     def _process_events(self, event_list: list[Any]) -> None:
-        """Nothing to do: a turn brings no file events."""
+        """Do nothing, because there are no file events."""
 
     def _write_to_self(self) -> None:
         self.task.wake()

@@ -12,14 +12,14 @@ from edulaunch.engine.sim.simulation import Simulation
 
 
 class Interruption:
-    """In force, the first SIGINT lets the simulation stop between two of its steps; a second one raises KeyboardInterrupt.
+    """While it is active, the first SIGINT stops the simulation between two steps, and a second one raises KeyboardInterrupt.
 
     Python's own handler raises KeyboardInterrupt in the code that runs. This may be a simulated program, which takes it for its
     own Ctrl-C while the run continues, or the middle of the engine. If other code handles SIGINT, or outside the main thread,
     nothing changes.
 
-    :param on_first: called at the first one.
-    :ivar came: whether a SIGINT has come.
+    :param on_first: called at the first SIGINT.
+    :ivar came: whether a SIGINT has arrived.
     """
 
     def __init__(self, sim: Simulation, on_first: Callable[[], object] = lambda: None) -> None:

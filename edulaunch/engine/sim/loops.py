@@ -1,6 +1,5 @@
-"""Which asyncio loop runs in a thread, taken away for a while and given back.
-
-Simulated time passes inside of loops: that of a notebook, that of a program. Whatever runs meanwhile has to find no loop.
+"""Sets the running asyncio loop of a thread aside for a while. Simulated time passes inside loops, such as that of a notebook
+or a program. Code that runs during this time must find no running loop.
 """
 
 from __future__ import annotations
@@ -14,12 +13,12 @@ from typing import Any
 Aside = tuple['AbstractEventLoop | None', 'Task[Any] | None']
 
 TASKS_ARE_THE_THREADS = sys.version_info >= (3, 14)
-"""Before, each loop had a current task of its own, which was in nobody's way."""
+"""In older versions, each loop has its own current task, so nothing needs to be set aside."""
 NOTHING: Aside = (None, None)
 
 
 def set_aside() -> Aside:
-    """From now on no loop runs here; returns what :func:`put_back` wants."""
+    """Make this thread have no running loop; return the argument for :func:`put_back`."""
     loop = events._get_running_loop()
     task = tasks._swap_current_task(loop, None) if TASKS_ARE_THE_THREADS and loop is not None else None  # type: ignore[attr-defined]
     events._set_running_loop(None)
@@ -27,7 +26,7 @@ def set_aside() -> Aside:
 
 
 def put_back(aside: Aside) -> None:
-    """The loop runs again, in the middle of the task that it was in."""
+    """Make the loop the running one again, in the middle of its current task."""
     loop, task = aside
     events._set_running_loop(loop)
     if task is not None:
@@ -35,7 +34,7 @@ def put_back(aside: Aside) -> None:
 
 
 def cancel_all_tasks(loop: AbstractEventLoop) -> None:
-    """Cancel what is left on a loop that stands still, and run it until all of it has ended."""
+    """Cancel the remaining tasks of a stopped loop, and run it until they have ended."""
     left = tasks.all_tasks(loop)
     for task in left:
         task.cancel()

@@ -1,4 +1,4 @@
-"""Real time as an add-on: waiting between the steps of a simulation so that it keeps pace with a clock on the wall."""
+"""Real time as an add-on: waiting between the steps of a simulation so that it keeps pace with a real clock."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from edulaunch.engine.sim.simulation import Simulation
 
 LONGEST_WAIT_S = 0.05
 SLICE_S = 0.02
-"""Simulated seconds (at speed 1) after which whoever drives a :class:`RealTime` has its turn."""
+"""Simulated seconds (at speed 1) after which the owner of a :class:`RealTime` has its turn."""
 FALLS_BEHIND_S = 0.25
-"""Real seconds that are made up for; what is lost beyond that (a computer that slept, programs that are too slow) stays lost."""
+"""The most real seconds that simulated time catches up. A longer delay (a sleeping computer, slow programs) remains."""
 
 
 class Pacer:
@@ -51,7 +51,7 @@ class Pacer:
             sim.step()
 
     def _hold(self, until_ns: int | None, began_ns: int, began_s: float, is_over: Callable[[], bool]) -> None:
-        """Nothing happens until the end: wait for the clock to get there."""
+        """Wait until the clock has reached the end, because nothing is due before."""
         if until_ns is None or is_over():
             return
         while self.speed and not is_over():
@@ -64,9 +64,8 @@ class Pacer:
 
 
 class RealTime:
-    """Simulated time that follows the clock on the wall while its owner does other things.
-
-    The owner calls :meth:`advance` and then waits as long as that says, or shorter.
+    """Simulated time that follows a real clock while its owner does other things. The owner calls :meth:`advance`, and then
+    waits at most for the returned time.
 
     :param clock: reads real time, in seconds (for tests).
     """
@@ -83,8 +82,7 @@ class RealTime:
     def is_wall(self) -> bool:
         """Whether simulated time equals real time, as communication with the real world requires.
 
-        Then nothing stays lost: after a second in which the computer was too slow it is a second later. It cannot be
-        paused, and the speed has no effect.
+        Then simulated time catches up with every delay. It cannot be paused, and the speed has no effect.
         """
         return self._is_wall
 
@@ -118,7 +116,7 @@ class RealTime:
         self.go_on()
 
     def go_on(self) -> None:
-        """Let simulated time follow from here: the real time that has passed is not made up for."""
+        """Let simulated time follow from here, without catching up the real time that has passed."""
         if not self._is_wall:
             self._began = self.sim.now_ns, self._clock()
 
@@ -150,6 +148,6 @@ class RealTime:
         return 1.0 if self._is_wall else self._speed
 
     def _due_ns(self) -> int:
-        """Return the simulated time that belongs to the present real time."""
+        """Return the simulated time for the current real time."""
         began_ns, began_s = self._began
         return began_ns + round((self._clock() - began_s) * 1e9 * self._pace)

@@ -1,7 +1,6 @@
-"""Parking: how code that blocks gives its turn back, and gets it again.
-
-A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time; which
-one is the agenda's choice. Everything else that blocks (sleeping, locks, waiting for a message) is `park` and `wake`.
+"""Parking: blocking code ends its turn, and gets another one later. A task is a greenlet, so that unmodified code may block
+anywhere in its call stack. Exactly one task runs at a time, and the agenda decides which one. All blocking (sleeping, locks,
+waiting for a message) uses `park` and `wake`.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ class TaskKilled(BaseException):
 
 
 class Parking:
-    """The half of a task that waits; `task.py` has the other one, the program's life."""
+    """The part of a task that waits; `task.py` has the start and the end of the program."""
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
@@ -37,12 +36,11 @@ class Parking:
         self._turn: Item = [sim.start_ns, 0, 0, None]
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """Give the turn back until :meth:`wake`, or until the simulated time is `deadline_ns`.
-
-        A wake that came since the last park ends this one at once. Callers therefore look again at what they wait for.
+        """End the turn until :meth:`wake`, or until the simulated time is `deadline_ns`. A wake since the last park ends this
+        one immediately, so callers must check their condition again.
 
         :returns: True when woken, False when the deadline came first.
-        :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
+        :raises TaskKilled: when the task is killed. An :meth:`interrupt` may raise other exceptions.
         """
         self._polls = 0
         # set before `_woken` is read, because a wake in another thread reads and sets them in the opposite order
@@ -88,7 +86,7 @@ class Parking:
             raise TaskKilled
 
     def waits_for_ever(self) -> bool:
-        """Return whether it is parked, and only a :meth:`wake` can end that."""
+        """Return whether the task is parked, and only a :meth:`wake` can end that."""
         return self._parked and self._timer is None and not self._woken
 
     def _set_timer(self, deadline_ns: int | None) -> None:
@@ -105,9 +103,8 @@ class Parking:
             self._greenlet.switch()
 
     def wake(self) -> None:
-        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once.
-
-        A real thread may do so at any moment: no wake gets lost, whatever the task does meanwhile.
+        """Let the task run again, after everything that is already due at this instant. A second wake before that has no
+        effect. A real thread may call this at any moment, and no wake is lost.
         """
         if not self._woken:
             self._woken = True
@@ -115,7 +112,7 @@ class Parking:
                 self._soon.append(self._turn)
 
     def interrupt(self, action: Callable[[], object]) -> None:
-        """Run `action` inside the task where it is parked (or will park next); what it raises is raised there."""
+        """Run `action` inside the task where it is parked (or will park next), so that its exceptions are raised there."""
         self._interrupts.append(action)
         self.wake()
 
@@ -124,21 +121,20 @@ class Parking:
             self._interrupts.pop(0)()
 
     def attend(self) -> None:
-        """From inside the task: take what :meth:`interrupt` and :meth:`kill` want now, not at the next parking place."""
+        """Handle :meth:`interrupt` and :meth:`kill` now, and not when the task parks the next time; called inside the task."""
         if self._killed:
             raise TaskKilled
         self._deliver_interrupts()
 
     def kill(self) -> None:
-        """End the task: `TaskKilled` is raised wherever it parks, again and again."""
+        """End the task: each call of `park` raises `TaskKilled` from now on."""
         self._killed = True
         self.wake()
 
     def poll(self) -> None:
-        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time.
-
-        It takes many looks until time passes for the first time, and fewer from then on until it really blocks. Where
-        time follows the clock on the wall, it is moved there first.
+        """Count a reading of the clock, and let simulated time pass for a program that reads it and never blocks. Time passes
+        after many readings at first, and after fewer ones later, until the program really blocks. If simulated time follows a
+        real clock, it is updated first.
         """
         if self.sim.keep_up is not None:
             self.sim.keep_up()
@@ -148,7 +144,7 @@ class Parking:
             self._polls = POLLS_BEFORE_TIME_PASSES - POLLS_AFTER_THAT
 
     def sleep_until(self, at_ns: int) -> None:
-        """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""
+        """Park until the simulated time is `at_ns`, despite wakes in between. End the turn at least once."""
         sim = self.sim
         missed = self.park(at_ns)
         while sim.now_ns < at_ns:

@@ -1,4 +1,6 @@
-"""Real time, for as long as something of the real world is waited for: real programs, a person at a keyboard."""
+"""Keeps simulated time equal to real time while programs wait for the real world, such as real programs or a person at a
+keyboard.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +15,9 @@ SILENCE_NS = 10**9
 
 
 class RealPace:
-    """One clock for all who wait for the real world: however many they are, simulated time passes as real time does.
+    """One clock for all that wait for the real world. With any number of them, simulated time passes like real time.
 
-    :param clock: real time in ns (for tests).
+    :param clock: reads real time in ns (for tests).
     """
 
     def __init__(self, sim: Simulation, clock: Callable[[], int] = time.monotonic_ns) -> None:
@@ -24,7 +26,7 @@ class RealPace:
         self._anchor = self._last = sim.now_ns, clock()
 
     def begin(self) -> None:
-        """From now on the two go together, wherever each of them is."""
+        """From now on, let both times pass together from their current values."""
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:

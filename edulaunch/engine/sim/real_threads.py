@@ -1,8 +1,7 @@
-"""Real threads of a plain script that use ROS beside its main thread.
-
-In a plain script `threading` is Python's own: `threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads
-take part in the simulation of the main thread. Only that one takes items off the agenda; they wait, in real time, until they are
-woken or their deadline has come. As long as there are any simulated time keeps pace with real time, and runs do not repeat.
+"""Real threads of a plain script that use ROS beside its main thread. In a plain script, `threading` is Python's own module, so
+`threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads take part in the simulation of the main
+thread. Only the main thread runs items of the agenda. The others wait in real time for a wake or their deadline. While there is
+such a thread, simulated time keeps pace with real time, and runs do not repeat.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ THREAD_BEGINS_S = 0.02
 class RealThreads:
     """The threads beside a main thread's task, and the clock that they share.
 
-    :param host: the task.
+    :param host: the task of the main thread.
     """
 
     def __init__(self, host: AmbientTask) -> None:
@@ -32,7 +31,7 @@ class RealThreads:
         self._keeps_time = False
 
     def keep_time(self) -> None:
-        """From now on simulated time is real time, threads or not; asked for before anything has happened."""
+        """Make simulated time equal to real time from now on, even without threads; called before anything has happened."""
         sim = self._host.sim
         if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
             sim.start_ns = sim.now_ns = time.time_ns()
@@ -40,11 +39,11 @@ class RealThreads:
         sim.keep_up = self.now_ns
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Return whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        """Return whether the main thread must wait in real time for an item that is due at `due_ns` (None means never)."""
         return self.are_here() or (self._keeps_time and due_ns is not None)
 
     def let_begin(self) -> None:
-        """Let threads that were started just now come in."""
+        """Let threads that have just been started run for a moment."""
         time.sleep(THREAD_BEGINS_S)
 
     def join(self) -> RealThreadTask:
@@ -58,12 +57,12 @@ class RealThreads:
         self._threads.append(thread)
 
     def are_here(self) -> bool:
-        """Return whether any of them still runs."""
+        """Return whether any of the threads still runs."""
         self._threads = [thread for thread in self._threads if thread.is_alive()]
         return bool(self._threads)
 
     def now_ns(self) -> int:
-        """Make simulated time what belongs to the present real time; it never goes back, whichever threads ask."""
+        """Update simulated time to the current real time, and return it. It never decreases, whichever thread calls this."""
         with self._setting_time:
             sim, here = self._host.sim, time.monotonic_ns()
             now = self._anchor[0] + here - self._anchor[1]
@@ -74,7 +73,7 @@ class RealThreads:
             return now
 
     def ring(self) -> None:
-        """Let the main thread look again at once."""
+        """Make the main thread check again immediately."""
         self._bell.set()
 
     def await_turn(self, due_ns: int | None) -> bool:
@@ -119,16 +118,16 @@ class RealThreadTask(AmbientTask):
         return True
 
     def wake(self) -> None:
-        """Let the thread look again."""
+        """Make the thread check its condition again."""
         self._woken = True
         self._bell.set()
 
     def run_next_first(self) -> None:
-        """Nothing: only the main thread takes items off the agenda."""
+        """Do nothing, because only the main thread runs items of the agenda."""
 
 
 def start_real_thread(body: Callable[[], object], name: str) -> Task:
-    """Run `body` in a further real thread; returns its task."""
+    """Run `body` in another real thread; return its task."""
     begun = threading.Event()
     tasks: list[Task] = []
 

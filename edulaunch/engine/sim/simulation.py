@@ -1,4 +1,4 @@
-"""Simulated time and the agenda: the whole kernel in one class."""
+"""The kernel in one class: simulated time and the agenda."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ EPOCH_NS = 1_700_000_000_000_000_000
 """Where simulated time starts: an even second, so that printed stamps look real and repeat from run to run."""
 
 FAR_NS = 1 << 63
-"""Later than anything; not a float infinity, to which integers are compared slowly."""
+"""Later than any other time. It is not a float infinity, because comparing integers with that is slow."""
 
 Item = list[Any]
 """An agenda item: [time in ns, priority, sequence, callback]. A cancelled or finished item has no callback."""
@@ -27,14 +27,15 @@ Item = list[Any]
 class Simulation:
     """Owns the time (integer nanoseconds), one agenda and the seed. Nothing else keeps a clock.
 
-    The agenda is a heap of (time, priority, sequence, callback): priority settles ties, then the order of the requests. Items for
-    the present instant with the usual priority 0 are in a queue beside the heap. The order is the same, because the heap's items
+    The agenda is a heap of (time, priority, sequence, callback): among equal times, the priority and then the order of the
+    requests decide. Items for the current instant with the usual priority 0 are in a queue beside the heap. The order is the
+    same, because the heap's items
     for this instant were requested earlier, and the queue is much cheaper.
 
     Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
     :class:`~edulaunch.engine.sim.task.Task`).
 
-    :param seed: from which every random generator of the run is derived.
+    :param seed: the seed of every random generator of the run.
     :param start_ns: the simulated time at the beginning.
     """
 
@@ -57,7 +58,7 @@ class Simulation:
         return (self.now_ns - self.start_ns) / 1e9
 
     def schedule(self, at_ns: int, callback: Callable[[], object], priority: int = 0) -> Item:
-        """Put `callback` on the agenda for `at_ns`; among equal times the lower priority number runs first.
+        """Add `callback` to the agenda for `at_ns`. Among equal times, the lowest priority number runs first.
 
         :raises SimulationError: when `at_ns` has passed already.
         """
@@ -73,11 +74,11 @@ class Simulation:
 
     @staticmethod
     def cancel(item: Item) -> None:
-        """Take an item off the agenda; one that has run already is left alone."""
+        """Remove an item from the agenda; ignore one that has already run."""
         item[3] = None
 
     def next_time_ns(self) -> int | None:
-        """When the next item is due, or None on an empty agenda."""
+        """Return when the next item is due, or None for an empty agenda."""
         agenda = self.agenda
         while agenda and agenda[0][3] is None:
             heappop(agenda)
@@ -109,7 +110,7 @@ class Simulation:
         return False
 
     def run(self, until_ns: int | None = None) -> None:
-        """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
+        """Run items until the agenda is empty, the time has reached `until_ns`, or :meth:`stop` is called."""
         self._stopped = False
         self.hands_on = True
         self.hub = getcurrent()
@@ -121,7 +122,7 @@ class Simulation:
             self.now_ns = until_ns
 
     def stop(self) -> None:
-        """Let :meth:`run` return after the item that is running now."""
+        """Make :meth:`run` return after the item that runs now."""
         self._stopped = True
         self.hands_on = False
 
@@ -141,14 +142,14 @@ class Simulation:
         return self._stopped
 
     def leap(self, to_ns: int) -> None:
-        """Let it be later at once: what is on the agenda stays as far ahead as it was. A time that is over changes nothing."""
+        """Set the time forward, and move all items of the agenda by the same amount. A past time changes nothing."""
         by_ns = max(0, to_ns - self.now_ns)
         for item in self.agenda:
             item[0] += by_ns
         self.now_ns += by_ns
 
     def random(self, name: str) -> random.Random:
-        """Return a random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
+        """Return a separate random generator for `name`; the same seed and name give the same numbers on every machine."""
         import random
 
         return random.Random(f'{self.seed}/{name}')

@@ -1,4 +1,4 @@
-"""Waiting in simulated time: what `time.sleep` and `threading` mean inside a simulation."""
+"""Waiting in simulated time: `time.sleep` and the locks of `threading` inside a simulation."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _deadline(task: Task, timeout: float | None) -> int | None:
 
 
 def wait_until(ready: Callable[[], bool], waiters: deque[Task], timeout: float | None) -> bool:
-    """Park the running task in `waiters` until `ready()` holds or `timeout` simulated seconds are over."""
+    """Park the running task in `waiters` until `ready()` is true, or for `timeout` simulated seconds."""
     task = current_task()
     deadline = _deadline(task, timeout)
     while not ready():
@@ -41,14 +41,14 @@ def wait_until(ready: Callable[[], bool], waiters: deque[Task], timeout: float |
 
 
 class Lock:
-    """As `threading.Lock`: waiters get it in the order in which they asked."""
+    """The simulated `threading.Lock`; waiting tasks get it in the order of their requests."""
 
     def __init__(self) -> None:
         self._held = False
         self._waiters: deque[Task] = deque()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """Take the lock, waiting for it if `blocking`; True when taken."""
+        """Acquire the lock, and wait for it if `blocking`; return whether it was acquired."""
         if self._held and not (blocking and wait_until(lambda: not self._held, self._waiters, timeout)):
             return False
         self._held = True
@@ -74,7 +74,7 @@ class Lock:
 
 
 class RLock:
-    """As `threading.RLock`: the task that holds it may take it again."""
+    """The simulated `threading.RLock`; the task that holds it may acquire it again."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -92,7 +92,7 @@ class RLock:
         return True
 
     def release(self) -> None:
-        """Undo one `acquire`. Raises RuntimeError for a task that does not hold the lock."""
+        """Undo one `acquire`. Raise RuntimeError for a task that does not hold the lock."""
         if self._owner is not current_task():
             raise RuntimeError('cannot release un-acquired lock')
         self._count -= 1
@@ -127,7 +127,7 @@ class Condition:
         self._lock.release()
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Give the lock back, wait for a notification, take the lock again; False when the time ran out."""
+        """Release the lock, wait for a notification, and acquire the lock again. Return False if the time ran out."""
         is_notified = [False]
         self._waiting.append(is_notified)
         depth = self._release_fully()
@@ -146,7 +146,7 @@ class Condition:
         return depth
 
     def wait_for(self, predicate: Callable[[], Any], timeout: float | None = None) -> Any:
-        """Wait until `predicate()` is true; returns its last value."""
+        """Wait until `predicate()` is true; return its last value."""
         task = current_task()
         deadline = _deadline(task, timeout)
         result = predicate()
@@ -172,33 +172,33 @@ class Condition:
 
 
 class Event:
-    """As `threading.Event`."""
+    """The simulated `threading.Event`."""
 
     def __init__(self) -> None:
         self._flag = False
         self._waiters: deque[Task] = deque()
 
     def is_set(self) -> bool:
-        """Return whether the event has happened."""
+        """Return whether the event is set."""
         return self._flag
 
     def set(self) -> None:
-        """Let it have happened, and wake all who wait."""
+        """Set the event, and wake all waiting tasks."""
         self._flag = True
         for task in self._waiters:
             task.wake()
 
     def clear(self) -> None:
-        """Let it not have happened."""
+        """Reset the event."""
         self._flag = False
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Wait until it has happened; False when the time ran out."""
+        """Wait until the event is set; return False if the time ran out."""
         return wait_until(lambda: self._flag, self._waiters, timeout)
 
 
 class Semaphore:
-    """As `threading.Semaphore`."""
+    """The simulated `threading.Semaphore`."""
 
     def __init__(self, value: int = 1) -> None:
         if value < 0:
@@ -207,14 +207,14 @@ class Semaphore:
         self._waiters: deque[Task] = deque()
 
     def acquire(self, blocking: bool = True, timeout: float | None = None) -> bool:
-        """Count down, waiting at zero if `blocking`; True when counted."""
+        """Decrease the counter, and wait at zero if `blocking`; return whether it was decreased."""
         if not self._value and not (blocking and wait_until(lambda: self._value > 0, self._waiters, timeout)):
             return False
         self._value -= 1
         return True
 
     def release(self, n: int = 1) -> None:
-        """Count up by `n`."""
+        """Increase the counter by `n`."""
         self._value += n
         for task in list(self._waiters)[:n]:
             task.wake()
@@ -227,14 +227,14 @@ class Semaphore:
 
 
 class BoundedSemaphore(Semaphore):
-    """As `threading.BoundedSemaphore`: refuses to count above where it began."""
+    """The simulated `threading.BoundedSemaphore`; its counter cannot exceed its initial value."""
 
     def __init__(self, value: int = 1) -> None:
         super().__init__(value)
         self._limit = value
 
     def release(self, n: int = 1) -> None:
-        """Count up by `n`. Raises ValueError above the first value."""
+        """Increase the counter by `n`. Raise ValueError above the initial value."""
         if self._value + n > self._limit:
             raise ValueError('Semaphore released too many times')
         super().release(n)

@@ -1,6 +1,5 @@
-"""Programs as tasks: their start, their end, and the running one. `parking.py` has their waits.
-
-The code of a plain script is a task, too (`AmbientTask`): it is made when the script first uses ROS.
+"""Programs as tasks: their start, their end, and the running one. `parking.py` lets them wait. The code of a plain script is a
+task, too (`AmbientTask`), which is created when the script first uses ROS.
 """
 
 from __future__ import annotations
@@ -21,9 +20,9 @@ from edulaunch.errors import SimulationError
 class Task(Parking):
     """One blocking program in simulated time.
 
-    :param body: the program; its return value is kept as `result`, an exception that leaves it as `exception`.
-    :param name: for people.
-    :param owner: whatever the running code belongs to (a `Process`); found again through :func:`current_task`.
+    :param body: the program; `result` stores its return value, and `exception` an exception that leaves it.
+    :param name: a name for people.
+    :param owner: the owner of the running code (a `Process`), which :func:`current_task` gives access to.
     """
 
     def __init__(self, sim: Simulation, body: Callable[[], object], *, name: str = 'task', owner: Any = None) -> None:
@@ -41,14 +40,14 @@ class Task(Parking):
 
     @property
     def frame(self) -> FrameType | None:
-        """The place where it is parked; None while it runs, and after its end."""
+        """The frame in which the task is parked; None while it runs, and after its end."""
         return getattr(self._greenlet, 'gr_frame', None)
 
     is_real_thread = False
     """Whether it stands for a real thread beside the main one; see `real_threads.py`."""
 
     def start(self) -> None:
-        """Give the task its first turn, at the present simulated time."""
+        """Give the task its first turn, at the current simulated time."""
         starter = running_task()
         if starter is not None and starter.is_real_thread:  # only the main thread creates greenlets and knows the time
             self._soon.append([self.sim.start_ns, 0, 1, lambda: self._make_greenlet()()])
@@ -72,7 +71,7 @@ class Task(Parking):
             starter.run_next_first()
 
     def run_next_first(self) -> None:
-        """Run the first item that waits for the present instant, then continue. Wakes in the meantime are kept."""
+        """Run the first item that is due at this instant, then continue. Wakes in the meantime are kept."""
         due = self._soon.popleft()
         self._soon.extendleft((self._turn, due))
         if self.loop is None:
@@ -99,7 +98,7 @@ class Task(Parking):
             callback(self)
 
     def add_done_callback(self, callback: Callable[[Task], object]) -> None:
-        """Call `callback(task)` when the program has ended (at once if it has)."""
+        """Call `callback(task)` when the program has ended (immediately if it already has)."""
         if self.finished:
             callback(self)
         else:
@@ -113,16 +112,16 @@ class ThreadsBeside(Protocol):
         """Make simulated time real time from now on."""
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Return whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        """Return whether the main thread must wait in real time for an item that is due at `due_ns` (None means never)."""
 
     def await_turn(self, due_ns: int | None) -> bool:
-        """Return whether it is time for what is due at `due_ns`; if not, wait a moment."""
+        """Return whether the item at `due_ns` is due; if not, wait for a moment."""
 
     def let_begin(self) -> None:
-        """Let threads that were started just now come in."""
+        """Let threads that have just been started run for a moment."""
 
     def ring(self) -> None:
-        """Let the main thread look again at once."""
+        """Make the main thread check again immediately."""
 
     def join(self) -> AmbientTask:
         """Let the running thread take part."""
@@ -137,7 +136,7 @@ class AmbientTask(Task):
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """Do the same as :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
+        """Do the same as :meth:`Task.park`. Raise SimulationError when no item of the agenda can end the wait."""
         sim = self.sim
         while not self._woken:
             next_ns = sim.next_time_ns()
@@ -164,13 +163,13 @@ class AmbientTask(Task):
         return True
 
     def wake(self) -> None:
-        """Do the same as :meth:`Task.wake`; perhaps from another thread."""
+        """Do the same as :meth:`Task.wake`; callable from another thread."""
         super().wake()
         if self.real_threads is not None:
             self.real_threads.ring()
 
     def run_next_first(self) -> None:
-        """Run the first item that waits for the present instant in place."""
+        """Run the first item that is due at this instant in place."""
         self.sim.step()
 
 
@@ -186,7 +185,7 @@ def running_task() -> Task | None:
 
 
 def current_task() -> Task:
-    """Return the task whose code runs now; outside any task the ambient one of this thread, made at first use."""
+    """Return the task whose code runs now; outside any task, the ambient task of this thread, which is created on first use."""
     current = getcurrent()
     try:
         task: Task = current.task
@@ -196,7 +195,9 @@ def current_task() -> Task:
 
 
 def _ambient_task() -> AmbientTask:
-    """For the main thread, or a thread that has nothing to do with it, one of its own; else one that takes part there."""
+    """Return the ambient task of this thread. The main thread and independent threads have their own task. Other threads have
+    one that takes part in the main thread's simulation.
+    """
     host = getattr(_MAIN, 'task', None)
     beside = host.real_threads if isinstance(host, AmbientTask) and host.owner is not None else None
     is_main = beside is None or threading.current_thread() is threading.main_thread()
@@ -204,7 +205,7 @@ def _ambient_task() -> AmbientTask:
 
 
 def task_around(frame: FrameType | None) -> Task | None:
-    """Return the task whose code a frame of another thread belongs to, which is at the bottom of its stack."""
+    """Return the task that runs a frame of another thread, from the bottom of the frame's stack."""
     while frame is not None:
         if frame.f_code is Task._run.__code__:
             task: Task = frame.f_locals['self']
@@ -214,7 +215,7 @@ def task_around(frame: FrameType | None) -> Task | None:
 
 
 def _main_greenlet() -> Any:
-    """Return what runs the main thread outside any task; None when this module was not imported there."""
+    """Return the greenlet of the main thread outside any task; None if another thread imported this module."""
     if threading.current_thread() is not threading.main_thread():
         return None
     found = getcurrent()

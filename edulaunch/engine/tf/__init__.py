@@ -1,4 +1,4 @@
-"""Transforms and their time-ordered buffer: numbers only, no node, no topic, no message.
+"""Transforms and their time-ordered buffer, with numbers only: no nodes, topics or messages.
 
 Read `quaternions.py` and `transforms.py` (the maths), then `history.py` (one frame over time) and `path.py` (the usual lookup).
 `walk.py` is the lookup in all its detail, and `buffer.py` combines them.

@@ -1,4 +1,4 @@
-"""The time-ordered buffer of transforms: what tf2's BufferCore knows and answers, in numbers only.
+"""The time-ordered buffer of transforms: tf2's BufferCore with numbers only.
 
 Times are integer nanoseconds; 0 means "the latest common time". `tf2_py` turns messages into these numbers.
 """
@@ -24,7 +24,7 @@ ACCEPTED: tuple[Rejection, ...] = ()
 class TransformBuffer:
     """Transforms of a tree of frames over the last seconds.
 
-    :param cache_ns: how far before the newest sample of a frame its history reaches.
+    :param cache_ns: the length of each frame's history before its newest sample, in ns.
     """
 
     def __init__(self, cache_ns: int = DEFAULT_CACHE_NS) -> None:
@@ -98,7 +98,7 @@ class TransformBuffer:
         return ACCEPTED
 
     def clear(self) -> None:
-        """Drop the samples of all dynamic frames; names and static transforms stay."""
+        """Remove the samples of all dynamic frames; names and static transforms stay."""
         for history in self._frames.values():
             if history is not None and not history.static:
                 history.forget()
@@ -123,10 +123,10 @@ class TransformBuffer:
         return walk(self._frames, target, source, time_ns)
 
     def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
-        """Return the transform from `source` at `source_ns` to `target` at `target_ns`, over `fixed`, which does not move
-        meanwhile.
+        """Return the transform from `source` at `source_ns` to `target` at `target_ns`, over the frame `fixed`, which does not
+        move between these times.
 
-        :raises TransformFailure: as in :meth:`lookup`; all three names are checked.
+        :raises TransformFailure: as in :meth:`lookup`, for any of the three names.
         """
         check_names(self._frames, target, source, fixed)
         stamp_ns, target_from_fixed = self.lookup(target, fixed, target_ns)

@@ -10,7 +10,7 @@ SHORTEST_SPAN_S = 0.0001  # tf2 uses this as the shortest time span when it comp
 
 
 def seconds(time_ns: int) -> float:
-    """Return the nanoseconds as float seconds, rounded the way tf2 does it (whole seconds apart from the fraction)."""
+    """Return the nanoseconds as float seconds, rounded like tf2 (whole seconds and fraction separately)."""
     whole, rest = divmod(time_ns, 1_000_000_000)
     return whole + rest * 1e-9
 
@@ -21,7 +21,7 @@ def seconds_text(time_ns: int) -> str:
 
 
 def rate(history: History) -> float:
-    """Samples per second over the kept span; 10000 for a single or static sample, as in tf2."""
+    """Return the samples per second over the stored time span; 10000 for a single or static sample, as in tf2."""
     return history.count / max(seconds(history.newest - history.oldest), SHORTEST_SPAN_S)
 
 

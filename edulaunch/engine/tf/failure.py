@@ -1,4 +1,4 @@
-"""What the buffer raises when it has no answer."""
+"""The error of the buffer for a lookup without a result."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ INVALID_ARGUMENT = 'invalid_argument'
 
 
 class TransformFailure(Exception):
-    """A lookup that has no answer; `str()` is real tf2's text.
+    """A lookup without a result; `str()` is the message of the real tf2. It never reaches a student, because `tf2_py` raises
+    the exception of tf2 that belongs to `kind`.
 
-    It never reaches a student: the face `tf2_py` raises the tf2 exception that belongs to `kind`.
-
-    :param kind: one of the words of this module.
+    :param kind: one of the kinds of this module.
     """
 
     def __init__(self, kind: str, text: str) -> None:

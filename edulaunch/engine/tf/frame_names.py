@@ -10,9 +10,9 @@ ARGUMENTS = ('target_frame', 'source_frame', 'fixed_frame')
 
 
 def check_name(frames: Container[str], name: str, function: str) -> None:
-    """Raise when there is no such frame.
+    """Check that a frame exists.
 
-    :raises TransformFailure: with the text of tf2's exception; `function` is what the name was passed to.
+    :raises TransformFailure: with tf2's message, in which `function` is the called function.
     :raises TypeError: for a value that is not a string, such as the None of a parameter without a value.
     """
     if name in frames:
@@ -24,13 +24,13 @@ def check_name(frames: Container[str], name: str, function: str) -> None:
 
 
 def check_names(frames: Container[str], *names: str) -> None:
-    """:func:`check_name` for the arguments of lookupTransform: target, source and fixed frame."""
+    """Call :func:`check_name` for the arguments of lookupTransform: target, source and fixed frame."""
     for name, argument in zip(names, ARGUMENTS, strict=False):
         check_name(frames, name, f'lookupTransform argument {argument}')
 
 
 def problem(frames: Container[str], *names: str) -> str:
-    """Return what canTransform says about its arguments; empty when all of them are known frames."""
+    """Return canTransform's message about its arguments; '' if all of them are known frames."""
     for name, argument in zip(names, ARGUMENTS, strict=False):
         if name not in frames:
             rule = _broken_rule(name) or 'frame does not exist'

@@ -1,4 +1,4 @@
-"""What is known of one child frame: its samples in order of time."""
+"""The history of one child frame: its samples in order of time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ COMPACT_AT = 64
 class History:
     """The samples of one child frame, oldest first: three parallel lists from index `first` on.
 
-    Old samples are dropped by moving `first`. The lists are cut when half of their entries are dead. Thus the cost of an insert
+    Old samples are dropped by moving `first`. The lists are cut when half of their entries have been dropped. Thus the cost of
+    an insert
     does not depend on the length of the history. A lookup at any time costs a bisection.
 
     :param name: the child frame.
@@ -35,17 +36,17 @@ class History:
 
     @property
     def count(self) -> int:
-        """How many samples are kept."""
+        """The number of stored samples."""
         return len(self.stamps) - self.first
 
     @property
     def newest(self) -> int:
-        """Stamp of the newest sample; 0 for a static or empty history."""
+        """The stamp of the newest sample; 0 for a static or empty history."""
         return self.stamps[-1] if self.stamps else 0
 
     @property
     def oldest(self) -> int:
-        """Stamp of the oldest sample; 0 for a static or empty history."""
+        """The stamp of the oldest sample; 0 for a static or empty history."""
         return self.stamps[self.first] if self.stamps else 0
 
     def replace(self, parent: str, pose: Transform) -> None:
@@ -91,12 +92,12 @@ class History:
         self.parents.insert(place, parent)
 
     def pose_at(self, time_ns: int) -> Transform | None:
-        """Return the pose at a time, 0 being the newest; None when it would have to be extrapolated. See :func:`poses_at`."""
+        """Return the pose at a time (0 means the newest); None if it would need extrapolation. See :func:`poses_at`."""
         found = poses_at((self,), time_ns) if self.stamps else None
         return found[0] if found else None
 
     def sample(self, time_ns: int) -> tuple[Transform, str] | None:
-        """Return (:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
+        """Return (:meth:`pose_at`, parent); between samples of different parents, the older one counts unchanged."""
         pose = self.pose_at(time_ns)
         if pose is None:
             return None
@@ -110,13 +111,14 @@ class History:
 
 
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
-    """Return the pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
+    """Return the pose of each frame at a time (0 means the newest); None if one of them would need extrapolation.
 
-    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at the
+    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at
+    the
     oldest stamp, where the first one counts (as in tf2). The loop has no function call for each frame, because lookups in the
     past spend their time here.
 
-    :param histories: none of them empty.
+    :param histories: the histories of the frames, which must not be empty.
     """
     poses: list[Transform] = []
     newer = 0  # stored between frames, because a robot mostly sends its frames together

@@ -1,4 +1,4 @@
-"""The line of help that tf2 lacks: which frames there are when a name is unknown."""
+"""The line of help that tf2 lacks: it names the existing frames if a name is unknown."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from edulaunch.engine.tf.buffer import TransformBuffer
 
 
 def explain_missing(buffer: TransformBuffer, name: str) -> str | None:
-    """Return one line of help about a frame that a lookup did not find; None when the buffer knows it.
-
-    Names the nearest frames, or says that nothing has been received at all.
+    """Return one line of help about a frame that a lookup did not find; None if the buffer has the frame. The line names the
+    nearest frames, or reports that no transform has been received.
     """
     from difflib import get_close_matches  # imported here, because only failed lookups need it
 

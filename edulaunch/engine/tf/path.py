@@ -1,4 +1,4 @@
-"""The remembered way between two frames, and the transform along it."""
+"""A stored path between two frames, and the transform along it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_DEPTH = 1000
 
 
 class Path:
-    """From a source frame up to the first common ancestor, and from the target frame up to it.
+    """The path from a source frame and from a target frame up to their first common ancestor.
 
     :param up: histories from the source to below the ancestor.
     :param down: histories from the target to below the ancestor.
@@ -28,7 +28,7 @@ class Path:
         self._stamps = [history.stamps for history in self.dynamic]
 
     def latest_common_time(self) -> int:
-        """Return the oldest of the newest stamps; 0 when all is static."""
+        """Return the oldest of the newest stamps; 0 if all frames are static."""
         latest = 0
         for stamps in self._stamps:
             newest = stamps[-1]
@@ -45,8 +45,8 @@ class Path:
         return True
 
     def at(self, time_ns: int) -> tuple[int, Transform] | None:
-        """Return (time, target_from_source at that time), 0 being the latest common time; None when something would have to be
-        extrapolated.
+        """Return (time, target_from_source at that time), where 0 means the latest common time; None if a frame would need
+        extrapolation.
         """
         stamp_ns = time_ns or self.latest_common_time()
         found = IDENTITY

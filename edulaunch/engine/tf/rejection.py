@@ -1,4 +1,4 @@
-"""Why tf2 does not take a transform: the lines that it logs."""
+"""The log lines in which tf2 explains why it ignores a transform."""
 
 from __future__ import annotations
 
@@ -13,9 +13,7 @@ UNIT_TOLERANCE = 0.01  # largest difference of a quaternion's squared length fro
 
 
 def reasons_against(parent: str, child: str, pose: Transform, authority: str) -> tuple[Rejection, ...]:
-    """tf2's errors about one transform whose rotation has been made canonical; empty when it is
-    acceptable.
-    """
+    """Return tf2's errors about one transform whose rotation is canonical; empty for a valid one."""
     x, y, z, w = pose[3:]
     rotation = _numbers(pose[3:])
     found: list[str] = []
@@ -45,7 +43,7 @@ def reasons_against(parent: str, child: str, pose: Transform, authority: str) ->
 
 
 def too_old(child: str, stamp_ns: int, authority: str) -> tuple[Rejection, ...]:
-    """tf2's warning about a sample that is older than everything the buffer keeps."""
+    """Return tf2's warning about a sample that is older than everything in the buffer."""
     text = (
         f'TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds_text(stamp_ns)} '
         f'according to authority {authority}\n'
@@ -59,5 +57,5 @@ def _numbers(values: tuple[float, ...]) -> str:
 
 
 def _number(value: float) -> str:
-    """printf's %f, which unlike Python shows the sign of nan."""
+    """Format a number like printf's %f, which shows the sign of nan, unlike Python."""
     return f'{"-" if copysign(1.0, value) < 0.0 else ""}nan' if isnan(value) else f'{value:.6f}'

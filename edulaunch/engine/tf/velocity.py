@@ -1,4 +1,4 @@
-"""How fast one frame moves as seen from another, from two looks at the buffer."""
+"""The velocity of one frame relative to another one, from two lookups."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def lookup_velocity(
 
 
 def _turn_rate(turn: Quaternion, span_s: float) -> Vector:
-    """Axis times angle per second of a small rotation, the shorter way round."""
+    """Return axis times angle per second of a small rotation, in the shorter direction."""
     x, y, z, w = turn if turn[3] >= 0.0 else (-turn[0], -turn[1], -turn[2], -turn[3])
     sine = sqrt(x * x + y * y + z * z)
     if sine == 0.0:

@@ -1,4 +1,4 @@
-"""Lookups step by step in tf2's own order, so that they fail with tf2's own words.
+"""Lookups step by step in tf2's own order, so that they fail with tf2's own messages.
 
 `path.py` answers the usual lookups faster. This walk handles the rest: failures, and frames whose parent has changed.
 """
@@ -19,7 +19,7 @@ Histories = Mapping[str, 'History | None']
 def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int, Transform]:
     """Return (stamp, target_from_source); time 0 is the latest common time.
 
-    :raises TransformFailure: with tf2's text.
+    :raises TransformFailure: with tf2's message.
     """
     if target == source:
         return time_ns, IDENTITY
@@ -42,9 +42,9 @@ def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int
 
 
 def latest_common_time(frames: Histories, target: str, source: str) -> int:
-    """Return the newest time at which every frame between the two has data; 0 when all of it is static.
+    """Return the newest time at which every frame between the two has data; 0 if all are static.
 
-    :raises TransformFailure: the frames are not connected, or run in a loop.
+    :raises TransformFailure: when the frames are not connected, or form a loop.
     """
     if target == source:
         history = frames[source]
@@ -69,7 +69,7 @@ def latest_common_time(frames: Histories, target: str, source: str) -> int:
 def chain(frames: Histories, target: str, source: str, time_ns: int) -> list[str]:
     """Return the frames from `source` over the first common ancestor to `target`, both included.
 
-    :raises TransformFailure: there is no such chain at `time_ns`.
+    :raises TransformFailure: when there is no such chain at `time_ns`.
     """
     walk(frames, target, source, time_ns)
     up = _ancestors(frames, source, time_ns)
@@ -104,7 +104,7 @@ def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) 
 
 
 def _newest_upward(frames: Histories, frame: str, stops: tuple[str, ...]) -> list[tuple[int, str]]:
-    """Return (newest stamp, newest parent) of each frame upward, until a stop has become the parent."""
+    """Return (newest stamp, newest parent) of each frame upward, until a parent is one of the stops."""
     found: list[tuple[int, str]] = []
     while (history := frames[frame]) is not None and history.stamps:
         frame = history.parents[-1]

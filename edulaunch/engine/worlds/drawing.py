@@ -31,7 +31,7 @@ UNTOUCHED: Color = (255, 255, 255)
 
 
 class Pen:
-    """What a turtle draws with: colour, width in pixels, and whether it touches the canvas.
+    """The pen of a turtle: colour, width in pixels, and whether it touches the canvas.
 
     :ivar last_x, last_y: where the last line ended, in pixels.
     :ivar column, row: the first pixel of the last square, counted from the margin.
@@ -67,15 +67,14 @@ class Pen:
         self.lift()
 
     def lift(self) -> None:
-        """Forget where the last line ended: that place is no longer inked."""
+        """Forget the end of the last line, because its pixels have been wiped."""
         self.last_x = self.last_y = nan
 
 
 class DrawingLayer:
-    """500 x 500 pixels over the background. A pixel no pen touched is white, whatever the background is.
-
-    A line is made of squares of the pen's width, set closely along it. The pixels are made with the first
-    line. `version` grows with every change, so that a turtle standing still need not look again.
+    """500 x 500 pixels over the background. A pixel that no pen has touched is white, with any background. A line consists of
+    squares of the pen's width, close to each other. The pixels are created with the first line. `version` grows with every
+    change, so that a resting turtle need not read its colour again.
     """
 
     __slots__ = ('version', '_pixels', '_newest')
@@ -92,7 +91,7 @@ class DrawingLayer:
         self._newest = None
 
     def trace(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> Color:
-        """Return what a turtle does on its way: read the colour where it arrives (on the canvas), then draw the line to there.
+        """Move the pen: return the colour at the new position (on the canvas), and draw the line to it.
 
         A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, nothing changes, and the
         colour there is the pen's. (This makes the large project 15 % faster.)
@@ -119,7 +118,7 @@ class DrawingLayer:
         return pixels[at], pixels[at + 1], pixels[at + 2]
 
     def draw(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> None:
-        """Draw a line from (x0, y0) to (x1, y1), metres, y downward."""
+        """Draw a line from (x0, y0) to (x1, y1), in metres, y downward."""
         self.version += 1
         x0 *= METRE_PX
         y0 *= METRE_PX
@@ -135,7 +134,7 @@ class DrawingLayer:
         self._draw_squares(pen, x0, y0, x1, y1)
 
     def _draw_squares(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> None:
-        """All of :meth:`draw` (in pixels) that is not usual: a line that begins elsewhere, is long, or leaves the canvas."""
+        """Handle the unusual cases of :meth:`draw` (in pixels): a line that begins elsewhere, is long, or leaves the canvas."""
         if not (0.0 <= x0 < SIDE_PX and 0.0 <= y0 < SIDE_PX and 0.0 <= x1 < SIDE_PX and 0.0 <= y1 < SIDE_PX):
             visible = _visible_part(x0, y0, x1, y1)
             if visible is None:
@@ -155,7 +154,7 @@ class DrawingLayer:
         pen.last_y = y1
 
     def _stamp(self, pen: Pen, x: float, y: float) -> None:
-        """Ink the square of the pen's width around the pixel position (x, y)."""
+        """Draw the square of the pen's width around the pixel position (x, y)."""
         pixels = self._pixels
         if pixels is None:
             pixels = self._pixels = bytearray(b'\xff') * (_ROW * SIDE_PX)
@@ -186,9 +185,8 @@ def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
 
 
 def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:
-    """Return the part of a line (pixels) on the canvas or so near that a broad pen reaches over, or None.
-
-    A line from or to nowhere (infinity, nan) has none.
+    """Return the part of a line (in pixels) that is on the canvas or near enough for a broad pen, or None. A line with infinity
+    or nan has no such part.
     """
     enter, leave = 0.0, 1.0
     for start, way in ((x0, x1 - x0), (y0, y1 - y0)):

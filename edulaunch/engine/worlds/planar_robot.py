@@ -12,8 +12,8 @@ class PlanarRobot:
     last command, however old. It has no mass, so a new velocity applies immediately. Between commands, it moves along an exact
     circular arc, so the result does not depend on the number of calls.
 
-    :param max_linear: limit of the linear velocity either way, m/s (the Waffle's is 0.26).
-    :param max_angular: limit of the angular velocity either way, rad/s (the Waffle's is 1.82).
+    :param max_linear: limit of the linear velocity in both directions, m/s (the Waffle's is 0.26).
+    :param max_angular: limit of the angular velocity in both directions, rad/s (the Waffle's is 1.82).
     """
 
     __slots__ = ('x', 'y', 'theta', 'linear', 'angular', 'time_ns', 'max_linear', 'max_angular')

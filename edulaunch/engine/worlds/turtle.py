@@ -1,4 +1,4 @@
-"""One turtle: how it moves, draws and sees in one tick, and turns for the action rotate_absolute."""
+"""One turtle: its motion, drawing and colour sensor in one tick, and its turn for the action rotate_absolute."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ def normalize_single(angle: float) -> float:
 class RotationGoal:
     """A turn to the absolute heading `theta` (radians), started at the heading `start`.
 
-    `remaining` is the feedback and `delta` the result: start minus present heading, negative after a left
-    turn.
+    `remaining` is the feedback and `delta` the result: start minus current heading, which is negative after a left turn.
     """
 
     __slots__ = ('theta', 'start', 'remaining', 'delta')
@@ -40,7 +39,7 @@ class RotationGoal:
         self.delta = 0.0
 
     def step(self, heading: float) -> float:
-        """Return the angular velocity (rad/s) to turn with at the present `heading` (radians); 0.0 at the goal."""
+        """Return the angular velocity (rad/s) for the turn at the current `heading` (radians); 0.0 at the goal."""
         heading = as_float32(heading)
         self.remaining = normalize_single(as_float32(self.theta - heading))
         self.delta = normalize_single(as_float32(self.start - heading))
@@ -112,7 +111,7 @@ class Turtle:
 
     @property
     def linear_velocity(self) -> float:
-        """The magnitude of the velocity, m/s: never negative, also when the turtle goes backward."""
+        """The magnitude of the velocity, m/s: never negative, even if the turtle drives backward."""
         return hypot(self.speed, self.sideways) if self.sideways else abs(self.speed)
 
     def command(self, linear: float, angular: float, now_ns: int, sideways: float | None = None) -> None:
@@ -149,7 +148,7 @@ class Turtle:
         self._requests.append((False, linear, 0.0, angular))
 
     def rotate_to(self, theta: float) -> RotationGoal:
-        """Turn on the spot until the heading is `theta`; takes the place of an earlier goal."""
+        """Turn on the spot until the heading is `theta`; this replaces an earlier goal."""
         self.rotation = RotationGoal(theta, self.theta)
         return self.rotation
 

@@ -14,7 +14,7 @@ CENTER = as_float32(SIDE / 2.0)
 class TurtleWorld:
     """Turtles on a square canvas of :data:`SIDE` metres, updated in alphabetical order of their names.
 
-    :param random: chooses each turtle's picture, the only thing here that is left to chance.
+    :param random: chooses each turtle's picture, which is the only random value here.
     """
 
     def __init__(self, random: Random) -> None:
@@ -55,7 +55,7 @@ class TurtleWorld:
         return turtle
 
     def spawn_first(self) -> Turtle:
-        """Put turtle1 in the middle of an empty world, facing right."""
+        """Create turtle1 in the middle of an empty world, facing right."""
         turtle = self.spawn(CENTER, CENTER, 0.0)
         assert turtle is not None, 'an automatic name is never taken'
         return turtle
@@ -74,7 +74,7 @@ class TurtleWorld:
             turtle.pen.lift()
 
     def remove_all(self) -> None:
-        """Take all turtles away and count automatic names from turtle1 again; the drawing stays."""
+        """Remove all turtles, and start automatic names at turtle1 again; the drawing stays."""
         self.turtles.clear()
         self._named = 0
 

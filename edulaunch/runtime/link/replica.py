@@ -129,7 +129,7 @@ class Replica:
         self.peer.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
 
     def _deliver(self, subscription: Any) -> None:
-        """A message has reached a remote subscription."""
+        """Send a message that has reached a remote subscription."""
         if self.is_repeating:
             return
         wire, now_ns, publisher, number = subscription.queue.item
@@ -142,13 +142,13 @@ class Replica:
         self.peer.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
 
     def _ask(self, server: Any) -> None:
-        """A request has reached a remote server."""
+        """Send a request that has reached a remote server."""
         wire, (client, sequence) = server.queue.item
         data = self.messages.packed(client.cls.Request, wire)
         self.peer.call(Kind.REQUEST, [server.index, client.index, sequence, data])
 
     def _respond(self, client: Any) -> None:
-        """A reply has reached a remote client."""
+        """Send a reply that has reached a remote client."""
         sequence, wire = client.queue.item
         data = self.messages.packed(client.cls.Response, wire)
         self.peer.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
@@ -283,7 +283,7 @@ class Replica:
         client.on_ready()
 
     def answered(self, client: Any, sequence: int, wire: Any) -> None:
-        """A reply has arrived from the other peer for a client here; record it, if this peer records."""
+        """Handle a reply from the other peer to a client here; record it if this peer records."""
 
 
 def _name(value: Any, before: str = '') -> str:

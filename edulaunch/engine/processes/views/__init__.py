@@ -43,7 +43,7 @@ VIEWS = {
     'turtle': 'refused_view.make_turtle',
     'uuid': 'chance_views.make_uuid',
 }
-"""Module name -> what makes its view, called as make(new module, process)."""
+"""Module name -> the function that makes its view, called as make(new module, process)."""
 
 
 def _standard(name: str) -> Callable[[], tuple[str, bool]]:
@@ -79,11 +79,11 @@ PRIVATE_COPIES = {
     )
 }
 """Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
-what gives the file of each, and whether it is a package."""
+a function that returns the file of each, and whether it is a package."""
 
 
 def make_view(name: str, process: object) -> ModuleType | None:
-    """Return the view of a standard module for one process, or None when that module needs none."""
+    """Return the view of a standard module for one process, or None for a module that needs no view."""
     place = VIEWS.get(name)
     if place is None:
         return None
@@ -95,7 +95,7 @@ def make_view(name: str, process: object) -> ModuleType | None:
 
 
 def copy_names(view: ModuleType, real: ModuleType) -> None:
-    """Give the view all names of the real module that it does not have yet."""
+    """Copy all names of the real module that the view does not have yet."""
     own = dict(view.__dict__)
     view.__dict__.update(real.__dict__)
     view.__dict__.update(own, __doc__=real.__doc__)

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 OUR_CALLBACK = re.compile(r' cb=\[_threadsafe\.[^]]*\]')
-"""In what a task looks like: that somebody in another thread waits for it, which asyncio itself would do by other means."""
+"""A part of a task's representation, which shows that another thread waits for it; asyncio itself would use another one."""
 
 
 class ProcessEventLoop(SimulatedEventLoop):
-    """A simulated loop: its executor threads are threads of the program, its tasks are counted with the program's."""
+    """A simulated loop: its executor threads are threads of the program, and its tasks count as tasks of the program."""
 
     def __init__(self, process: Process, task: Task) -> None:
         super().__init__(task)
@@ -32,11 +32,11 @@ class ProcessEventLoop(SimulatedEventLoop):
         process.lifecycle.at_exit.append(self._tell_what_is_pending)
 
     def create_task(self, coro: Any, *, name: object = None, **options: Any) -> Any:
-        """As asyncio's; without a name it is `Task-N`."""
+        """Do the same as asyncio; without a name, the task is called `Task-N`."""
         return super().create_task(coro, name=f'Task-{next(self._numbers)}' if name is None else str(name), **options)
 
     def _tell_what_is_pending(self) -> None:
-        """The program ends: say now what Python says when it clears up. One that is killed says nothing."""
+        """At the end of the program, print Python's messages about pending tasks; a killed program prints nothing."""
         for task in sorted(real.all_tasks(self), key=lambda task: task.get_name()):
             task._log_destroy_pending = False  # type: ignore[attr-defined]  # otherwise Python reports the task later
             if (self._process.returncode or 0) >= 0:
@@ -44,7 +44,7 @@ class ProcessEventLoop(SimulatedEventLoop):
                 self._process.write('stderr', f'Task was destroyed but it is pending!\ntask: {shown}\n')
 
     def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:  # type: ignore[override]
-        """Run a blocking function beside the loop; an asyncio future of its result."""
+        """Run a blocking function beside the loop; return an asyncio future of its result."""
         answer = self.create_future()
 
         def give(error: BaseException | None, value: Any) -> None:
@@ -75,12 +75,12 @@ class ProcessEventLoop(SimulatedEventLoop):
         self._process.signals.handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
 
     def remove_signal_handler(self, sig: int) -> bool:
-        """Return whether there was one."""
+        """Remove the handler of a signal; return whether there was one."""
         return self._process.signals.handlers.pop(sig, None) is not None
 
 
 def _refusal(name: str, need: str) -> Callable[..., Any]:
-    """Return a method that only says that it cannot be used."""
+    """Return a method that raises an error, because it cannot be used."""
 
     def refuse(self: ProcessEventLoop, *_: Any, **__: Any) -> Any:
         raise with_facts(
@@ -102,14 +102,14 @@ REFUSED = {
     ),
     'keyboard': ('add_reader', 'connect_read_pipe', 'connect_write_pipe'),
 }
-"""Methods of the loop that need a real machine, by what of it."""
+"""Methods of the loop that need a part of a real machine, and that part."""
 for _need, _names in REFUSED.items():
     for _name in _names:
         setattr(ProcessEventLoop, _name, _refusal(_name, _need))
 
 
 def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
-    """`run`, `Runner` and everything that makes or gives a loop."""
+    """Replace `run`, `Runner` and everything that creates or returns a loop."""
     loops: dict[Task, Any] = {}
 
     def new_event_loop() -> ProcessEventLoop:
@@ -153,7 +153,7 @@ def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _threadsafe(process: Process) -> Callable[..., Any]:
-    """`run_coroutine_threadsafe`, whose futures are the process's own."""
+    """Return a `run_coroutine_threadsafe` with futures of the process."""
 
     def run_coroutine_threadsafe(coro: Coroutine[Any, Any, Any], loop: Any) -> Any:
         futures: Any = process.loader.import_module('concurrent.futures')
@@ -174,7 +174,7 @@ def _threadsafe(process: Process) -> Callable[..., Any]:
 
 
 def _close(loop: Any) -> None:
-    """As `asyncio.run` leaves a loop: what still runs on it is cancelled and waited for."""
+    """Close a loop like `asyncio.run`: cancel the remaining tasks, and wait for them."""
     cancel_all_tasks(loop)
     loop.run_until_complete(loop.shutdown_asyncgens())
     loop.close()
@@ -182,7 +182,7 @@ def _close(loop: Any) -> None:
 
 def _runner_class(run: Callable[..., Any]) -> type:
     class Runner:
-        """As `asyncio.Runner`: one loop for several calls."""
+        """The simulated `asyncio.Runner`: one loop for several calls."""
 
         def __init__(self, *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> None:
             self._options = {'debug': debug, 'loop_factory': loop_factory}
@@ -198,6 +198,6 @@ def _runner_class(run: Callable[..., Any]) -> type:
             return run(coro, **self._options)
 
         def close(self) -> None:
-            """Nothing stays open between two calls."""
+            """Do nothing, because nothing stays open between two calls."""
 
     return Runner

@@ -16,13 +16,13 @@ DRAWING = [name for name in dir(random.Random) if not name.startswith('_') and h
 
 
 class Random(random.Random):
-    """As `random.Random`; without a seed it is seeded from the process's generator, not from the machine."""
+    """The simulated `random.Random`: without a seed, it is seeded by the process's generator, not by the machine."""
 
     def __init__(self, x: Any = None) -> None:
         super().__init__(_generator_here().random() if x is None else x)
 
     def seed(self, a: Any = None, version: int = 2) -> None:
-        """As `random.Random.seed`, never from the machine."""
+        """Do the same as `random.Random.seed`, but never use the machine's randomness."""
         super().seed(_generator_here().random() if a is None else a, version)
 
 
@@ -32,7 +32,9 @@ def _generator_here() -> random.Random:
 
 
 def make_random(view: ModuleType, process: Process) -> ModuleType:
-    """Module functions use one generator seeded by (simulation seed, process name); `Random()` draws its seed from it."""
+    """Make the module's functions use one generator seeded by (simulation seed, process name), which also gives the seed of
+    `Random()`.
+    """
     generator = process.state['random'] = process.sim.random(process.name)
     for name in DRAWING:
         view.__dict__[name] = getattr(generator, name)
@@ -45,7 +47,7 @@ def make_random(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_uuid(view: ModuleType, process: Process) -> ModuleType:
-    """`uuid1` and `uuid4` draw from a generator seeded by (simulation seed, process name)."""
+    """Make `uuid1` and `uuid4` use a generator seeded by (simulation seed, process name)."""
     import uuid
 
     generator = process.sim.random(f'{process.name}/uuid')
@@ -62,7 +64,7 @@ def make_uuid(view: ModuleType, process: Process) -> ModuleType:
 
 
 class NumpyView(ModuleType):
-    """Everything but `random` is the real numpy's; parts that numpy loads late come when they are asked for."""
+    """Everything except `random` comes from the real numpy; parts that numpy loads late are loaded on first use."""
 
     def __init__(self) -> None:
         super().__init__('numpy')
@@ -85,8 +87,8 @@ def make_numpy(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
-    """Return the module's functions draw from one generator, seeded by (simulation seed, process name), as do generators that are
-    made without a seed.
+    """Make the module's functions use one generator seeded by (simulation seed, process name). Generators without a seed use
+    it, too.
     """
     import numpy
 
@@ -100,7 +102,7 @@ def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
         state.seed(source.getrandbits(32) if seed is None else seed)
 
     class RandomState(numpy.random.RandomState):
-        """As `numpy.random.RandomState`; without a seed it is seeded from the process's generator."""
+        """The simulated `numpy.random.RandomState`: without a seed, it is seeded by the process's generator."""
 
         def __init__(self, seed: Any = None) -> None:
             super().__init__(source.getrandbits(32) if seed is None else seed)

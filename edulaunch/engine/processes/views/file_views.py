@@ -1,4 +1,4 @@
-"""Relative paths in a program that has a working folder of its own: for `os`, `os.path` and `io`."""
+"""Relative paths in `os`, `os.path` and `io` for a program with its own working folder."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ class Entry:
 
 
 class Listing:
-    """What `os.scandir` gives: an iterator that can be closed. The entries come in the order of their names: the order of a real
-    folder differs from one computer to the next.
+    """The result of `os.scandir`: an iterator that can be closed. The entries are in the order of their names, because the
+    order of a real folder differs between computers.
 
     :param shown: the folder as the program wrote it.
-    :param folder: where it is.
+    :param folder: its real path.
     """
 
     def __init__(self, shown: Any, folder: Any) -> None:
@@ -62,7 +62,7 @@ class Listing:
         self.close()
 
     def close(self) -> None:
-        """Stop before the end."""
+        """Stop the iteration before its end."""
         self._entries = iter(())
 
 
@@ -100,7 +100,7 @@ QUESTIONS = (
 
 
 def inside(path: Any) -> Any:
-    """Return a path as the running program means it: below its own folder, when it has changed there."""
+    """Return the path that the running program means, which starts in its own folder if it has changed to one."""
     folder = current_task().owner.cwd
     if folder is None or isinstance(path, int):
         return path
@@ -108,7 +108,7 @@ def inside(path: Any) -> Any:
 
 
 class PlainFunction:
-    """A function that stays one when it becomes an attribute of a class, as functions written in C do: `pathlib` counts on it."""
+    """A function that does not become a method as an attribute of a class, like functions in C; `pathlib` relies on this."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
@@ -119,9 +119,9 @@ class PlainFunction:
 
 
 class Relative(PlainFunction):
-    """A function of the real module, called with the paths that the program means.
+    """Calls a function of the real module with the paths that the program means.
 
-    :param paths: how many of its arguments are paths.
+    :param paths: the number of its arguments that are paths.
     """
 
     def __init__(self, function: Callable[..., Any], paths: int = 1) -> None:
@@ -161,7 +161,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     'walk': _walk,
     'scandir': PlainFunction(_scandir),
 }
-"""For the view of `os`; the same for all programs."""
+"""Functions for the view of `os`, which are the same for all programs."""
 
 
 def _relpath(path: Any, start: Any = os.curdir) -> Any:
@@ -188,7 +188,7 @@ def _make_path() -> ModuleType:
 
 
 PATH = _make_path()
-"""`os.path`: what looks at files looks from the folder of the program that asks, so that one serves all."""
+"""The view of `os.path`, which all programs share: its functions use the folder of the calling program."""
 
 
 def make_path(view: ModuleType, process: Process) -> ModuleType:
@@ -197,7 +197,7 @@ def make_path(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_io(view: ModuleType, process: Process) -> ModuleType:
-    """`io.open` is the program's own `open`, which `pathlib` uses, too."""
+    """Make `io.open` the program's own `open`, which `pathlib` uses, too."""
     view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
     copy_names(view, io)
     return view

@@ -1,5 +1,5 @@
-"""`builtins`, `importlib` and `pickle` of a simulated program: its own modules are found first, each where `import` statements
-find it.
+"""`builtins`, `importlib` and `pickle` of a simulated program: they find the program's own modules first, in the same places as
+`import` statements.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 
 def make_builtins(view: ModuleType, process: Process) -> ModuleType:
-    """`builtins` with the names that the program's code uses: it has its own additions and replacements."""
+    """Make a `builtins` with the names that the program's code uses, including its own additions and replacements."""
     view.__dict__.update(_private_builtins(process, process.loader.import_))
     return view
 
 
 def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
+    """Return Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
 
     def private_print(
         *values: object, sep: str | None = None, end: str | None = None, file: Any = None, flush: bool = False
@@ -76,7 +76,7 @@ SUBMODULES = ('metadata', 'resources', 'util')
 
 
 class ImportlibView(ModuleType):
-    """`importlib`, whose submodules of the program's own come when they are asked for."""
+    """A view of `importlib`, which loads the program's own versions of its submodules on first use."""
 
     def __init__(self, process: Process) -> None:
         super().__init__('importlib')
@@ -90,7 +90,7 @@ class ImportlibView(ModuleType):
 
 
 def make_importlib(view: ModuleType, process: Process) -> ModuleType:
-    """`import_module`, `reload` and `__import__` of this program."""
+    """Make an `importlib` with `import_module`, `reload` and `__import__` of this program."""
     loader = process.loader
 
     def import_module(name: str, package: str | None = None) -> ModuleType:
@@ -111,7 +111,7 @@ def make_importlib(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_resources(view: ModuleType, process: Process) -> ModuleType:
-    """`importlib.resources`: a package may be given by name, or left out, and is then this program's own."""
+    """Make an `importlib.resources` that finds this program's own packages, which may be given by name or left out."""
     import importlib.resources as real_resources
 
     def of_this_program(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -130,7 +130,9 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_util(view: ModuleType, process: Process) -> ModuleType:
-    """`importlib.util`, which finds the program's own modules; a module created from a spec runs as the program's own."""
+    """Make an `importlib.util` that finds the program's own modules. A module that is created from a spec belongs to the
+    program.
+    """
     import importlib.util as real_util
 
     loader = process.loader
@@ -162,8 +164,8 @@ NAMES = ('dump', 'dumps', 'load', 'loads', 'Pickler', 'Unpickler')
 
 
 def make_pickle(view: ModuleType, process: Process) -> ModuleType:
-    """Return the standard module, executed privately, with its functions in Python: those in C look for classes in modules that
-    all programs share.
+    """Execute the standard module privately with its Python functions, because those in C search classes in modules that all
+    programs share.
     """
     spec = PathFinder.find_spec('pickle')
     assert spec is not None and spec.origin is not None
@@ -177,7 +179,9 @@ def _pickler_class(pickle: Any) -> type:
     import datetime
 
     class Pickler(pickle._Pickler):  # type: ignore[misc]
-        """As `pickle.Pickler`. The real `datetime` and `date` are found under their names again as the program's."""
+        """The simulated `pickle.Pickler`: it saves the real `datetime` and `date` by name, so that loading returns the
+        program's classes.
+        """
 
         def save_global(self, obj: Any, name: str | None = None) -> None:
             """Write a class or function by name."""

@@ -25,7 +25,7 @@ LEFT_OUT = ('fork', 'forkpty', 'register_at_fork')
 """A simulated program cannot be copied by the operating system."""
 
 CPUS = 4
-"""Of the simulated machine: pools are as large on every real one."""
+"""The number of processors of the simulated machine, so that pools have the same size on every real one."""
 
 
 class Reader(io.StringIO):
@@ -36,14 +36,14 @@ class Reader(io.StringIO):
         self._status = status
 
     def close(self) -> Any:
-        """None for success, else the wait status."""
+        """Return None for success, otherwise the wait status."""
         super().close()
         return self._status or None
 
 
 def make_os(view: ModuleType, process: Process) -> ModuleType:
-    """`environ` is the process's own dict, and `urandom` repeats. `kill` reaches simulated processes by their simulated pid and
-    nothing else; `system` and `popen` are those of `subprocess`.
+    """Give the view its own `environ`, and a `urandom` that repeats. `kill` reaches only simulated processes by their simulated
+    pid, and `system` and `popen` use the view of `subprocess`.
     """
     chance: list[Any] = []
 
@@ -93,7 +93,7 @@ def _recorded_reads(process: Process) -> dict[str, Any]:
 
 
 def _files(process: Process) -> dict[str, Any]:
-    """Return the numbers 0, 1 and 2 are the process's own streams."""
+    """Return functions for file numbers, in which 0, 1 and 2 are the process's own streams."""
 
     def read(fd: int, length: int, /) -> bytes:
         return process.streams.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
@@ -115,7 +115,7 @@ def _files(process: Process) -> dict[str, Any]:
 
 
 def _commands(process: Process) -> dict[str, Any]:
-    """Shell lines, as the process's `subprocess` runs them."""
+    """Return functions that run shell lines through the process's `subprocess`."""
 
     def run(command: str, **options: Any) -> Any:
         subprocess: Any = process.loader.import_module('subprocess')
@@ -143,10 +143,10 @@ def _kill(process: Process, pid: int, signum: int) -> None:
 
 
 class SysView(ModuleType):
-    """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
+    """A view of `sys`. Everything that does not belong to the program is read from the real `sys` on each access."""
 
     def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
-        """Return a program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
+        """Return an ordinary module for a program that calls `type(sys)('name')`."""
         return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
 
     def __init__(self, process: Process) -> None:
@@ -164,7 +164,9 @@ class SysView(ModuleType):
         return getattr(sys, name)
 
     def private_path(self) -> tuple[list[str], list[str]]:
-        """Return the folders that this program put on its path: before the shared ones, and after the first of them."""
+        """Return the folders that this program added to its path: those before the shared ones, and those after the first of
+        them.
+        """
         first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
         return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
 
@@ -183,7 +185,7 @@ Function = TypeVar('Function', bound=Callable[..., object])
 
 
 def make_atexit(view: ModuleType, process: Process) -> ModuleType:
-    """`register` and `unregister` for this process."""
+    """Make an `atexit` with `register` and `unregister` for this process."""
     calls = process.lifecycle.exit_calls
 
     def register(function: Function, /, *arguments: Any, **options: Any) -> Function:

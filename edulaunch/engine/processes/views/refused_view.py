@@ -23,10 +23,10 @@ PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Ar
 
 
 def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
-    """Return a class, since programs derive from some of them, that raises when it is called."""
+    """Return a class that raises an error when it is called. It is a class because programs derive from some of them."""
 
     class Refused:
-        """Only its name is there."""
+        """A class of which only the name exists."""
 
         def __init__(self, *_: Any, **__: Any) -> None:
             raise with_facts(kind(text.format(name)), about, wanted=name)
@@ -36,7 +36,9 @@ def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
 
 
 def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
-    """Everything that would begin another process, or be shared with it, is refused; `cpu_count` is the simulated machine's."""
+    """Refuse everything that would start another process or share data with it. `cpu_count` is that of the simulated
+    machine.
+    """
     import multiprocessing as real
 
     view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})
@@ -46,7 +48,7 @@ def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
-    """`_tkinter`, which the whole of `tkinter` needs: opening a window raises `TclError`."""
+    """Make a `_tkinter`, which all of `tkinter` needs, in which opening a window raises `TclError`."""
     import _tkinter as real
 
     view.__dict__['create'] = _refused('create', real.TclError, NO_DISPLAY, SCREEN)
@@ -55,7 +57,7 @@ def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
 
 
 class TurtleView(ModuleType):
-    """`turtle`, of which an editor has imported something by accident: every public name is there."""
+    """A view of `turtle` with all public names, because editors sometimes import one of them by accident."""
 
     def __init__(self) -> None:
         super().__init__('turtle')
@@ -75,7 +77,7 @@ def make_turtle(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_metadata(view: ModuleType, process: Process) -> ModuleType:
-    """`importlib.metadata` knows what is installed for Python; a package of the workspace is not."""
+    """Make an `importlib.metadata` with the distributions of Python, to which a package of the workspace does not belong."""
     import importlib.metadata as real
 
     def of(ask: Callable[[str], Any]) -> Callable[[str], Any]:

@@ -1,4 +1,6 @@
-"""`subprocess` of a simulated program: `ros2 ...` and programs of packages run in the simulation, others for real."""
+"""`subprocess` of a simulated program: `ros2 ...` and programs of packages run in the simulation, and other programs run for
+real.
+"""
 
 from __future__ import annotations
 
@@ -15,14 +17,12 @@ if TYPE_CHECKING:
 
 
 def make_subprocess(view: ModuleType, process: Process) -> ModuleType:
-    """`Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`.
-
-    A real program that is waited for takes no simulated time; one that runs beside (`Popen`) keeps simulated time at the pace
-    of real time.
+    """Replace `Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`. Waiting for a real
+    program takes no simulated time. While a real program runs in the background (`Popen`), simulated time follows real time.
     """
 
     class Popen(Child):
-        """As `subprocess.Popen`."""
+        """The simulated `subprocess.Popen`."""
 
         def __init__(
             self,
@@ -96,7 +96,7 @@ def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
 
 
 def _really(process: Process, args: Any, input: Any, timeout: float | None, options: dict[str, Any]) -> Any:
-    """Run a program of this machine to its end; what it writes goes where the simulated program writes."""
+    """Run a program of this machine to its end, with the output streams of the simulated program."""
     complete = dict(options, cwd=options.get('cwd') or process.cwd, env=options.get('env') or dict(process.env))
     inherited = [stream for stream in ('stdout', 'stderr') if complete.get(stream) is None]
     complete.update(dict.fromkeys(inherited, real.PIPE))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def make_select(view: ModuleType, process: Process) -> ModuleType:
-    """`select.select` waits in simulated time; the program's input is ready while there is something left to read."""
+    """Make `select.select` wait in simulated time. The program's input is ready while it has more text."""
     import select as real
 
     def is_input(file: Any) -> bool:
@@ -46,7 +46,9 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_termios(view: ModuleType, process: Process) -> ModuleType:
-    """Return the attributes of the program's input; leaving canonical mode makes it a keyboard that is read key by key."""
+    """Make a `termios` with the attributes of the program's input. Without canonical mode, the program reads a keyboard key by
+    key.
+    """
     import termios as real
 
     cooked: list[Any] = [
@@ -74,7 +76,7 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
-    """`fcntl.fcntl` on the program's input: reading does not wait after O_NONBLOCK."""
+    """Make `fcntl.fcntl` work on the program's input: after O_NONBLOCK, reading does not wait."""
     import fcntl as real
     import os
 
@@ -91,7 +93,7 @@ def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_tty(view: ModuleType, process: Process) -> ModuleType:
-    """`setraw` and `setcbreak` for the program's input."""
+    """Make a `tty` with `setraw` and `setcbreak` for the program's input."""
     import tty as real
 
     def set_mode(clear: int) -> Callable[..., list[Any]]:
@@ -113,7 +115,7 @@ def make_tty(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_signal(view: ModuleType, process: Process) -> ModuleType:
-    """`signal.signal` installs a handler for this process; it is called as handler(signum, frame)."""
+    """Make `signal.signal` install a handler for this process, which is called as handler(signum, frame)."""
     handlers = process.signals.handlers
     installed: dict[int, Any] = {}
 
@@ -150,7 +152,7 @@ def make_signal(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _timer(process: Process) -> Callable[..., tuple[float, float]]:
-    """`setitimer` in simulated time."""
+    """Return a `setitimer` in simulated time."""
     alarm: list[Any] = []
 
     def setitimer(which: int, seconds: float, interval: float = 0.0, /) -> tuple[float, float]:
@@ -173,7 +175,7 @@ def _timer(process: Process) -> Callable[..., tuple[float, float]]:
 
 
 def _check(process: Process, signum: int, handler: Any) -> None:
-    """Raise what Python raises for a handler that cannot be installed."""
+    """Raise Python's error for a handler that cannot be installed."""
     if not (callable(handler) or handler in (signal.SIG_DFL, signal.SIG_IGN)):
         raise TypeError('signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object')
     if current_task() is not process.lifecycle.task:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Threads:
-    """The threads of one process: which task is which thread, and the numbers they get."""
+    """The threads of one process: their tasks and their numbers."""
 
     def __init__(self, process: Process) -> None:
         self.process = process
@@ -28,7 +28,7 @@ class Threads:
         self.main._begin(process.lifecycle.task)
 
     def next_number(self) -> int:
-        """Thread-1, Thread-2 ..."""
+        """Return the next number for names such as Thread-1."""
         self.count += 1
         return self.count
 
@@ -42,7 +42,7 @@ class Threads:
 
 
 def make_threading(view: ModuleType, process: Process) -> ModuleType:
-    """Threads, locks, conditions, events, timers and thread-local data of this process."""
+    """Make a `threading` with threads, locks, conditions, events, timers and thread-local data of this process."""
     threads = process.state['threads'] = Threads(process)
     current = threads.current
     view.__dict__.update(
@@ -80,7 +80,7 @@ def _threads_here() -> Threads:
 
 
 class Thread:
-    """As `threading.Thread`: a task of the process that makes it."""
+    """The simulated `threading.Thread`: a task of the process that creates it."""
 
     def __init__(
         self,
@@ -139,7 +139,7 @@ class Thread:
         self._threads.by_task[task] = self
 
     def run(self) -> None:
-        """What the thread does: calls its target."""
+        """Call the target of the thread."""
         if self._target is not None:
             self._target(*self._args, **self._kwargs)
 
@@ -157,7 +157,7 @@ class Thread:
             waiting.park(deadline)
 
     def is_alive(self) -> bool:
-        """Return whether it has begun and not ended."""
+        """Return whether the thread has begun and not ended."""
         return self._started and self._task is not None and not self._task.finished
 
     def isDaemon(self) -> bool:
@@ -182,7 +182,7 @@ class MainThread(Thread):
 
 
 class Timer(Thread):
-    """As `threading.Timer`."""
+    """The simulated `threading.Timer`."""
 
     def __init__(
         self,
@@ -197,18 +197,18 @@ class Timer(Thread):
         self.finished = sync.Event()
 
     def cancel(self) -> None:
-        """Let it never call."""
+        """Cancel the call."""
         self.finished.set()
 
     def run(self) -> None:
-        """Wait, then call."""
+        """Wait for the interval, then call the function."""
         if not self.finished.wait(self.interval):
             self.function(*self.args, **self.kwargs)
         self.finished.set()
 
 
 class Barrier(real.Barrier):
-    """Python's own barrier, waiting in simulated time."""
+    """Python's own barrier, which waits in simulated time."""
 
     def __init__(self, parties: int, action: Callable[[], object] | None = None, timeout: float | None = None) -> None:
         super().__init__(parties, action, timeout)  # type: ignore[arg-type]
@@ -216,7 +216,7 @@ class Barrier(real.Barrier):
 
 
 class local:
-    """As `threading.local`: each thread has values of its own, for which `__init__` of a subclass is called again."""
+    """The simulated `threading.local`: each thread has its own values, for which `__init__` of a subclass is called again."""
 
     def __new__(cls, *arguments: Any, **options: Any) -> local:
         made = super().__new__(cls)
@@ -225,7 +225,7 @@ class local:
         return made
 
     def __init__(self, *_: Any, **__: Any) -> None:
-        """Nothing to begin with."""
+        """Start without values."""
 
     def __getattribute__(self, name: str) -> Any:
         if name == '__dict__':
@@ -245,7 +245,7 @@ class local:
 
 
 def _values(data: local) -> dict[str, Any]:
-    """Return what the running thread keeps there."""
+    """Return the values of the running thread."""
     values: dict[Any, dict[str, Any]] = object.__getattribute__(data, '_edulaunch_values')
     thread = _threads_here().current()
     if thread not in values:
@@ -256,7 +256,7 @@ def _values(data: local) -> dict[str, Any]:
 
 
 def _print_exception(args: Any, /) -> None:
-    """As `threading.excepthook`; a traceback shows frames of the program only."""
+    """Do the same as `threading.excepthook`, but show only frames of the program in the traceback."""
     from edulaunch.engine.processes.traceback_text import student_traceback
 
     if args.exc_type is not SystemExit:
@@ -265,7 +265,7 @@ def _print_exception(args: Any, /) -> None:
 
 
 class _SimulatedWaiting:
-    """Python's own queue classes, with simulated locks and conditions put in; their logic is used as it is."""
+    """Python's own queue classes with simulated locks and conditions; their logic is unchanged."""
 
     def __init__(self, maxsize: int = 0) -> None:
         self.maxsize = maxsize
@@ -278,7 +278,7 @@ class _SimulatedWaiting:
         self.is_shutdown = False
 
     def put(self, item: Any, block: bool = True, timeout: float | None = None) -> None:
-        """As `queue.Queue.put`."""
+        """Do the same as `queue.Queue.put`."""
         with self.not_full:
             if self.maxsize > 0 and not self._wait(self.not_full, lambda: self._qsize() < self.maxsize, block, timeout):  # type: ignore[attr-defined]
                 raise queue.Full
@@ -287,7 +287,7 @@ class _SimulatedWaiting:
             self.not_empty.notify()
 
     def get(self, block: bool = True, timeout: float | None = None) -> Any:
-        """As `queue.Queue.get`."""
+        """Do the same as `queue.Queue.get`."""
         with self.not_empty:
             if not self._wait(self.not_empty, lambda: self._qsize() > 0, block, timeout):  # type: ignore[attr-defined]
                 raise queue.Empty
@@ -303,19 +303,19 @@ class _SimulatedWaiting:
 
 
 class Queue(_SimulatedWaiting, queue.Queue):  # type: ignore[type-arg, misc]
-    """As `queue.Queue`, waiting in simulated time."""
+    """The simulated `queue.Queue`, which waits in simulated time."""
 
 
 class LifoQueue(_SimulatedWaiting, queue.LifoQueue):  # type: ignore[type-arg, misc]
-    """As `queue.LifoQueue`, waiting in simulated time."""
+    """The simulated `queue.LifoQueue`, which waits in simulated time."""
 
 
 class PriorityQueue(_SimulatedWaiting, queue.PriorityQueue):  # type: ignore[type-arg, misc]
-    """As `queue.PriorityQueue`, waiting in simulated time."""
+    """The simulated `queue.PriorityQueue`, which waits in simulated time."""
 
 
 def make_queue(view: ModuleType, process: Process) -> ModuleType:
-    """Return all queue classes wait in simulated time; `SimpleQueue` is a `Queue` without a limit."""
+    """Make all queue classes wait in simulated time; `SimpleQueue` is a `Queue` without a limit."""
     view.__dict__.update(Queue=Queue, LifoQueue=LifoQueue, PriorityQueue=PriorityQueue, SimpleQueue=Queue)
     copy_names(view, queue)
     return view

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 
 def make_time(view: ModuleType, process: Process) -> ModuleType:
-    """Clocks read the simulated time (counted as a poll, so that a loop that only looks is moved on); `sleep` lets it pass."""
+    """Make clocks read simulated time, and `sleep` let it pass. Each reading counts as a poll, so that a loop that only reads
+    the clock does not run forever.
+    """
     sim = process.sim
 
     def time_ns() -> int:
@@ -78,14 +80,14 @@ def _sleep_of(process: Process) -> Any:
 
 
 class _RealInstances(type):
-    """isinstance() with one of our classes accepts what the real class made."""
+    """A metaclass with which isinstance() also accepts instances of the real class."""
 
     def __instancecheck__(cls, instance: object) -> bool:
         return isinstance(instance, cls.__mro__[1])
 
 
 def make_datetime(view: ModuleType, process: Process) -> ModuleType:
-    """Return the time in UTC as local time, so that a run does not depend on the machine's time zone."""
+    """Make a `datetime` whose local time is UTC, so that a run does not depend on the machine's time zone."""
     sim = process.sim
 
     def now() -> real_datetime.datetime:
@@ -99,7 +101,7 @@ def make_datetime(view: ModuleType, process: Process) -> ModuleType:
 
 def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
     class datetime(real_datetime.datetime, metaclass=_RealInstances):
-        """As `datetime.datetime`."""
+        """The simulated `datetime.datetime`."""
 
         def __reduce_ex__(self, protocol: Any) -> Any:
             return real_datetime.datetime, real_datetime.datetime.__reduce_ex__(self, protocol)[1]
@@ -133,7 +135,7 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
 def _date(now: Callable[[], real_datetime.datetime]) -> type:
     class date(real_datetime.date, metaclass=_RealInstances):
-        """As `datetime.date`."""
+        """The simulated `datetime.date`."""
 
         def __reduce_ex__(self, protocol: Any) -> Any:
             return real_datetime.date, real_datetime.date.__reduce_ex__(self, protocol)[1]
