@@ -127,9 +127,7 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
 
 
 def _what_colcon_does(folder: str) -> str:
-    """Describe what colcon does with a folder without a usable package.xml: it builds a Python or CMake package that ROS 2 does
-    not find.
-    """
+    """Return what colcon does with a folder without a usable package.xml, as a sentence."""
     for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
         if os.path.isfile(os.path.join(folder, file)):
             return f'colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
@@ -137,9 +135,7 @@ def _what_colcon_does(folder: str) -> str:
 
 
 def _guess_build_type(folder: str) -> str:
-    """Return the build type of a package that does not name one: ament_cmake, as in ROS, or ament_python if there is only a
-    setup.py.
-    """
+    """Return the build type of a package that names none: ament_python with a lone setup.py, otherwise ament_cmake."""
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
     return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
 
@@ -150,8 +146,7 @@ _MAX_FOLDERS = 5000
 
 
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
-    """Return the folders below (or equal to) `workspace` that have a package.xml, the shallow ones first, then in alphabetical
-    order.
+    """Return the folders below (or equal to) `workspace` that have a package.xml, sorted by depth and name.
 
     The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
     COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`

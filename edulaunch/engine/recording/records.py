@@ -19,9 +19,7 @@ PARAMETER_SERVICES = (
 
 
 class DeclaredArgument(NamedTuple):
-    """A launch argument as the launch files declare it; `default` has the form of `ros2 launch -s`. A required argument has
-    None.
-    """
+    """A launch argument of the launch files; `default` has the form of `ros2 launch -s`, or None if it is required."""
 
     name: str
     default: str | None
@@ -111,9 +109,7 @@ class NodeRecord(NamedTuple):
 
 
 class EndRecord(NamedTuple):
-    """A publisher, subscription, service or client (`kind`) of the run: its absolute name, its type, its node, and the time of
-    its creation.
-    """
+    """A publisher, subscription, service or client (`kind`): absolute name, type, node, and time of creation."""
 
     kind: str
     name: str
@@ -124,9 +120,7 @@ class EndRecord(NamedTuple):
 
 
 class TopicRecord(NamedTuple):
-    """A topic: its (first) type, the fully qualified names of its publishers and subscribers, and the number of its
-    messages.
-    """
+    """A topic: its (first) type, its publishers and subscribers (fully qualified names), and its number of messages."""
 
     name: str
     type: str
