@@ -1,5 +1,6 @@
 """The messages that a client of the Foxglove WebSocket protocol may send. This module checks everything, and refuses an invalid
-message with a sentence. A client may be hostile, so the size of messages, the length of lists and the range of numbers are
+message with an error message. A client may be hostile, so the size of messages, the length of lists and the range of numbers
+are
 limited.
 """
 

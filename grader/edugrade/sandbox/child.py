@@ -1,7 +1,6 @@
 """The confined peer of one run: launches the submission, and has a link to the trusted peer. `starter.py` loads this module. It
 confines itself before it reads the student's file, imports nothing of edugrade, and records nothing. It also has a pipe for
-messages about its end: each one is a frame of a letter, eight bytes of length, and JSON (see
-`trusted_peer.py`).
+messages about its end. Each one is a frame of a letter, eight bytes of length, and JSON (see `trusted_peer.py`).
 """
 
 from __future__ import annotations

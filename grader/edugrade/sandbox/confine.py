@@ -110,7 +110,8 @@ class Confinement:
 def _tried(act: Callable[[], int | None]) -> int | str:
     """Call a function. Return HELD, or why it failed.
 
-    :raises OSError: when the computer only has too little of something now. No run may go on without a layer for this reason.
+    :raises OSError: when the computer only has too little of something now. A run must not continue without a layer for this
+        reason.
     """
     try:
         return act() or 0
