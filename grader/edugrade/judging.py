@@ -201,7 +201,8 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
         return results
     kept = _with_last_line(results, evidence)
     has_died = any(map(_is_death, kept))
-    findings = _findings(evidence, has_died)
+    found = _findings(evidence, has_died)
+    findings = [finding for finding in found if not any(_is_said(finding, result) for result in kept)]
     for is_about in (_is_near, _is_named, _is_there):  # a finding belongs to the check that fits best
         for position, result in enumerate(kept):
             if result.status != FAILED or result.cause is not None:
@@ -210,7 +211,8 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
             if cause is not None:
                 findings.remove(cause)
                 kept[position] = replace(result, cause=cause)
-    return kept if has_died or any(result.cause for result in kept) else _with_worst(kept, findings)
+    is_explained = has_died or len(findings) < len(found) or any(result.cause for result in kept)
+    return kept if is_explained else _with_worst(kept, findings)
 
 
 def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
@@ -253,6 +255,13 @@ def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[
         else result
         for result in results
     ]
+
+
+def _is_said(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a failed check itself reports the missing parameter file, with an action that fits its package."""
+    return (
+        finding.rule == 'launch.parameter-file-absent' and result.status == FAILED and str(finding.facts['path']) in result.reason
+    )
 
 
 def _is_near(finding: Finding, result: CheckResult) -> bool:

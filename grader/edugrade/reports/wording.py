@@ -164,7 +164,7 @@ def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int
 
 LONGEST_TEXT = 8000
 _ENGINE = os.path.join(engine_folder(), '')
-_WORD = re.compile(r'[^\s\'"]+')
+_WORD = re.compile(r'[^\s\'"()\[\]<>]+')
 # edulaunch runs the files of a source package from a generated prefix, which links to them under this path.
 _INSTALLED = re.compile(r'edulaunch-\w+/[^\s/]+-[0-9a-f]{8}/share/(?P<package>\w+)/')
 _HOME = re.compile(r'edugrade-[0-9a-f]{16}/\d+')  # the private folder of a run

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from . import landlock, seccomp, view
 from .allowance import VIEW
-from .system import IS_LINUX, MOMENTARY, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, libc, prctl
+from .system import FAULTS, IS_LINUX, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, libc, prctl
 
 HELD = 'held'
 LAYERS = {
@@ -110,13 +110,13 @@ class Confinement:
 def _tried(act: Callable[[], int | None]) -> int | str:
     """Call a function. Return HELD, or why it failed.
 
-    :raises OSError: when the computer only has too little of something now. A run must not continue without a layer for this
-        reason.
+    :raises OSError: when the computer has too little of something now, or its disk fails. A run must not continue without a
+        layer for this reason.
     """
     try:
         return act() or 0
     except OSError as error:
-        if error.errno in MOMENTARY:
+        if error.errno in FAULTS:
             raise
         return error.strerror or str(error)
 

@@ -5,6 +5,7 @@ or connect to.
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import stat
 from collections.abc import Sequence
@@ -23,6 +24,7 @@ NEWEST = 6  # features of later versions are not used
 RIGHTS = {1: (1 << 13) - 1, 2: (1 << 14) - 1, 3: (1 << 15) - 1, 4: (1 << 15) - 1, 5: (1 << 16) - 1, 6: (1 << 16) - 1}
 BIND_AND_CONNECT_TCP = 3
 ABSTRACT_SOCKETS_AND_SIGNALS = 3
+OUT_OF_REACH = frozenset({errno.ENOENT, errno.ENOTDIR, errno.EACCES, errno.ELOOP, errno.ENAMETOOLONG})
 
 
 class _Ruleset(ctypes.Structure):
@@ -44,13 +46,17 @@ def version() -> int:
 
 
 def open_paths(paths: Sequence[str]) -> list[int]:
-    """Open descriptors for these paths, without the paths that do not exist."""
+    """Open descriptors for these paths, without the paths that do not exist or cannot be reached.
+
+    :raises OSError: when the computer cannot open one that may be there. A run without it would blame its submission.
+    """
     found = []
     for path in paths:
         try:
             found.append(os.open(path, os.O_PATH | os.O_CLOEXEC))
-        except OSError:
-            continue
+        except OSError as error:
+            if error.errno not in OUT_OF_REACH:
+                raise
     return found
 
 

@@ -13,8 +13,11 @@ from typing import Any
 PR_SET_PDEATHSIG, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, PR_SET_CHILD_SUBREAPER = 1, 24, 38, 36
 IS_LINUX = sys.platform.startswith('linux')
 
-MOMENTARY = frozenset({errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE})
-"""Errors of a computer that has too little of something now. They do not mean that the system lacks a function."""
+FAULTS = frozenset({errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE, errno.EIO})
+"""Errors of a computer that has too little of something now, or whose disk fails.
+
+They do not mean that the system lacks a function.
+"""
 PAUSES_S = (0.01, 0.03, 0.1, 0.3)
 
 libc = ctypes.CDLL(None, use_errno=True)

@@ -44,6 +44,7 @@ def test_an_installed_file_of_the_package_is_shown_as_its_source() -> None:
     paths = ShortPaths('/w/robot', 'robot/', 'robot')
     assert paths.place(Place(f'{IMAGE}robot/launch/a.launch.py', 3)) == ('robot/launch/a.launch.py', 3)
     assert paths.text(f"cannot read '{IMAGE}robot/b'") == "cannot read 'robot/b'"
+    assert paths.text(f'no value ({IMAGE}robot/b:5)') == 'no value (robot/b:5)'
 
 
 def test_an_installed_file_of_another_package_is_named_after_it() -> None:

@@ -161,9 +161,9 @@ PARAMETERS = [
     ('<param name="p" value="1" type="float"/>', {'p': 1.0}),
     ('<param name="p" value="1" type="str"/>', {'p': '1'}),
     ("""<param name="p" value="'1'"/>""", {'p': '1'}),
-    ('<param name="p" value="1,2" value-sep=","/>', {'p': (1, 2)}),
-    ('<param name="p" value="a;b" value-sep=";"/>', {'p': ('a', 'b')}),
-    ('<param name="p" value="[1.0, 2.0]" type="list_of_float"/>', {'p': (1.0, 2.0)}),
+    ('<param name="p" value="1,2" value-sep=","/>', {'p': [1, 2]}),
+    ('<param name="p" value="a;b" value-sep=";"/>', {'p': ['a', 'b']}),
+    ('<param name="p" value="[1.0, 2.0]" type="list_of_float"/>', {'p': [1.0, 2.0]}),
     (
         ('<param name="g"><param name="a" value="1"/><param name="b"><param name="c" value="x"/></param></param>'),
         {'g.a': 1, 'g.b.c': 'x'},
@@ -224,7 +224,7 @@ def test_seconds_are_neither_negative_nor_substitutions(failure_of, name):
     [
         ('{name: p, value: 1}', {'p': 1}),
         ('{name: p, value: "1"}', {'p': '1'}),
-        ('{name: p, value: [a, b]}', {'p': ('a', 'b')}),
+        ('{name: p, value: [a, b]}', {'p': ['a', 'b']}),
         ('{name: p, value: $(var i)}', {'p': 7}),
         ('{name: g, param: [{name: a, value: true}]}', {'g.a': True}),
     ],
