@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+import sys
 from collections.abc import Iterator, Mapping
 from math import isfinite
 from typing import Any, NamedTuple
@@ -129,8 +130,6 @@ def _files(folder: str, name: str) -> Iterator[str]:
 
 def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
     """Return the content of a progress file. Raise OSError or ValueError, with fixed messages, for an invalid file."""
-    import sys
-
     if sys.version_info >= (3, 11):
         import tomllib
     else:

@@ -15,6 +15,7 @@ from .job import CAN_FORK, GradingJob, Limits
 from .rubrics.catalogue import find_rubric
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
+from .worker import Exceeded
 
 if TYPE_CHECKING:
     from .evidence import Outcome, Scenario
@@ -138,7 +139,6 @@ def runner_here(
 def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: Sequence[str]) -> Report:
     from .judging import broken, judge, judged, no_mark, too_much
     from .results import FAILED, Report
-    from .worker import Exceeded
 
     def again(scenarios: Sequence[Scenario]) -> list[Outcome]:
         return runner.wait(runner.add(work.submission, scenarios, workspaces, is_next=True))

@@ -5,6 +5,7 @@ the same as in a confined run.
 
 from __future__ import annotations
 
+import collections
 import os
 import sys
 import traceback
@@ -93,8 +94,6 @@ def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> O
 
 def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]:
     """Return the contents of the bags that programs write after Ctrl-C."""
-    import collections
-
     from edulaunch.engine.interfaces import current_registry
     from edulaunch.ros.serialization.cdr import encode
 

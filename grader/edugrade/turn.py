@@ -5,6 +5,7 @@ exercise, and it never ends in a traceback.
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
@@ -70,8 +71,6 @@ def _of_values(name: str, rubric: Rubric, names: Mapping[str, Any]) -> Report:
 
 
 def _text_of(value: object) -> str:
-    import inspect
-
     try:
         return inspect.getsource(value)  # type: ignore[arg-type]
     except (OSError, TypeError):

@@ -8,7 +8,7 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.plan.assumptions import Assumptions
+from edulaunch.advice.plan.assumptions import Assumptions, include_if_there
 from edulaunch.advice.plan.rehearsal import (
     TURN_LIMIT_S,
     ImaginedLifecycles,
@@ -164,7 +164,6 @@ class Planner:
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
         from launch.launch_service import LaunchService
 
-        from edulaunch.advice.plan.assumptions import include_if_there
         from edulaunch.advice.plan.watching import Watch
 
         launch.logging.launch_config.dry = True

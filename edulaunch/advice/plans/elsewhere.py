@@ -8,9 +8,10 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.errors.launch_files import IS_TEST, NOT_STARTED, RUN_TEST
+from edulaunch.advice.errors.launch_files import IS_TEST, NOT_STARTED, RUN_TEST, misspelt
 from edulaunch.advice.errors.missing_values import MODELS
 from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.engine.packages.absent import absent_kind, absent_module_kind
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
@@ -171,14 +172,10 @@ def _first(pattern: re.Pattern[str], text: str) -> str | None:
 
 def _is_of_others(module: str) -> bool:
     """Return whether a module is neither one of launch, nor nearly one."""
-    from edulaunch.advice.errors.launch_files import misspelt
-
     return misspelt(module) is None
 
 
 def _kind(package: str | None, module: str | None) -> str | None:
-    from edulaunch.engine.packages.absent import absent_kind, absent_module_kind
-
     return absent_kind(package) if package else absent_module_kind((module or '').partition('.')[0])
 
 

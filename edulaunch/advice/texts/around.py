@@ -7,6 +7,11 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.nearest import nearest_spelling
+from edulaunch.engine.packages import Index
+from edulaunch.engine.packages.discovery import find_workspaces, install_folders
+from edulaunch.engine.packages.index import interfaces_of
+
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
 
@@ -27,15 +32,11 @@ class Around:
     @cached_property
     def workspaces(self) -> list[str]:
         """Folders with packages."""
-        from edulaunch.engine.packages.discovery import find_workspaces
-
         return self._workspaces or find_workspaces(os.path.dirname(self.path), self._env, self.path)
 
     @cached_property
     def index(self) -> Index:
         """The packages."""
-        from edulaunch.engine.packages import Index
-        from edulaunch.engine.packages.discovery import install_folders
         from edulaunch.ros.sources import read_source
 
         built, sources = install_folders(self.workspaces)
@@ -44,8 +45,6 @@ class Around:
     @cached_property
     def registry(self) -> Any:
         """The messages, services and actions of all packages."""
-        from edulaunch.engine.packages.index import interfaces_of
-
         return interfaces_of(self.index)[1]
 
     @cached_property
@@ -73,8 +72,6 @@ class Around:
 
     def unknown_package(self, package: str) -> dict[str, Any] | None:
         """Return what is known of a package that is misspelt; None for one that is there, or that may be somewhere else."""
-        from edulaunch.engine.nearest import nearest_spelling
-
         if package in self.packages or self.index.absent(package) is not None:
             return None
         near = nearest_spelling(package, self.packages)

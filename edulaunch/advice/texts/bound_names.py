@@ -15,6 +15,7 @@ from edulaunch.advice.launch_names import MODULES, names_in
 from edulaunch.advice.rule import Failure
 from edulaunch.advice.texts.syntax import Foreseen
 from edulaunch.advice.texts.text import Span, Text
+from edulaunch.engine.nearest import nearest, nearest_spelling
 
 OF_LAUNCH = frozenset(('ament_index_python', 'launch', 'launch_ros', 'launch_xml', 'launch_yaml'))
 ALWAYS = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__package__', '__spec__', '__loader__', '__builtins__'))
@@ -147,8 +148,6 @@ def has_name(module: str, name: str) -> bool:
 
 def interface_imports(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterator[Foreseen]:
     """Messages, services and actions that a package with interfaces does not have."""
-    from edulaunch.engine.nearest import nearest_spelling
-
     for node in ast.walk(tree):
         if not (isinstance(node, ast.ImportFrom) and node.module and not node.level):
             continue
@@ -169,8 +168,6 @@ def interface_imports(text: Text, tree: ast.Module, process: str, registry: Any)
 
 
 def _no_interface(text: Text, node: ast.ImportFrom, alias: ast.alias, known: list[str], process: str, registry: Any) -> Foreseen:
-    from edulaunch.engine.nearest import nearest
-
     facts = {
         'about': 'messages.no-interface',
         'interface': alias.name,

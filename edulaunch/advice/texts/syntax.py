@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from edulaunch.advice.errors.python_syntax import QUOTES, STRAIGHT
 from edulaunch.advice.rule import Failure
-from edulaunch.advice.texts.edits import Edit, Edits, inserted
+from edulaunch.advice.texts.edits import Edit, Edits, applied, inserted
 from edulaunch.advice.texts.text import Span, Text
 
 
@@ -82,8 +82,6 @@ def _tries(text: Text, said: str, line: int, span: Span) -> Iterator[Edits]:
 
 def _reads(text: str, edits: Edits, line: int) -> bool:
     """Return whether Python reads the edited text beyond that line."""
-    from edulaunch.advice.texts.edits import applied
-
     try:
         ast.parse(applied(text, edits))
     except SyntaxError as error:

@@ -8,6 +8,8 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+from edugrade.files import files_below
+
 from edulaunch.course.copying import student_files, write_zip
 from edulaunch.engine.underlay_place import engine_folder
 from edulaunch.errors import UnusableInput
@@ -68,7 +70,6 @@ def _engine() -> dict[str, bytes]:
     greenlet."""
     import edugrade
     import yaml
-    from edugrade.files import files_below
     from edugrade.rubrics.catalogue import rubrics_folder
 
     grader, parser = (os.path.dirname(os.path.abspath(str(module.__file__))) for module in (edugrade, yaml))

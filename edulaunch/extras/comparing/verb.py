@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime.session import index_for
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -76,7 +77,6 @@ def _items(arguments: argparse.Namespace) -> list[tuple[str, ...]]:
     :raises UnusableInput: for a folder or package without launch files.
     """
     from edulaunch.extras.comparing.sweep import launch_files
-    from edulaunch.runtime.session import index_for
 
     target, rest = arguments.target, arguments.rest
     paths = [word for word in (target, *rest) if ':=' not in word]

@@ -10,6 +10,7 @@ from edulaunch.advice.texts import Around, Span, Text
 from edulaunch.extras.editor.pointing import declarations
 from edulaunch.extras.editor.programs import frames, interface_of
 from edulaunch.extras.editor.subjects import Subject, subject_at
+from edulaunch.ros.sourcing import source
 
 
 class Choice(NamedTuple):
@@ -82,8 +83,6 @@ def _interface_modules(subject: Subject, text: Text, around: Around) -> list[Cho
 
 
 def _elements(subject: Subject, text: Text, around: Around) -> list[Choice]:
-    from edulaunch.ros.sourcing import source
-
     source()
     from launch.frontend.expose import action_parse_methods
     from launch.frontend.parser import Parser

@@ -12,7 +12,7 @@ from edulaunch.advice.run_sources import name_of_call
 from edulaunch.advice.texts import Around
 from edulaunch.advice.texts.bound_names import text_of
 from edulaunch.ros.sources.missing import source_package
-from edulaunch.ros.sources.source_package import main_of, module_file, parsed
+from edulaunch.ros.sources.source_package import main_of, module_file, parsed, source_packages
 
 MOMENT_S = 0.5
 _FRAME = re.compile(r"""frame_id\s*=\s*['"]([\w/]+)['"]|frame-id['"]?,\s*['"]([\w/]+)['"]""")
@@ -110,8 +110,6 @@ def _python_files(around: Around) -> list[str]:
 
 
 def _files(around: Around) -> list[str]:
-    from edulaunch.ros.sources.source_package import source_packages
-
     found = [os.path.realpath(path) for package in source_packages(around.index) for path in package.files()]
     beside = os.path.dirname(around.path)
     names = os.listdir(beside) if os.path.isdir(beside) else []

@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -85,7 +86,6 @@ def main() -> None:
     out = os.fdopen(os.dup(1), 'w', encoding='utf-8')
     os.dup2(2, 1)  # discard the output of the launch file
     folders = [os.path.dirname(job['path']), *job['workspaces']]
-    import tempfile
 
     from edulaunch.ros.sourcing import source
 

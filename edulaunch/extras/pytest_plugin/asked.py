@@ -153,8 +153,6 @@ def load_everything() -> None:
     After each inner run, `pytester` forgets the modules imported in it, but packages still refer to them.
     Without this function, many classes would exist twice.
     """
-    from edulaunch.ros.sourcing import source
-
     source()
     for package in LAZY_PACKAGES:
         for found in pkgutil.walk_packages(import_module(package).__path__, f'{package}.'):

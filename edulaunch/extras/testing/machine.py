@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import builtins
 import sys
+import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib.abc import Loader as ImportLoader
@@ -105,8 +106,6 @@ class TestMachine:
         self._imports.install()
         watchdog = self.session.host.watchdog
         if watchdog is not None:
-            import threading
-
             watchdog.thread = threading.get_ident()
 
     def close(self) -> None:

@@ -18,6 +18,7 @@ import pytest
 
 from edulaunch.extras.testing import is_of_own_package
 from edulaunch.extras.testing.machine import TestMachine
+from edulaunch.ros.sourcing import source
 
 MACHINE = pytest.StashKey[TestMachine]()
 
@@ -25,10 +26,6 @@ MACHINE = pytest.StashKey[TestMachine]()
 def machine_of(config: pytest.Config) -> TestMachine:
     """Return the machine of this run of pytest, which is opened at first use."""
     if MACHINE not in config.stash:
-        import sys
-
-        from edulaunch.ros.sourcing import source
-
         source()
         option = {
             **vars(config.known_args_namespace),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import io
 import shlex
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
@@ -210,8 +211,6 @@ def _picture(recording: Recording, is_small: bool) -> Markup | None:
 
 def _with_few_colours(png: bytes) -> bytes:
     """Return the same picture with a fifth of the bytes."""
-    import io
-
     from PIL import Image
 
     with Image.open(io.BytesIO(png)) as image, io.BytesIO() as file:

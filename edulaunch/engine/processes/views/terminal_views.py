@@ -78,7 +78,6 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
 def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
     """Make `fcntl.fcntl` work on the program's input: after O_NONBLOCK, reading does not wait."""
     import fcntl as real
-    import os
 
     def fcntl(fd: Any, cmd: int, arg: Any = 0, /) -> Any:
         if fd is not process.streams.stdin and fd not in (0, 1, 2):

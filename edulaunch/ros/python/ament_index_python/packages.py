@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from typing import TYPE_CHECKING
 
 from edulaunch.engine.facts import with_facts
@@ -64,8 +65,6 @@ def _share(package_name: str, called: str | None) -> str:
     """Return the share folder; unless it is `called` nothing, a warning says that it is missing."""
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
-        import warnings
-
         warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)
     return path
 

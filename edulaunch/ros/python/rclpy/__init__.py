@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.ros.passed_on import passed_on
 from rclpy.context import Context
+from rclpy.impl.refusals import check_executor
 from rclpy.parameter import Parameter
 from rclpy.process_state import process_state
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
@@ -185,8 +186,6 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     if executor is None:
         executor = get_global_executor()
     elif not hasattr(executor, 'spinner'):
-        from rclpy.impl.refusals import check_executor
-
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor.spinner is not None and executor.note_nested_spin():
         from rclpy.impl.facts import note_spin, note_wait

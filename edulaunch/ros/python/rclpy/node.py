@@ -15,6 +15,7 @@ from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.entity import Handle
+from rclpy.impl.facts import odd_facts
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.own_names import AT_START, check_own_names, private_names
 from rclpy.impl.rcutils_logger import RcutilsLogger
@@ -210,8 +211,6 @@ _finish_node_class()
 
 def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield facts about the node when it is destroyed, or at the end of the recording."""
-    from rclpy.impl.facts import odd_facts
-
     yield from odd_facts(node._rclpy)
     yield from private_names(node)
 

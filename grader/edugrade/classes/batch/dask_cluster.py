@@ -19,7 +19,7 @@ from edulaunch.runtime.version import __version__
 
 from ...faults import REPORT_IT
 from ...files import read_regular
-from ...grading import COPIED, Work, is_copied
+from ...grading import COPIED, Work, is_copied, progress_bar
 from ...results import BROKEN_GRADER
 from .entries import Entry
 from .store import Store
@@ -57,7 +57,6 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
             for number, (entry, work) in enumerate(todo)
             if not is_copied(work)
         }
-        from ...grading import progress_bar
 
         with progress_bar(len(entries)) as advance:
             for future in as_completed(entries, loop=client.loop):

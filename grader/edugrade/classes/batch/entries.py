@@ -13,7 +13,7 @@ from ...files import read_regular
 from ...sandbox.remove_tree import remove_tree
 from ...submission import ENDINGS, LARGEST_BYTES, exercise_of, package_at
 from ...worker import TooLong, cpu_limit
-from .students import ARCHIVES, Student, namer, plain_name
+from .students import ARCHIVES, Student, clone_all, namer, plain_name
 from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
 
 DEEPEST = 8  # levels of folders below the given one
@@ -82,8 +82,6 @@ class Finder:
         """
         given = self._given
         if given.lower().endswith('.csv') and os.path.isfile(given):
-            from .students import clone_all
-
             return [entry for row in clone_all(given, os.path.join(self._unpacked, 'table')) for entry in self._of_row(*row)]
         if given.lower().endswith(ARCHIVES) and os.path.isfile(given):
             unpack(given, os.path.join(self._unpacked, 'all'), OF_A_CLASS)

@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 
 from ...faults import ComputerFault, words_of
 from ...files import write_whole
-from ...grading import Work, grade, plan_work
+from ...grading import Work, grade, plan_work, progress_bar
 from ...job import Limits
 from ...options import is_personal
 from ...reports.document import document, receipt
@@ -22,7 +22,7 @@ from ...rubric import NoSuchCheck
 from ...submission import Submission
 from ...variant import CourseSecret
 from .entries import Entry
-from .store import Result, Store
+from .store import Result, Store, merged
 
 
 class Options(NamedTuple):
@@ -113,8 +113,6 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
 
 def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
     """Grade on this machine, with `jobs` parallel runs."""
-    from ...grading import progress_bar
-
     works = [work for _, work in todo]
     with progress_bar(sum(len(work.scenarios) for work in works)) as advance:
         reports = grade(works, options.limits, options.workspaces, advance, options.jobs)
@@ -149,7 +147,5 @@ def keep_document(store: Store, entry: Entry, found: Result, options: Options) -
     """Write the result of a submission. A single check that was graded again is merged into the existing result."""
     earlier = store.result(entry) if options.only else None
     if options.only and earlier and 'checks' in earlier and 'checks' in found:
-        from .store import merged
-
         found = merged(earlier, found, options.only)
     keep(store, entry, found)

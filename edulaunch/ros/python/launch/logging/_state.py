@@ -6,6 +6,7 @@ import logging
 import os
 import warnings
 from collections.abc import Callable
+from time import gmtime, strftime
 from typing import Any
 
 from .._engine import environment, process_state, running_process
@@ -26,7 +27,6 @@ def _make_unique_log_dir(*, base_path: str) -> str:
     that exists.
     """
     from socket import gethostname
-    from time import gmtime, strftime
 
     process = running_process()
     seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from action_msgs.msg import GoalStatus
+
 from edulaunch.engine.facts import kind_of, with_facts
 from edulaunch.engine.processes.current import current_process
 from edulaunch.ros.passed_on import passed_on
@@ -288,8 +290,6 @@ class ActionServer(Waitable):
 
     def goal_changed(self) -> None:
         """Publish the states of all goals."""
-        from action_msgs.msg import GoalStatus
-
         message = self._action_type.Impl.GoalStatusMessage()
         message.status_list = [GoalStatus(goal_info=goal_info(goal), status=goal.status) for goal in self._goals.values()]
         self._status.publish(type(message).to_wire(message))

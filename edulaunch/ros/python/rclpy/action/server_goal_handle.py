@@ -6,6 +6,8 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
+from action_msgs.msg import GoalInfo
+
 from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
@@ -144,8 +146,6 @@ class ServerGoalHandle:
 
 def goal_info(goal: ServerGoalHandle) -> Any:
     """Return its id and stamp as action_msgs/GoalInfo."""
-    from action_msgs.msg import GoalInfo
-
     return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)
 
 
