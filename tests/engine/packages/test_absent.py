@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import pytest
 
+from edulaunch.engine import underlay_place
 from edulaunch.engine.packages import Index
-from edulaunch.engine.packages.absent import absent_kind
+from edulaunch.engine.packages.absent import KINDS, REFUSED, absent_kind, absent_module_kind
 from edulaunch.ros.sources import read_source
 
 
@@ -41,3 +43,21 @@ def test_only_the_program_tells_that_a_package_is_absent() -> None:
     assert (program.kind, program.file) == ('absent', 'joysticks and keyboards')
     assert index.prefix('joy') is None
     assert 'joy' not in index.packages()
+
+
+def test_the_names_are_data_and_none_is_both_refused_and_a_view() -> None:
+    assert all(set(names) <= {'packages', 'modules'} and any(names.values()) for names in KINDS.values())
+    assert {'pynput', 'pkg_resources', 'PyQt5'} <= REFUSED and not REFUSED & {'tkinter', '_tkinter'}
+    assert {absent_module_kind(name) for name in REFUSED} <= set(KINDS)
+
+
+def test_the_engine_names_no_robots_package() -> None:
+    named = {name.strip('*_') for names in KINDS.values() for name in names.get('packages', ())}
+    folder = Path(underlay_place.__file__).parent
+    texts = {
+        node.value
+        for path in folder.rglob('*.py')
+        for node in ast.walk(ast.parse(path.read_text('utf-8')))
+        if isinstance(node, ast.Constant)
+    }
+    assert named & {text for text in texts if isinstance(text, str)} == set()
