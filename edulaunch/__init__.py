@@ -13,7 +13,6 @@ from edulaunch.desk.facade import TYPE_CHECKING
 from edulaunch.desk.facade import __all__ as __all__
 from edulaunch.desk.facade import __dir__ as __dir__
 from edulaunch.desk.facade import __getattr__ as __getattr__
-from edulaunch.runtime.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from edulaunch.advice.explaining import explain as explain
@@ -27,3 +26,4 @@ if TYPE_CHECKING:
     from edulaunch.ros.sourcing import source as source
     from edulaunch.runtime.session import Session as Session
     from edulaunch.runtime.session import run as run
+    from edulaunch.runtime.version import __version__ as __version__

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 PLACES = {
+    '__version__': ('runtime.version', '__version__'),
     'EdulaunchError': ('errors', 'EdulaunchError'),
     'LaunchFileError': ('errors', 'LaunchFileError'),
     'Recording': ('engine.recording', 'Recording'),
@@ -28,7 +29,7 @@ PLACES = {
     'start': ('desk.machine.started', 'start'),
 }
 
-__all__ = list(PLACES)
+__all__ = [name for name in PLACES if name[0] != '_']
 
 
 def _load_view(name: str) -> None:
