@@ -4,12 +4,27 @@ and the values of constants and defaults.
 
 from __future__ import annotations
 
+import os
 import re
 from typing import Any, NamedTuple, NoReturn
 
 from edulaunch.engine.interfaces.spec import KINDS, PRIMITIVE_NAMES, FieldType, primitive_name
 from edulaunch.engine.nearest import did_you_mean
+from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.errors import InterfaceError
+
+
+def help_text(key: str, **facts: object) -> str:
+    """Return a line of help about a mistake in an interface file. The sentences are data beside the built-in packages.
+
+    :param key: the key of the sentence in `notation_help.json`.
+    :param facts: the names and values that stand in braces in the sentence.
+    """
+    import json  # imported here, because only a mistake needs it
+
+    with open(os.path.join(underlay_prefix(), 'notation_help.json'), encoding='utf-8') as file:
+        sentence: str = json.load(file)[key]
+    return sentence.format(**facts)
 
 
 class Line(NamedTuple):
@@ -43,7 +58,7 @@ def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]
         names = {2: 'request --- response', 3: 'goal --- result --- feedback'}[wanted]
         Line(file, number, '').fail(
             f"expected {wanted - len(sections)} more line{'s' * (wanted - len(sections) > 1)} with '---'",
-            help=f'a .{kind} file has these parts, which may be empty: {names}',
+            help=help_text('parts', kind=kind, names=names),
         )
     return sections
 
@@ -93,10 +108,12 @@ def field_type(line: Line, text: str, package: str) -> FieldType:
     """
     written = split_type(text)
     if written is None:
-        line.fail(f"'{text}' is not a type", help='types look like float64, string<=10, int32[], int32[3], int32[<=3], pkg/Type')
+        line.fail(f"'{text}' is not a type", help=help_text('type'))
     bound = written.string_bound
     if bound is not None and written.base not in ('string', 'wstring'):
-        line.fail(f"only strings have a bound, not '{written.base}'", help=f'for a bounded list write {written.base}[<={bound}]')
+        line.fail(
+            f"only strings have a bound, not '{written.base}'", help=help_text('bounded-list', base=written.base, bound=bound)
+        )
     if bound == 0 or (written.array in ('fixed', 'bounded') and written.size == 0):
         line.fail(f"'{text}' has room for nothing: a size must be at least 1")
     return written._replace(base=_base(line, written.base, package))
@@ -116,11 +133,7 @@ def _base(line: Line, name: str, package: str) -> str:
 
 def _refuse_name(line: Line, name: str) -> NoReturn:
     other = _OTHER_WORDS.get(name)
-    help = (
-        f'did you mean {other}?'
-        if other
-        else did_you_mean(name, PRIMITIVE_NAMES) or 'a message type starts with a capital letter: Name, or other_package/Name'
-    )
+    help = help_text('other-word', word=other) if other else did_you_mean(name, PRIMITIVE_NAMES) or help_text('message-type')
     line.fail(f"unknown type '{name}'", help=help)
 
 

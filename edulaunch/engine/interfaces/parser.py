@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from keyword import iskeyword
 
-from edulaunch.engine.interfaces.notation import Line, constant_value, default_value, field_type, sections_of
+from edulaunch.engine.interfaces.notation import Line, constant_value, default_value, field_type, help_text, sections_of
 from edulaunch.engine.interfaces.spec import ActionSpec, Constant, Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
 
 FIELD_NAME = '^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'
@@ -65,11 +65,11 @@ def _entry(line: Line, package: str) -> Field | Constant:
 
 def _constant(line: Line, type_: FieldType, name: str, text: str) -> Constant:
     if type_.array or type_.kind is None:
-        line.fail(f"a constant must have a primitive type, not '{type_.text}'", help='a default has no =: int32[] values [1, 2]')
+        line.fail(f"a constant must have a primitive type, not '{type_.text}'", help=help_text('constant-type'))
     if not _CONSTANT_NAME.match(name):
         line.fail(
             f"'{name}' is an invalid constant name. It should have the pattern '{CONSTANT_NAME}'",
-            help=f"write {name.upper()} for a constant, or leave out the '=' for a default value",
+            help=help_text('constant-name', name=name.upper()),
         )
     _refuse_reserved(line, name)
     try:
@@ -81,16 +81,13 @@ def _constant(line: Line, type_: FieldType, name: str, text: str) -> Constant:
 def _field(line: Line, type_: FieldType, rest: str) -> Field:
     name, _, text = rest.partition(' ')
     if not re.match(FIELD_NAME, name, re.ASCII):
-        line.fail(
-            f"'{name}' is an invalid field name. It should have the pattern '{FIELD_NAME}'",
-            help='lower-case letters, digits and single underscores, starting with a letter',
-        )
+        line.fail(f"'{name}' is an invalid field name. It should have the pattern '{FIELD_NAME}'", help=help_text('field-name'))
     _refuse_reserved(line, name)
     text = text.strip()
     if not text:
         return Field(name, type_, None, line.number)
     if type_.kind is None:
-        line.fail(f"field '{name}' of type '{type_.text}' cannot have a default", help='only primitive types have defaults')
+        line.fail(f"field '{name}' of type '{type_.text}' cannot have a default", help=help_text('default'))
     try:
         return Field(name, type_, default_value(type_, text), line.number)
     except ValueError as error:
@@ -100,4 +97,4 @@ def _field(line: Line, type_: FieldType, rest: str) -> Field:
 def _refuse_reserved(line: Line, name: str) -> None:
     if name in _RESERVED or iskeyword(name):
         why = 'a word of Python' if iskeyword(name) else 'used by every message class'
-        line.fail(f"'{name}' cannot be a name here: it is {why}", help=f"choose another, such as '{name}_value'")
+        line.fail(f"'{name}' cannot be a name here: it is {why}", help=help_text('reserved', name=name))

@@ -135,8 +135,10 @@ class Registry:
 
     def _made(self, type_name: str) -> type[Any]:
         if type_name in self._making:
+            from edulaunch.engine.interfaces.notation import help_text
+
             ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
-            raise InterfaceError(f'{type_name} contains itself: {ring}', help='a message must have a finite size')
+            raise InterfaceError(f'{type_name} contains itself: {ring}', help=help_text('endless'))
         self._making.append(type_name)
         try:
             cls = self._classes[type_name] = self._make(self.spec(type_name))

@@ -35,7 +35,9 @@ class WireChecks:
         """
         if type_name not in self._known:
             if type_name in self._open:
-                raise InterfaceError(f'{type_name} contains itself', help='a message must have a finite size')
+                from edulaunch.engine.interfaces.notation import help_text
+
+                raise InterfaceError(f'{type_name} contains itself', help=help_text('endless'))
             self._open.append(type_name)
             try:
                 self._known[type_name] = self._entries(type_name)
