@@ -23,7 +23,7 @@ from .lessons import EXERCISES, LESSONS, manifest
 from .lessons import FOLDER as NOTES
 from .notebook_file import parse_notebook
 from .questions import FILE as QUESTIONS
-from .questions import SEALED, seal
+from .questions import SEALED, questions_file, seal
 from .stored import as_text, without_outputs
 
 STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
@@ -65,8 +65,10 @@ def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
             found |= {f'{name}/{each}': _content(os.path.join(path, *each.split('/'))) for each in inner}
         elif os.path.isfile(path) and os.path.isfile(os.path.join(course, MANIFEST)):
             found[name] = _content(path)
-    if f'{LESSONS}/{QUESTIONS}' in found:
-        found[f'{LESSONS}/{SEALED}'] = seal(found.pop(f'{LESSONS}/{QUESTIONS}'))
+    found.pop(f'{LESSONS}/{QUESTIONS}', None)
+    if (questions := questions_file(os.path.join(course, LESSONS))) is not None:
+        data = _content(questions)
+        found[f'{LESSONS}/{SEALED}'] = data if os.path.basename(questions) == SEALED else seal(data)
     return dict(sorted(found.items()))
 
 

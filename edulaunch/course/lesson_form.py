@@ -12,7 +12,7 @@ from edulaunch.errors import UnusableInput
 from .lessons import FOLDER as NOTES
 from .lessons import LESSONS, read_lessons, read_notes
 from .notebook_file import Cell, read_notebook
-from .questions import FILE, Explanation, Question, questions_file, read_questions
+from .questions import FILE, SOLUTIONS, Explanation, Question, questions_file, read_questions
 from .stored import read_outputs
 
 _ID = re.compile(r'[a-z][a-z0-9]*(-[a-z0-9]+)*')
@@ -75,7 +75,7 @@ def _questions(folder: str, lessons: list[str], asked: set[tuple[str, str]]) -> 
     known: dict[tuple[str, str], Question | Explanation] = {('quiz', name): item for name, item in questions.items()}
     known.update({('explain', name): item for name, item in explanations.items()})
     for call, name in sorted(asked - set(known), reverse=True):
-        yield f'{LESSONS}/{FILE} has no {kinds[call]} "{name}", which a lesson uses'
+        yield f'{SOLUTIONS}/{FILE} has no {kinds[call]} "{name}", which a lesson uses'
     for (call, name), item in known.items():
         if item.lesson not in lessons:
-            yield f'{LESSONS}/{FILE}: the {kinds[call]} "{name}" names the lesson {item.lesson}, which does not exist'
+            yield f'{SOLUTIONS}/{FILE}: the {kinds[call]} "{name}" names the lesson {item.lesson}, which does not exist'

@@ -1,4 +1,4 @@
-"""Questions and explanations of a course: ``lessons/questions.toml`` for authors, a file with hidden answers for students."""
+"""Questions and explanations of a course: ``solutions/questions.toml`` for authors, a file with hidden answers for students."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from edugrade.course import here_and_above, parse_toml
 
 from edulaunch.errors import UnusableInput
 
-FILE, SEALED = 'questions.toml', '.questions'
-"""The file of authors, and the file of students: the same content in Base64, in a hidden file.
+FILE, SEALED, SOLUTIONS = 'questions.toml', '.questions', 'solutions'
+"""The file of authors, in the folder of the solutions. The file of students beside the lessons: its content in Base64.
 
 This keeps answers from being read by accident. It does not protect them: the notebook of a student has to show them later.
 """
@@ -64,8 +64,10 @@ def seal(data: bytes) -> bytes:
 
 
 def questions_file(folder: str) -> str | None:
-    """Return the questions file of a folder of lessons, or None. The file of an update replaces an older readable file."""
-    places = (os.path.join(folder, name) for name in (SEALED, FILE))
+    """Return the questions file for a folder of lessons, or None. The file of an update replaces an older readable file."""
+    folder = os.path.abspath(folder)
+    beside = os.path.join(os.path.dirname(folder), SOLUTIONS, FILE)
+    places = (*(os.path.join(folder, name) for name in (SEALED, FILE)), beside)
     return next(filter(os.path.isfile, places), None)
 
 

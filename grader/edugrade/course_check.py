@@ -27,6 +27,7 @@ from .submission import Submission
 from .variant import CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
+QUESTIONS = 'questions.toml'  # the questions of the lessons, with their answers
 SHORTEST_HINT = 40
 MOST_GAPS = 3
 NEEDED = {'file', 'title', 'points'}
@@ -128,6 +129,7 @@ def check_manifest(path: str) -> Iterator[str]:
 def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     """Check that starter files and solutions have equal relative paths, and that each file and rubric belongs to an exercise."""
     stubs, solutions = (_files(os.path.join(folder, name)) for name in (STUBS, SOLUTIONS))
+    solutions = [name for name in solutions if name != QUESTIONS]
     yield from (f'{SOLUTIONS}/{name} is missing' for name in stubs if name not in solutions)
     yield from (f'{STUBS}/{name} is missing' for name in solutions if name not in stubs)
     paths = [item.path for item in course]

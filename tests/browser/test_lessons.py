@@ -17,7 +17,7 @@ from tests.lessons.notebook import LESSONS, ORDER, Lesson
 
 pytestmark = pytest.mark.browser
 
-QUESTIONS = read_questions(str(LESSONS / FILE))
+QUESTIONS = read_questions(str(LESSONS.parent / 'solutions' / FILE))
 
 
 @pytest.mark.parametrize('name', ORDER)

@@ -80,7 +80,7 @@ def test_a_changed_file_is_never_overwritten(mine: Path, tmp_path: Path, capsys:
     copy = tmp_path / 'copy'
     assert course('copy', copy, '--course', mine) == 0
     (copy / 'exercises' / 'spin.launch.py').write_text('# my work\n')
-    edit(mine / 'lessons' / 'questions.toml', '2.0 m/s', '3.0 m/s')
+    edit(mine / 'solutions' / 'questions.toml', '2.0 m/s', '3.0 m/s')
     edit(mine / 'exercises' / 'spin.launch.py', 'TODO 1', 'TODO one')
     (mine / 'lessons' / '02_more.ipynb').write_bytes((mine / 'lessons' / '01_circle.ipynb').read_bytes())
     before = {name: (copy / name).read_bytes() for name in files(copy)}
@@ -101,7 +101,7 @@ def test_a_damaged_record_takes_every_other_file_for_the_students(mine: Path, tm
     copy = tmp_path / 'copy'
     course('copy', copy, '--course', mine)
     (copy / '.edulaunch_course.json').write_text('{')
-    edit(mine / 'lessons' / 'questions.toml', '2.0 m/s', '3.0 m/s')
+    edit(mine / 'solutions' / 'questions.toml', '2.0 m/s', '3.0 m/s')
     assert course('copy', copy, '--course', mine) == 2
     assert course('copy', copy, '--course', copy) == 2, 'a course is not copied into itself'
 

@@ -28,7 +28,12 @@ def cells(change: Callable[[list[dict[str, Any]]], object]) -> Callable[[Path], 
 
 def questions(old: str, new: str) -> Callable[[Path], object]:
     """A mistake made in the questions."""
-    return lambda lessons: (lessons / 'questions.toml').write_text((lessons / 'questions.toml').read_text().replace(old, new))
+
+    def change(lessons: Path) -> None:
+        file = lessons.parent / 'solutions' / 'questions.toml'
+        file.write_text(file.read_text().replace(old, new))
+
+    return change
 
 
 OUTPUT = {'output_type': 'stream', 'name': 'stdout', 'text': 'x'}
@@ -49,9 +54,9 @@ MISTAKES = {
     'lessons/01_circle.ipynb is not a notebook: it is not JSON': lambda lessons: (lessons / '01_circle.ipynb').write_text('{'),
     'lessons/01_circle.ipynb: cannot read the outputs of': lambda lessons: (lessons / '.outputs' / '01_circle.json').unlink(),
     'lessons/conftest.py is missing': lambda lessons: (lessons / 'conftest.py').unlink(),
-    'lessons/questions.toml has no question "radius-of-circle", which a lesson uses': questions('radius-of-circle', 'radius'),
-    'lessons/questions.toml: the question "radius-of-circle" names the lesson 09_none': questions('01_circle', '09_none'),
-    'lessons/questions.toml has no explanation "why", which a lesson uses': cells(
+    'solutions/questions.toml has no question "radius-of-circle", which a lesson uses': questions('radius-of-circle', 'radius'),
+    'solutions/questions.toml: the question "radius-of-circle" names the lesson 09_none': questions('01_circle', '09_none'),
+    'solutions/questions.toml has no explanation "why", which a lesson uses': cells(
         lambda all: all[1].update(source="explain('why', ...)")
     ),
     'cannot read the questions in': questions("right = 'c'", 'right = '),

@@ -8,6 +8,7 @@ import pytest
 
 from edulaunch.course.questions import FILE, SEALED, find_questions, questions_file, read_questions, seal
 from edulaunch.errors import UnusableInput
+from tests.house import ROOT
 
 ONE = """\
 [[question]]
@@ -47,6 +48,18 @@ def test_they_are_found_in_the_folder_of_lessons_below(tmp_path: Path, monkeypat
     (tmp_path / 'lessons' / FILE).write_text(ONE)
     monkeypatch.chdir(tmp_path)
     assert list(find_questions().explanations) == ['why-a-warning']
+
+
+def test_answers_are_in_the_folder_of_solutions_and_not_beside_the_lessons(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / 'lessons').mkdir()
+    (tmp_path / 'solutions').mkdir()
+    (tmp_path / 'solutions' / FILE).write_text(ONE)
+    for folder in (tmp_path, tmp_path / 'lessons'):
+        monkeypatch.chdir(folder)
+        assert list(find_questions().questions) == ['two-names']
+    assert not list((ROOT / 'lessons').glob('*questions*')) and (ROOT / 'solutions' / FILE).is_file()
 
 
 @pytest.mark.parametrize(

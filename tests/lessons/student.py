@@ -28,7 +28,7 @@ class Student:
         self.folder.mkdir()
         for part in ('checkpoints', 'checks'):
             shutil.copytree(LESSONS / part, self.folder / part)
-        shutil.copy(LESSONS / 'questions.toml', self.folder)
+        shutil.copy(LESSONS.parent / 'solutions' / 'questions.toml', self.folder)
         shutil.copytree(LESSONS.parent / 'exercises', folder / 'exercises')
         self.restart()
 
