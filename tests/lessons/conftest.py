@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import shutil
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from tests.lessons.notebook import LESSONS, ORDER, Lesson, Walk
+from tests.lessons.student import leave
 
 
 @pytest.fixture(params=ORDER, scope='module')
@@ -35,6 +35,4 @@ def walk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Wal
 def no_notebook_is_left() -> Iterator[None]:
     """An IPython that a test has made is gone after it: whoever finds one takes the program for a notebook."""
     yield
-    made = sys.modules.get('IPython.core.interactiveshell')
-    if made is not None:
-        made.InteractiveShell.clear_instance()
+    leave()

@@ -5,10 +5,12 @@ An IPython of its own in this process takes the place of a kernel: the same magi
 
 from __future__ import annotations
 
+import atexit
 import io
 import os
 import re
 import shutil
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
@@ -36,7 +38,7 @@ class Student:
         """*Restart Kernel*: the files stay, the names are gone."""
         from IPython.core.interactiveshell import InteractiveShell
 
-        InteractiveShell.clear_instance()
+        leave()
         make: Any = InteractiveShell
         self.shell: Any = make.instance(history_load_length=0, cache_size=0)
         self.shell.history_manager.enabled = False
@@ -58,13 +60,26 @@ class Student:
 
     def walk(self, cells: str, edits: Mapping[str, Any]) -> str:
         """Run cells by their names, in this order; `restart` is one. Returns what the last one told."""
-        told = ''
-        for word in cells.split():
+        told, words = '', cells.split()
+        for number, word in enumerate(words, 1):
             if word == 'restart':
                 self.restart()
             else:
+                self.shell.display_formatter.mimebundle_formatter.enabled = number == len(words)  # a picture that nobody sees is not drawn
                 told = self.run(word, edits)
         return told
+
+
+def leave() -> None:
+    """End the IPython that is there, if any, and forget all that its cells made: at exit IPython would look at each shell once more,
+    and until then keeps them with their recordings.
+    """
+    made: Any = sys.modules.get('IPython.core.interactiveshell')
+    shell = made and made.InteractiveShell._instance
+    if shell:
+        atexit.unregister(shell.atexit_operations)
+        shell.user_ns.clear()
+        made.InteractiveShell.clear_instance()
 
 
 @contextmanager
