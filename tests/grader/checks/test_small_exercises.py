@@ -5,10 +5,11 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from edugrade.grading import grade, plan_work
+from edugrade.grading import WarmGrader, plan_work
 from edugrade.submission import Submission
 
 SOLUTIONS = Path(__file__).resolve().parents[3] / 'solutions'
@@ -67,14 +68,21 @@ MISSES = [
 ]
 
 
-def failed(path: Path) -> list[str]:
-    (report,) = grade([plan_work(Submission(str(path)))])
-    return [result.name for result in report.results if result.status == 'failed']
+@pytest.fixture(scope='module')
+def failed() -> Iterator[Callable[[Path], list[str]]]:
+    """A function that grades a submission and returns the names of the checks that failed. One starter serves them all."""
+    grader = WarmGrader()
+    yield lambda path: [
+        result.name for result in grader.report(plan_work(Submission(str(path)))).results if result.status == 'failed'
+    ]
+    grader.close()
 
 
 @pytest.mark.processes
 @pytest.mark.parametrize(('name', 'old', 'new', 'check'), MISSES)
-def test_a_near_miss_fails_where_it_misses(tmp_path: Path, name: str, old: str, new: str, check: str) -> None:
+def test_a_near_miss_fails_where_it_misses(
+    failed: Callable[[Path], list[str]], tmp_path: Path, name: str, old: str, new: str, check: str
+) -> None:
     text, top = (SOLUTIONS / name).read_text(), name.split('/')[0]
     assert text.count(old) == 1, name
     if top != name:
@@ -139,7 +147,7 @@ PRETENDED = {
 
 @pytest.mark.processes
 @pytest.mark.parametrize('name', PRETENDED)
-def test_what_is_only_pretended_fails(tmp_path: Path, name: str) -> None:
+def test_what_is_only_pretended_fails(failed: Callable[[Path], list[str]], tmp_path: Path, name: str) -> None:
     exercise, check, *changes = PRETENDED[name]
     shutil.copytree(SOLUTIONS / exercise, tmp_path / exercise)
     for file, old, new in changes:
