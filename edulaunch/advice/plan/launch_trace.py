@@ -1,7 +1,7 @@
 """What a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
 
 A trace is an observer of one launch service. It keeps a step for each action and each event. A step has the launch
-configurations and the environment of its moment. :meth:`LaunchTrace.told` returns them as plain data.
+configurations and the environment of its moment. :meth:`LaunchTrace.as_data` returns them as plain data.
 """
 
 from __future__ import annotations
@@ -263,7 +263,7 @@ class LaunchTrace(Watch):
         """Whether the launch has ended."""
         return self._process.returncode is not None
 
-    def told(self, since: int = 0) -> dict[str, Any]:
+    def as_data(self, since: int = 0) -> dict[str, Any]:
         """Return plain data: the process id of `ros2 launch`, the step before which it waits, and the rows of steps.
 
         :param since: the `count` that it returned before. Only steps that have changed since then are returned.

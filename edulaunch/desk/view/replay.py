@@ -141,7 +141,7 @@ class RecorderSource:
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
         """Implement `TimelineSource.beside`."""
-        return [one.told(since.get(one.pid, 0)) for one in self._recorder.beside.get(name, ())]
+        return [one.as_data(since.get(one.pid, 0)) for one in self._recorder.beside.get(name, ())]
 
     def part(self, name: str) -> Sequence[Any]:
         """Implement `TimelineSource.part`."""

@@ -24,7 +24,7 @@ class Beside(Protocol):
     def pid(self) -> int:
         """The number of the process."""
 
-    def told(self, since: int = 0) -> dict[str, Any]:
+    def as_data(self, since: int = 0) -> dict[str, Any]:
         """Return all pieces as plain data, or those after the first `since` ones."""
 
 
@@ -107,7 +107,7 @@ class Recorder(Tracer):
             'facts': self.facts_now(),
             'descriptors': self.descriptors,
             'interfaces': self.interfaces({row[2] for row in (*self.endpoints, *self.calls)}),
-            'beside': {name: [one.told() for one in many] for name, many in self.beside.items() if many},
+            'beside': {name: [one.as_data() for one in many] for name, many in self.beside.items() if many},
             'topics': topics,
         }
 

@@ -10,9 +10,9 @@ from typing import Any
 
 from edulaunch.desk.cli.ros2.bag_record import definition
 from edulaunch.errors import InterfaceError
-from edulaunch.extras.foxglove import protocol, said
+from edulaunch.extras.foxglove import protocol, server_messages
 from edulaunch.extras.foxglove.feed import Feed, Key, Refused, Topic
-from edulaunch.extras.foxglove.said import Message
+from edulaunch.extras.foxglove.server_messages import Message
 from edulaunch.ros.serialization.cdr import encode
 
 MOST_ROWS = 500
@@ -73,7 +73,7 @@ class Conversation:
         self._time_ns: int | None = None
         self._publishers.clear()
         self._say(
-            said.op(
+            server_messages.op(
                 'serverInfo',
                 name=feed.name,
                 capabilities=list(feed.capabilities),
@@ -101,7 +101,7 @@ class Conversation:
         self._tell_changes()
         heard, self._waiting, self._waiting_bytes = self._waiting, [], 0
         now_ns = self._feed.now_ns()
-        clock = [said.time(now_ns)] if now_ns != self._time_ns and 'time' in self._feed.capabilities else []
+        clock = [server_messages.time(now_ns)] if now_ns != self._time_ns and 'time' in self._feed.capabilities else []
         self._time_ns = now_ns
         return [*heard, *clock, *data, *told]  # the state "ended" comes after the last message
 
@@ -134,11 +134,11 @@ class Conversation:
         for number in gone:
             del known[number]
         if gone:
-            self._say(said.op(takes_back, **{f'{what}Ids': gone}))
+            self._say(server_messages.op(takes_back, **{f'{what}Ids': gone}))
         there = set(known.values())
         rows = [row for row in (described(topic) for topic in here if topic not in there) if row is not None]
         if rows:
-            self._say(said.op(tells, **{f'{what}s': rows}))
+            self._say(server_messages.op(tells, **{f'{what}s': rows}))
         return gone
 
     def _drop(self, subscriptions: set[int]) -> None:
@@ -185,7 +185,7 @@ class Conversation:
                 if len(cdr) > left:
                     break
                 left -= len(cdr)
-                newest.append(said.data(number, time_ns, cdr))
+                newest.append(server_messages.data(number, time_ns, cdr))
             told += reversed(newest)
             self._count(key[0], lost + len(rows) - len(newest))
         return told
@@ -194,13 +194,13 @@ class Conversation:
         if lost:
             total = self._lost[topic] = self._lost.get(topic, 0) + lost
             text = f'{total} messages of {topic} were left out: this client or the network is too slow'
-            self._say(said.status(said.WARNING, text, f'lost {topic}'))
+            self._say(server_messages.status(server_messages.WARNING, text, f'lost {topic}'))
 
     def _tell_changes(self) -> None:
         if self._watches_graph and self._graph_version != self._version:
             self._graph_version = self._version
             graph = self._feed.graph()
-            update = said.graph_update(graph, self._graph)
+            update = server_messages.graph_update(graph, self._graph)
             self._graph = graph
             if update is not None:
                 self._say(update)
@@ -210,7 +210,7 @@ class Conversation:
             changed = {name: value for name, value in values.items() if self._values.get(name) != value}
             self._values = values
             if changed:
-                self._say(said.parameters(changed))
+                self._say(server_messages.parameters(changed))
 
     def _is_watched(self, name: str) -> bool:
         return self._watched is None or name in self._watched
@@ -229,7 +229,7 @@ class Conversation:
             request = protocol.parse(message)
             self._actions[type(request)](request)
         except (protocol.ProtocolError, Refused) as error:
-            self._say(said.status(said.ERROR, str(error)))
+            self._say(server_messages.status(server_messages.ERROR, str(error)))
 
     def _subscribe(self, request: protocol.Subscribe) -> None:
         for number, channel in request.pairs:
@@ -242,7 +242,7 @@ class Conversation:
             self._subscribed[number] = channel, key
             self._cursors[number] = self._feed.end(key)
             for time_ns, wire in kept:
-                self._say(said.data(number, time_ns, encode(topic.cls, wire)))
+                self._say(server_messages.data(number, time_ns, encode(topic.cls, wire)))
 
     def _unsubscribe(self, request: protocol.Unsubscribe) -> None:
         self._drop(set(request.ids) & set(self._subscribed))
@@ -270,10 +270,10 @@ class Conversation:
     def _call(self, request: protocol.Call) -> None:
         def answer(reply: bytes | str) -> None:
             if isinstance(reply, bytes):
-                self._say(said.response(request.service, request.number, reply))
+                self._say(server_messages.response(request.service, request.number, reply))
             else:
                 ids = {'serviceId': request.service, 'callId': request.number}
-                self._say(said.op('serviceCallFailure', **ids, message=reply))
+                self._say(server_messages.op('serviceCallFailure', **ids, message=reply))
 
         service = self._services.get(request.service)
         if service is None:
@@ -289,12 +289,12 @@ class Conversation:
     def _get_parameters(self, request: protocol.GetParameters) -> None:
         values = self._feed.parameters()
         wanted = request.names or values
-        self._say(said.parameters({name: values[name] for name in wanted if name in values}, request.request))
+        self._say(server_messages.parameters({name: values[name] for name in wanted if name in values}, request.request))
 
     def _set_parameters(self, request: protocol.SetParameters) -> None:
         def answer(wrong: str) -> None:
             if wrong:
-                self._say(said.status(said.ERROR, wrong))
+                self._say(server_messages.status(server_messages.ERROR, wrong))
             names = tuple(name for name, _, _ in request.values)
             self._get_parameters(protocol.GetParameters(names, request.request))
 
@@ -320,10 +320,10 @@ class Conversation:
             for number, (channel, key) in self._subscribed.items():
                 self._cursors[number] = self._feed.end(key)
                 for time_ns, wire in self._feed.kept(key):
-                    self._say(said.data(number, time_ns, encode(self._channels[channel].cls, wire)))
+                    self._say(server_messages.data(number, time_ns, encode(self._channels[channel].cls, wire)))
 
     def _fetch_asset(self, request: protocol.FetchAsset) -> None:
-        self._say(said.no_asset(request.request, 'edulaunch serves no files'))
+        self._say(server_messages.no_asset(request.request, 'edulaunch serves no files'))
 
     def close(self) -> None:
         """Handle the end of the client."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, Protocol
 
 from edulaunch.extras.foxglove.protocol import Playback, Value
-from edulaunch.extras.foxglove.said import Graph
+from edulaunch.extras.foxglove.server_messages import Graph
 
 Key = tuple[str, str]
 """Topic and type."""

@@ -9,7 +9,7 @@ from tornado.iostream import IOStream
 
 from edulaunch.desk.machine import wire
 from edulaunch.extras.foxglove.conversation import Conversation
-from edulaunch.extras.foxglove.said import Message
+from edulaunch.extras.foxglove.server_messages import Message
 from edulaunch.runtime.framing import Frames, frame
 
 TEXT, BYTES, TURN = b'tbn'

@@ -15,7 +15,7 @@ from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.foxglove.feed import Key, Refused, Row, Topic
 from edulaunch.extras.foxglove.protocol import Playback, Value
-from edulaunch.extras.foxglove.said import Graph
+from edulaunch.extras.foxglove.server_messages import Graph
 from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 

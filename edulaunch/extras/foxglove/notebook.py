@@ -14,8 +14,8 @@ from edulaunch.extras.foxglove.lines import HereLine, Line
 from edulaunch.extras.foxglove.live import LiveFeed
 from edulaunch.extras.foxglove.protocol import SDK
 from edulaunch.extras.foxglove.recorded import RecordingFeed
-from edulaunch.extras.foxglove.said import Message
 from edulaunch.extras.foxglove.server import open_server
+from edulaunch.extras.foxglove.server_messages import Message
 
 _numbers = count(1)
 

@@ -152,36 +152,36 @@ def parse(message: str | bytes) -> Request:
 
 def _words(text: str) -> Request:
     try:
-        said = json.loads(text, parse_constant=_no_number)
+        fields = json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError):
         raise ProtocolError('this text is not JSON') from None
-    op = said.get('op') if isinstance(said, dict) else None
+    op = fields.get('op') if isinstance(fields, dict) else None
     read = _READERS.get(op) if isinstance(op, str) else None
     if read is None:
         raise ProtocolError(f'edulaunch does not know the operation {str(op)[:40]!r}')
-    return read(said)
+    return read(fields)
 
 
 def _no_number(word: str) -> NoReturn:
     raise ValueError(word)
 
 
-def _several(said: dict[str, Any], name: str) -> list[Any]:
-    found = said.get(name)
+def _several(fields: dict[str, Any], name: str) -> list[Any]:
+    found = fields.get(name)
     if not isinstance(found, list) or len(found) > MOST_ITEMS:
-        raise ProtocolError(f'{said["op"]}: {name!r} has to be a list of at most {MOST_ITEMS} entries')
+        raise ProtocolError(f'{fields["op"]}: {name!r} has to be a list of at most {MOST_ITEMS} entries')
     return found
 
 
-def _objects(said: dict[str, Any], name: str) -> list[dict[str, Any]]:
-    found = _several(said, name)
+def _objects(fields: dict[str, Any], name: str) -> list[dict[str, Any]]:
+    found = _several(fields, name)
     if not all(isinstance(one, dict) for one in found):
-        raise ProtocolError(f'{said["op"]}: each entry of {name!r} has to be an object')
-    return [{**one, 'op': said['op']} for one in found]
+        raise ProtocolError(f'{fields["op"]}: each entry of {name!r} has to be an object')
+    return [{**one, 'op': fields['op']} for one in found]
 
 
-def _number(said: dict[str, Any], name: str) -> int:
-    return _checked_number(said['op'], name, said.get(name))
+def _number(fields: dict[str, Any], name: str) -> int:
+    return _checked_number(fields['op'], name, fields.get(name))
 
 
 def _checked_number(op: str, name: str, value: Any) -> int:
@@ -190,12 +190,12 @@ def _checked_number(op: str, name: str, value: Any) -> int:
     return value
 
 
-def _numbers(said: dict[str, Any], name: str) -> tuple[int, ...]:
-    return tuple(_checked_number(said['op'], name, one) for one in _several(said, name))
+def _numbers(fields: dict[str, Any], name: str) -> tuple[int, ...]:
+    return tuple(_checked_number(fields['op'], name, one) for one in _several(fields, name))
 
 
-def _text(said: dict[str, Any], name: str) -> str:
-    return _checked_text(said['op'], name, said.get(name))
+def _text(fields: dict[str, Any], name: str) -> str:
+    return _checked_text(fields['op'], name, fields.get(name))
 
 
 def _checked_text(op: str, name: str, value: Any) -> str:
@@ -213,29 +213,31 @@ def _unicode(op: str, value: str) -> str:
     return value
 
 
-def _texts(said: dict[str, Any], name: str) -> tuple[str, ...]:
-    return tuple(_checked_text(said['op'], name, one) for one in _several(said, name))
+def _texts(fields: dict[str, Any], name: str) -> tuple[str, ...]:
+    return tuple(_checked_text(fields['op'], name, one) for one in _several(fields, name))
 
 
-def _optional_text(said: dict[str, Any], name: str) -> str | None:
-    return None if said.get(name) is None else _text(said, name)
+def _optional_text(fields: dict[str, Any], name: str) -> str | None:
+    return None if fields.get(name) is None else _text(fields, name)
 
 
-def _subscribe(said: dict[str, Any]) -> Subscribe:
-    return Subscribe(tuple((_number(one, 'id'), _number(one, 'channelId')) for one in _objects(said, 'subscriptions')))
+def _subscribe(fields: dict[str, Any]) -> Subscribe:
+    return Subscribe(tuple((_number(one, 'id'), _number(one, 'channelId')) for one in _objects(fields, 'subscriptions')))
 
 
-def _advertise(said: dict[str, Any]) -> Advertise:
+def _advertise(fields: dict[str, Any]) -> Advertise:
     channels = [
         ClientChannel(_number(one, 'id'), *(_text(one, name) for name in ('topic', 'encoding', 'schemaName')))
-        for one in _objects(said, 'channels')
+        for one in _objects(fields, 'channels')
     ]
     return Advertise(tuple(channels))
 
 
-def _set_parameters(said: dict[str, Any]) -> SetParameters:
-    values = [(_text(one, 'name'), _value(one.get('value')), _optional_text(one, 'type')) for one in _objects(said, 'parameters')]
-    return SetParameters(tuple(values), _optional_text(said, 'id'))
+def _set_parameters(fields: dict[str, Any]) -> SetParameters:
+    values = [
+        (_text(one, 'name'), _value(one.get('value')), _optional_text(one, 'type')) for one in _objects(fields, 'parameters')
+    ]
+    return SetParameters(tuple(values), _optional_text(fields, 'id'))
 
 
 def _value(value: Any) -> Value:
@@ -255,16 +257,16 @@ def _value(value: Any) -> Value:
 
 _READERS: dict[str, Callable[[dict[str, Any]], Request]] = {
     'subscribe': _subscribe,
-    'unsubscribe': lambda said: Unsubscribe(_numbers(said, 'subscriptionIds')),
+    'unsubscribe': lambda fields: Unsubscribe(_numbers(fields, 'subscriptionIds')),
     'advertise': _advertise,
-    'unadvertise': lambda said: Unadvertise(_numbers(said, 'channelIds')),
-    'getParameters': lambda said: GetParameters(_texts(said, 'parameterNames'), _optional_text(said, 'id')),
+    'unadvertise': lambda fields: Unadvertise(_numbers(fields, 'channelIds')),
+    'getParameters': lambda fields: GetParameters(_texts(fields, 'parameterNames'), _optional_text(fields, 'id')),
     'setParameters': _set_parameters,
-    'subscribeParameterUpdates': lambda said: WatchParameters(_texts(said, 'parameterNames'), True),
-    'unsubscribeParameterUpdates': lambda said: WatchParameters(_texts(said, 'parameterNames'), False),
-    'subscribeConnectionGraph': lambda said: WatchGraph(True),
-    'unsubscribeConnectionGraph': lambda said: WatchGraph(False),
-    'fetchAsset': lambda said: FetchAsset(_text(said, 'uri'), _number(said, 'requestId')),
+    'subscribeParameterUpdates': lambda fields: WatchParameters(_texts(fields, 'parameterNames'), True),
+    'unsubscribeParameterUpdates': lambda fields: WatchParameters(_texts(fields, 'parameterNames'), False),
+    'subscribeConnectionGraph': lambda fields: WatchGraph(True),
+    'unsubscribeConnectionGraph': lambda fields: WatchGraph(False),
+    'fetchAsset': lambda fields: FetchAsset(_text(fields, 'uri'), _number(fields, 'requestId')),
 }
 
 

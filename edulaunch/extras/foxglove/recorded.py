@@ -10,10 +10,10 @@ from typing import Any
 from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS
 from edulaunch.engine.recording import Recording
 from edulaunch.errors import RecordingError
-from edulaunch.extras.foxglove import said
+from edulaunch.extras.foxglove import server_messages
 from edulaunch.extras.foxglove.feed import Key, Refused, Row, Topic
 from edulaunch.extras.foxglove.protocol import Playback, Value
-from edulaunch.extras.foxglove.said import Graph
+from edulaunch.extras.foxglove.server_messages import Graph
 
 PARTS = {'publisher': 'published', 'subscription': 'subscribed', 'service': 'served'}
 NO_CHANGES = 'a recording cannot be changed'
@@ -42,7 +42,7 @@ class RecordingFeed:
         times = {row[5] for row in self._ends} | {row[3] for row in self._nodes.values() if row[3] is not None}
         self._changes = sorted(times)
         self._parameter_times = [row[0] for row in recording.parameter_rows]
-        self._at_ns, self._speed, self._state = 0, 1.0, said.PLAYING
+        self._at_ns, self._speed, self._state = 0, 1.0, server_messages.PLAYING
         self._since = 0, clock()
         self._told: int | None = None
 
@@ -62,30 +62,30 @@ class RecordingFeed:
         return self._start_ns + self._at_ns
 
     def advance(self) -> list[bytes]:
-        if self._state == said.PLAYING:
+        if self._state == server_messages.PLAYING:
             began_ns, began_s = self._since
             self._at_ns = min(began_ns + round((self._clock() - began_s) * self._speed * 1e9), self._length_ns)
             if self._at_ns == self._length_ns:
-                self._state = said.ENDED
+                self._state = server_messages.ENDED
         if self._state == self._told or 'playbackControl' not in self.capabilities:
             return []
         self._told = self._state
-        return [said.playback(self._state, self.now_ns(), self._speed)]
+        return [server_messages.playback(self._state, self.now_ns(), self._speed)]
 
     def play(self, request: Playback) -> tuple[bytes, bool]:
         self.advance()
         seek_ns = request.seek_ns
-        if seek_ns is None and request.plays and self._state == said.ENDED:
+        if seek_ns is None and request.plays and self._state == server_messages.ENDED:
             seek_ns = self._start_ns  # start again from the beginning
         if seek_ns is not None:
             self._at_ns = min(max(seek_ns - self._start_ns, 0), self._length_ns)
         self._speed = request.speed
         self._since = self._at_ns, self._clock()
         is_over = self._at_ns == self._length_ns
-        self._state = said.ENDED if is_over else said.PLAYING if request.plays else said.PAUSED
+        self._state = server_messages.ENDED if is_over else server_messages.PLAYING if request.plays else server_messages.PAUSED
         self._told = self._state
         did_seek = seek_ns is not None
-        return said.playback(self._state, self.now_ns(), self._speed, did_seek, request.request), did_seek
+        return server_messages.playback(self._state, self.now_ns(), self._speed, did_seek, request.request), did_seek
 
     # -- channels and services
 

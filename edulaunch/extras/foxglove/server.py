@@ -17,7 +17,7 @@ from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from edulaunch.desk.machine.web import Guarded, open_paths, serve_paths
-from edulaunch.extras.foxglove import protocol, said
+from edulaunch.extras.foxglove import protocol, server_messages
 from edulaunch.extras.foxglove.lines import Line
 
 EVERY_S = 1 / 40
@@ -86,7 +86,7 @@ class Client(Guarded, WebSocketHandler):
             try:
                 protocol.parse(message)
             except protocol.ProtocolError as error:
-                await self.write_message(said.status(said.ERROR, str(error)))
+                await self.write_message(server_messages.status(server_messages.ERROR, str(error)))
                 return
             await self._line.say(message)
         except (WebSocketClosedError, StreamClosedError):

@@ -248,5 +248,5 @@ class ConfinedSession(Session):
         sources = {file: self.index.source_path(file) for file in files}
         interfaces = recorder.interfaces(set(types))
         answer = {'launch': recorder.launch, 'roots': recorder.roots, 'seen': recorder.seen_now()}
-        beside = {name: [one.told() for one in many] for name, many in recorder.beside.items()}
+        beside = {name: [one.as_data() for one in many] for name, many in recorder.beside.items()}
         return {**answer, 'interfaces': interfaces, 'sources': sources, 'beside': beside}

@@ -55,7 +55,7 @@ class ToldBeside:
     def __init__(self, data: dict[str, Any]) -> None:
         self._data = data
 
-    def told(self, since: int = 0) -> dict[str, Any]:
+    def as_data(self, since: int = 0) -> dict[str, Any]:
         """Return all steps."""
         return self._data
 

@@ -49,7 +49,7 @@ def launch(session: Session, tmp_path: Path) -> Callable[..., list[dict[str, Any
 
 
 def rows(session: Session) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = session.traces[-1].told()['rows']
+    found: list[dict[str, Any]] = session.traces[-1].as_data()['rows']
     return sorted(found, key=lambda row: row['number'])
 
 
@@ -258,13 +258,13 @@ def test_a_step_that_ends_after_it_was_told_is_told_again() -> None:
         session.sim.run(session.sim.now_ns)
         trace, known, count = session.traces[0], {}, 0
         for way in ('into', 'event', 'event', 'go'):
-            told = trace.told(count)
+            told = trace.as_data(count)
             count = told['count']
             known |= {row['number']: row for row in told['rows']}
-            assert known == {row['number']: row for row in trace.told()['rows']}
+            assert known == {row['number']: row for row in trace.as_data()['rows']}
             trace.stepper.go(way)
             session.sim.run(session.sim.now_ns)
-        known |= {row['number']: row for row in trace.told(count)['rows']}
+        known |= {row['number']: row for row in trace.as_data(count)['rows']}
         assert 'visiting' not in {row['state'] for row in known.values()}
 
 

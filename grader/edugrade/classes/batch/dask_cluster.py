@@ -148,5 +148,5 @@ def _put(folder: Path, files: dict[str, bytes]) -> None:
 def _keep(store: Store, entry: Entry, came: dict[str, Any], options: Options) -> None:
     if options.html and came['page'] is not None and not options.only:
         keep_page(store.path(entry, '.html', options.html), came['page'])
-    store.took(entry, came['run_s'])
+    store.record_duration(entry, came['run_s'])
     keep_document(store, entry, came['report'], options)

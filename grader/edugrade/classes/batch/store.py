@@ -99,7 +99,7 @@ class Store:
         about = {'student': entry.student, 'student_id': entry.id or None, 'path': entry.path, 'origin': entry.origin or None}
         write_whole(path, json_text({**about, **content}))
 
-    def took(self, entry: Entry, seconds: float) -> None:
+    def record_duration(self, entry: Entry, seconds: float) -> None:
         """Record how long the runs of a submission took. Results do not contain this time, so equal runs have equal results."""
         self._times[entry.path] = round(seconds, 2)
 

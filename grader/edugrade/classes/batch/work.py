@@ -130,7 +130,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
         found = document(report)
     except Exception as error:  # a fault of the grader with one submission must not affect the others
         found = refusal(BROKEN_GRADER, *words_of(error))
-    store.took(entry, sum(outcome.real_s for outcome in report.outcomes))
+    store.record_duration(entry, sum(outcome.real_s for outcome in report.outcomes))
     keep_document(store, entry, found, options)
 
 
