@@ -1,4 +1,4 @@
-"""Without the cyclic garbage collector, where much is made that stays."""
+"""Pauses the cyclic garbage collector while code creates many objects that stay."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MOST_UNSEEN = 500_000
 
 
 class _Unseen:
-    """What was made in pauses since the collector looked."""
+    """The number of objects that were created in pauses since the last collection."""
 
     things = 0
 

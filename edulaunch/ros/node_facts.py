@@ -23,11 +23,11 @@ _chosen: CoreOf = _in_our_rclpy
 
 
 def choose(core_of_node: CoreOf) -> None:
-    """Let :func:`core_of` ask this function from now on, in the whole interpreter."""
+    """Make :func:`core_of` call this function from now on, in the whole interpreter."""
     global _chosen
     _chosen = core_of_node
 
 
 def core_of(node: Any) -> Any:
-    """Return the state of a node: a `NodeCore`, or what stands for it on ROS 2's own rclpy."""
+    """Return the state of a node: a `NodeCore`, or its replacement on ROS 2's own rclpy."""
     return _chosen(node)

@@ -15,7 +15,7 @@ from typing import Any
 
 
 def passed_on(module: str) -> Callable[[str], Any]:
-    """Make the `__getattr__` of a module."""
+    """Return the `__getattr__` of a module."""
 
     def __getattr__(name: str) -> Any:
         if name.startswith('__') or name not in homes_of(module):

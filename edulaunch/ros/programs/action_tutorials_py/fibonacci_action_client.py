@@ -14,7 +14,7 @@ ORDER = 10
 
 
 class FibonacciActionClient(Node):
-    """One step after the other, each in a callback."""
+    """Does one step after the other, each in a callback."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_client')
@@ -42,7 +42,7 @@ class FibonacciActionClient(Node):
         rclpy.shutdown()
 
     def feedback_callback(self, feedback_msg: Fibonacci.Impl.FeedbackMessage) -> None:
-        """Log how far it is."""
+        """Log the progress of the goal."""
         self.get_logger().info(f'Received feedback: {feedback_msg.feedback.partial_sequence}')
 
 

@@ -23,7 +23,7 @@ class DoubleTalker(Node):
         self.timer2 = self.create_timer(0.5, self.timer_callback, callback_group=self.group)
 
     def timer_callback(self) -> None:
-        """Say the next number."""
+        """Publish the next number."""
         message = String(data=f'Hello World: {self.i}')
         self.i += 1
         self.get_logger().info(f'Publishing: "{message.data}"')
@@ -31,7 +31,7 @@ class DoubleTalker(Node):
 
 
 def work() -> None:
-    """Spin both with four threads."""
+    """Spin both nodes with four threads."""
     executor = MultiThreadedExecutor(num_threads=4)
     executor.add_node(DoubleTalker())
     executor.add_node(Listener())

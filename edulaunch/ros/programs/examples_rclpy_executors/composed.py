@@ -10,7 +10,7 @@ from examples_rclpy_executors.talker import Talker
 
 
 def work() -> None:
-    """Spin both."""
+    """Spin both nodes."""
     executor = SingleThreadedExecutor()
     executor.add_node(Talker())
     executor.add_node(Listener())

@@ -12,7 +12,7 @@ from edulaunch.ros.running import spin
 
 
 class ThrottledCallbackGroup(CallbackGroup):
-    """Holds callbacks back when they have run too often; a timer gives them new turns."""
+    """Delays callbacks that have run too often; a timer gives them new turns."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -32,10 +32,10 @@ class ThrottledCallbackGroup(CallbackGroup):
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Nothing to give back."""
+        """Do nothing, because a turn is not returned."""
 
     def timer_callback(self) -> None:
-        """Fill up when all turns are used."""
+        """Give new turns when all are used."""
         if not self.bucket:
             self.bucket = self.bucket_max
 
@@ -51,7 +51,7 @@ class ThrottledTalker(Node):
         self.timer = self.create_timer(0.1, self.timer_callback, callback_group=self.group)
 
     def timer_callback(self) -> None:
-        """Say the next number."""
+        """Publish the next number."""
         message = String(data=f'Hello World: {self.i}')
         self.i += 1
         self.get_logger().info(f'Publishing: "{message.data}"')

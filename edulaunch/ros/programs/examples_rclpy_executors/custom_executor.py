@@ -21,7 +21,7 @@ class Estopper(Node):
         self.sub = self.create_subscription(String, 'estop', self.estop_callback, 10)
 
     def estop_callback(self, msg: String) -> None:
-        """Log it."""
+        """Log the stop."""
         self.get_logger().info(f'I heard: {msg.data}')
 
 
@@ -35,12 +35,12 @@ class PriorityExecutor(Executor):
         self.lp_executor = ThreadPoolExecutor(max_workers=1)
 
     def add_high_priority_node(self, node: Node) -> None:
-        """Add a node that comes first."""
+        """Add a node whose callbacks run first."""
         self.high_priority_nodes.add(node)
         self.add_node(node)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Hand the next callback to one of the two pools."""
+        """Pass the next callback to one of the two pools."""
         try:
             handler, group, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
         except (StopIteration, TimeoutException):

@@ -9,7 +9,7 @@ from edulaunch.ros.running import spin
 
 
 class Listener(Node):
-    """Listens."""
+    """Logs each message on `chatter`."""
 
     def __init__(self) -> None:
         super().__init__('listener')

@@ -1,4 +1,4 @@
-"""The program talker: says something on `chatter` every second."""
+"""The program talker: publishes on `chatter` every second."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Talker(Node):
         self.timer = self.create_timer(1.0, self.timer_callback)
 
     def timer_callback(self) -> None:
-        """Say the next number."""
+        """Publish the next number."""
         message = String(data=f'Hello World: {self.i}')
         self.i += 1
         self.get_logger().info(f'Publishing: "{message.data}"')

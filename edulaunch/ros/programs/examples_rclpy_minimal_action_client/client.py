@@ -16,7 +16,7 @@ ORDER = 10
 
 
 class MinimalActionClient(Node):
-    """One step after the other, each in a callback."""
+    """Does one step after the other, each in a callback."""
 
     def __init__(self) -> None:
         super().__init__('minimal_action_client')
@@ -40,11 +40,11 @@ class MinimalActionClient(Node):
         self.accepted(goal_handle)
 
     def accepted(self, goal_handle: ClientGoalHandle) -> None:
-        """What to do with an accepted goal: wait for its result."""
+        """Wait for the result of an accepted goal."""
         goal_handle.get_result_async().add_done_callback(self.get_result_callback)
 
     def feedback_callback(self, feedback: Fibonacci.Impl.FeedbackMessage) -> None:
-        """Log how far it is."""
+        """Log the progress of the goal."""
         self.get_logger().info(f'Received feedback: {feedback.feedback.sequence}')
 
     def get_result_callback(self, future: Future) -> None:

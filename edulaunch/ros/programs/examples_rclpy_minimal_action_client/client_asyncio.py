@@ -23,7 +23,7 @@ class MinimalActionClientAsyncIO(Node):
         self._action_client = ActionClient(self, Fibonacci, 'fibonacci')
 
     async def send_goal(self) -> tuple[Fibonacci.Result, int] | None:
-        """The result of a goal and its status; None when it was rejected."""
+        """Return the result and the status of a goal; None if it was rejected."""
         self.get_logger().info('Waiting for action server...')
         self._action_client.wait_for_server()
         self.get_logger().info('Sending goal request...')
@@ -39,19 +39,19 @@ class MinimalActionClientAsyncIO(Node):
         return reply.result, reply.status
 
     def feedback_callback(self, feedback: Fibonacci.Impl.FeedbackMessage) -> None:
-        """Log how far it is."""
+        """Log the progress of the goal."""
         self.get_logger().info(f'Received feedback: {feedback.feedback.sequence}')
 
 
 async def spinning(node: Node) -> None:
-    """Spin the node between what else the event loop does."""
+    """Spin the node between the other tasks of the event loop."""
     while rclpy.ok():
         rclpy.spin_once(node, timeout_sec=0.01)
         await asyncio.sleep(0.001)
 
 
 async def work() -> None:
-    """Two goals, and a task that spins."""
+    """Send two goals, while a task spins the node."""
     client = MinimalActionClientAsyncIO()
     spin_task = asyncio.get_running_loop().create_task(spinning(client))
     results = await asyncio.gather(client.send_goal(), client.send_goal())

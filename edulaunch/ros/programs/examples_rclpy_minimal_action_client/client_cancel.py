@@ -12,10 +12,10 @@ PATIENCE_S = 2.0
 
 
 class CancellingActionClient(MinimalActionClient):
-    """Loses its patience."""
+    """Cancels its goal after two seconds."""
 
     def accepted(self, goal_handle: ClientGoalHandle) -> None:
-        """Begin to wait."""
+        """Start the timer for the cancellation."""
         self._goal_handle = goal_handle
         self._timer = self.create_timer(PATIENCE_S, self.timer_callback)
 
@@ -26,7 +26,7 @@ class CancellingActionClient(MinimalActionClient):
         self._timer.cancel()
 
     def cancel_done(self, future: Future) -> None:
-        """Log how that went and end."""
+        """Log the reply and end."""
         went_well = len(future.result().goals_canceling) > 0
         self.get_logger().info('Goal successfully canceled' if went_well else 'Goal failed to cancel')
         rclpy.shutdown()

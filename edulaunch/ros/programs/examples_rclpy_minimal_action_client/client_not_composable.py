@@ -13,7 +13,7 @@ ORDER = 10
 
 
 def work() -> None:
-    """Wait for the server, for the goal to be accepted, for the result."""
+    """Wait for the server, the acceptance of the goal, and the result."""
     node = rclpy.create_node('minimal_action_client')
     log = node.get_logger()
     client = ActionClient(node, Fibonacci, 'fibonacci')

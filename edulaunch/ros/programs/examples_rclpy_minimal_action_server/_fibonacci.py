@@ -1,4 +1,4 @@
-"""What the servers have in common: the node, its answers, and the work on one goal."""
+"""The common parts of the servers: the node, its replies, and the work on one goal."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class MinimalActionServer(Node):
         )
 
     def destroy_node(self) -> None:
-        """Take the action server down, too."""
+        """Destroy the action server, too."""
         self._action_server.destroy()
         super().destroy_node()
 
@@ -47,7 +47,7 @@ class MinimalActionServer(Node):
         return GoalResponse.ACCEPT
 
     def cancel_callback(self, goal_handle: ServerGoalHandle) -> CancelResponse:
-        """Accept that any goal is cancelled."""
+        """Accept every cancellation."""
         self.get_logger().info('Received cancel request')
         return CancelResponse.ACCEPT
 
@@ -70,7 +70,7 @@ class MinimalActionServer(Node):
         return self.succeed(goal_handle, feedback)
 
     def succeed(self, goal_handle: ServerGoalHandle, feedback: Fibonacci.Feedback) -> Fibonacci.Result:
-        """End a goal well, with what its feedback has come to."""
+        """End a goal successfully with the numbers of its feedback."""
         goal_handle.succeed()
         self.get_logger().info(f'Returning result: {feedback.sequence}')
         return Fibonacci.Result(sequence=feedback.sequence)

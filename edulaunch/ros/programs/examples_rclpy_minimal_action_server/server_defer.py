@@ -19,7 +19,7 @@ class DeferringActionServer(MinimalActionServer):
         self._timer: Timer | None = None
 
     def handle_accepted_callback(self, goal_handle: ServerGoalHandle) -> None:
-        """Put the goal off."""
+        """Delay the goal."""
         self._goal_handle = goal_handle
         self.get_logger().info('Deferring execution...')
         self._timer = self.create_timer(DELAY_S, self.timer_callback)

@@ -19,7 +19,7 @@ STEP_S = 1.0
 
 
 def cancel_callback(node: Node, goal_handle: ServerGoalHandle) -> CancelResponse:
-    """Accept that any goal is cancelled."""
+    """Accept every cancellation."""
     node.get_logger().info('Received cancel request')
     return CancelResponse.ACCEPT
 

@@ -1,4 +1,4 @@
-"""What the clients have in common: waiting for the service, the request, the line with the sum."""
+"""The common parts of the clients: waiting for the service, the request, and the line with the sum."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ REQUEST = AddTwoInts.Request(a=41, b=1)
 
 
 def client_of(node: Node) -> Client:
-    """Return a client of `add_two_ints`, once there is a server."""
+    """Return a client of `add_two_ints`, when there is a server."""
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
         node.get_logger().info('service not available, waiting again...')

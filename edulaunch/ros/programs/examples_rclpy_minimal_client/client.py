@@ -1,4 +1,4 @@
-"""The program client: spins until its answer is there."""
+"""The program client: spins until its reply has arrived."""
 
 from __future__ import annotations
 

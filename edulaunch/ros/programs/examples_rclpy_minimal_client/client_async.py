@@ -1,4 +1,4 @@
-"""The program client_async: looks after each thing it did whether the answer is there."""
+"""The program client_async: checks between other work whether the reply has arrived."""
 
 from __future__ import annotations
 

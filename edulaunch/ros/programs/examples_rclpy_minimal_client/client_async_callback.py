@@ -1,4 +1,4 @@
-"""The program client_async_callback: asks inside a callback that waits for the answer with `await`."""
+"""The program client_async_callback: sends a request in a callback that waits for the reply with `await`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 def ask() -> None:
-    """Ask once, half a second after the start. The group lets the answer come in while the callback waits for it."""
+    """Ask once, half a second after the start. The group lets the reply arrive while the callback waits for it."""
     node = rclpy.create_node('minimal_client')
     group = ReentrantCallbackGroup()
     steps: list[str] = []

@@ -10,7 +10,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 class MinimalClientAsync(Node):
-    """Has a client of `add_two_ints`; made when there is a server."""
+    """Has a client of `add_two_ints`; it is created when there is a server."""
 
     def __init__(self) -> None:
         super().__init__('minimal_client_async')
@@ -18,7 +18,7 @@ class MinimalClientAsync(Node):
         self.req = REQUEST
 
     def send_request(self) -> None:
-        """Ask; the answer comes to `future`."""
+        """Send the request; `future` gets the reply."""
         self.future = self.cli.call_async(self.req)
 
 

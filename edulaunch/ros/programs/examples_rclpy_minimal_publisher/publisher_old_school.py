@@ -1,4 +1,4 @@
-"""The program publisher_old_school: publishes in a loop of its own, without spinning."""
+"""The program publisher_old_school: publishes in its own loop, without spinning."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PERIOD_S = 0.5
 
 
 def publish() -> None:
-    """Publish, count, sleep, until ROS 2 is shut down."""
+    """Publish a number and sleep, until ROS 2 is shut down."""
     node = rclpy.create_node('minimal_publisher')
     publisher = node.create_publisher(String, 'topic', 10)
     number = 0

@@ -9,7 +9,7 @@ from edulaunch.ros.running import spin
 
 
 class MinimalService(Node):
-    """Adds."""
+    """Adds two numbers."""
 
     def __init__(self) -> None:
         super().__init__('minimal_service')

@@ -1,4 +1,4 @@
-"""The program subscriber_old_school: spins once for each thing to do."""
+"""The program subscriber_old_school: spins once for each callback."""
 
 from __future__ import annotations
 

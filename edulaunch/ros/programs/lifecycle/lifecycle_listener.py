@@ -1,4 +1,4 @@
-"""The program lifecycle_listener: logs what the talker says, and each change of its state."""
+"""The program lifecycle_listener: logs the talker's messages, and each change of its state."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.ros.running import spin
 
 
 class LifecycleListener(Node):
-    """Two subscriptions."""
+    """Has two subscriptions."""
 
     def __init__(self) -> None:
         super().__init__('lc_listener')

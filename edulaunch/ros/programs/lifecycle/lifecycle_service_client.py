@@ -20,11 +20,11 @@ STEPS = (
     ('TRANSITION_CLEANUP', 10.0),
     ('TRANSITION_UNCONFIGURED_SHUTDOWN', 0.0),
 )
-"""What to trigger, and the seconds to wait after it."""
+"""Transitions, each with the seconds to wait after it."""
 
 
 class LifecycleServiceClient(Node):
-    """Asks the services of lc_talker."""
+    """Calls the services of lc_talker."""
 
     def __init__(self) -> None:
         super().__init__('lc_client')
@@ -46,7 +46,7 @@ class LifecycleServiceClient(Node):
         return True
 
     def change_state(self, transition: int) -> bool:
-        """Trigger a transition and log how it went."""
+        """Trigger a transition and log its result."""
         if not self._change.wait_for_service(timeout_sec=5.0):
             self.get_logger().error('Service /lc_talker/change_state is not available.')
             return False
@@ -64,7 +64,7 @@ class LifecycleServiceClient(Node):
 
 
 def work() -> None:
-    """One step after the other, as long as all goes well."""
+    """Do one step after the other, until one fails."""
     client = LifecycleServiceClient()
     if not client.get_state():
         return

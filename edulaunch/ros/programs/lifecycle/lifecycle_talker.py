@@ -15,7 +15,7 @@ class SlowTalker(LifecycleTalker):
     """Does some work while it is activated, for which others must wait."""
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:
-        """Work."""
+        """Work for two seconds, and activate the node."""
         result = super().on_activate(state)
         time.sleep(2.0)
         return result

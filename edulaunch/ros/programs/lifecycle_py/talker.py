@@ -20,7 +20,7 @@ class LifecycleTalker(LifecycleNode):
         self._timer: Timer | None = None
 
     def publish(self) -> None:
-        """Say the next number; a publisher that is not active says nothing."""
+        """Publish the next number; an inactive publisher sends nothing."""
         message = String(data=f'Lifecycle HelloWorld #{self._count}')
         self._count += 1
         if self._pub is None or not self._pub.is_activated:
@@ -31,7 +31,7 @@ class LifecycleTalker(LifecycleNode):
             self._pub.publish(message)
 
     def on_configure(self, state: State) -> TransitionCallbackReturn:
-        """Make publisher and timer."""
+        """Create the publisher and the timer."""
         self._pub = self.create_lifecycle_publisher(String, 'lifecycle_chatter', 10)
         self._timer = self.create_timer(1.0, self.publish)
         self.get_logger().info('on_configure() is called.')
@@ -48,13 +48,13 @@ class LifecycleTalker(LifecycleNode):
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: State) -> TransitionCallbackReturn:
-        """Give publisher and timer back."""
+        """Destroy the publisher and the timer."""
         self._give_back()
         self.get_logger().info('on_cleanup() is called.')
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: State) -> TransitionCallbackReturn:
-        """Give publisher and timer back."""
+        """Destroy the publisher and the timer."""
         self._give_back()
         self.get_logger().info('on_shutdown() is called.')
         return TransitionCallbackReturn.SUCCESS

@@ -1,4 +1,4 @@
-"""The index that a program's AMENT_PREFIX_PATH calls for."""
+"""The index for a program's AMENT_PREFIX_PATH."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
 def own_path() -> str | None:
-    """Return what the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it."""
+    """Return the running program's AMENT_PREFIX_PATH; None if it is unchanged since sourcing."""
     process = current_process()
     path = process.env.get(AMENT_PREFIX_PATH_ENV_VAR, '')
     return None if path == process.sourced_path else path
 
 
 def index_in_force() -> Index:
-    """Return the simulation's index; or that of just the prefixes which the program has put into the variable."""
+    """Return the simulation's index; or an index of only the prefixes that the program has put into the variable."""
     path, sourced = own_path(), current_process().index
     return sourced if path is None else _index_of(path, sourced)
 
 
 def existing(path: str) -> list[str]:
-    """Return the folders of such a variable that there are."""
+    """Return the existing folders of such a variable."""
     return [folder for folder in path.split(os.pathsep) if folder and os.path.exists(folder)]
 
 
 def _index_of(path: str, sourced: Index) -> Index:
-    """With the built-in packages and the workspaces that were sourced, as far as they are still named."""
+    """Return the index of these prefixes, with the built-in packages and sourced workspaces among them."""
     underlay, named = underlay_prefix(), path.split(os.pathsep)
     folders = [workspace.folder for workspace in sourced.workspaces if workspace.path in named]
     generated = {workspace.path for workspace in sourced.workspaces}

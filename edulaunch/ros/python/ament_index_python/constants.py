@@ -1,4 +1,4 @@
-"""Names that the ament index is made of."""
+"""Names of files and folders in the ament index."""
 
 from __future__ import annotations
 

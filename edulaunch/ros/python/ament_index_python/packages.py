@@ -20,7 +20,7 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 
 
 class PackageNotFoundError(KeyError):
-    """No prefix of the search path holds a package of that name."""
+    """No prefix of the search path has a package of that name."""
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -38,7 +38,7 @@ def get_package_prefix(package_name: str) -> str:
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
-    """`<prefix>/share/<package>`; when that folder is missing there is only a warning.
+    """Return `<prefix>/share/<package>`. If that folder is missing, only warn.
 
     :raises ValueError: when this cannot be a package name.
     :raises PackageNotFoundError: when there is no such package.

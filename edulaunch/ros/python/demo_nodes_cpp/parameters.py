@@ -13,7 +13,7 @@ TYPE_NAMES = {int: 'integer', str: 'string', float: 'double', bool: 'bool'}
 
 
 def make_node(node_name: str) -> CppNode:
-    """Return the node, with its parameters set. What is refused is logged as an error."""
+    """Return the node with its parameters set; log each rejected one as an error."""
     node = CppNode(node_name)
     for name, value in DEFAULTS.items():
         node.declare_parameter(name, value)
@@ -24,7 +24,7 @@ def make_node(node_name: str) -> CppNode:
 
 
 def _list() -> None:
-    """List, say it, and end."""
+    """List the parameters, log them, and end."""
     node = make_node('list_parameters')
     log = node.get_logger()
     log.info('Listing parameters...')
@@ -34,7 +34,7 @@ def _list() -> None:
 
 
 def _set_and_get() -> None:
-    """Read back, say it, and end."""
+    """Read the parameters, log them, and end."""
     node = make_node('set_and_get_parameters')
     lines = [_described(name, node.get_parameter(name).value) for name in VALUES]
     node.get_logger().info(''.join(lines))

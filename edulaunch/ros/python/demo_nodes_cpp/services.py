@@ -33,7 +33,7 @@ class AddTwoIntsServer(CppNode):
 
 
 def ask() -> int:
-    """Ask once; the exit code is 0, or 1 when the answer never came."""
+    """Ask once; the exit code is 0, or 1 without a reply."""
     node = CppNode('add_two_ints_client')
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
@@ -73,7 +73,7 @@ def follow_parameter(node: CppNode, name: str, end: Any) -> None:
 
 
 class IntrospectionService(AddTwoIntsServer):
-    """The same, and publishes what it is asked as much as its parameter says."""
+    """Does the same, and publishes its requests as far as its parameter allows."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('introspection_service', **options)

@@ -37,7 +37,7 @@ class Listener(CppNode):
 
 
 class BestEffortListener(Listener):
-    """As the listener, content with messages that may get lost."""
+    """Works like the listener, but accepts that messages get lost."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(qos_profile_sensor_data, **options)

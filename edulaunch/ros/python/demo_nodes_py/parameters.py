@@ -24,7 +24,7 @@ NAMES = [parameter.name for parameter in VALUES]
 
 
 def _set_list_get() -> None:
-    """One request after the other, each waited for."""
+    """Send one request after the other, and wait for each reply."""
     node = rclpy.create_node('async_param_client')
     client = AsyncParameterClient(node, REMOTE)
     log = node.get_logger()
@@ -87,10 +87,10 @@ class SetParametersCallback(Node):
 
 
 def async_param_client() -> None:
-    """Sets, lists, gets, loads and deletes parameters of parameter_blackboard."""
+    """Set, list, get, load and delete parameters of parameter_blackboard."""
     run(_set_list_get)
 
 
 def set_parameters_callback() -> None:
-    """The three moments at which a node has its say on a new value."""
+    """Run the node that shows the three callbacks for a new value."""
     spin(SetParametersCallback)

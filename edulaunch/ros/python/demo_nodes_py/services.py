@@ -58,7 +58,7 @@ def _ask_async() -> None:
 
 
 def add_two_ints_server() -> None:
-    """Adds."""
+    """Run the program that adds two numbers."""
     spin(AddTwoIntsServer)
 
 

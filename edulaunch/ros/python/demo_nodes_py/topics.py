@@ -1,4 +1,4 @@
-"""The two ends of `chatter`: talker, listener, both with a quality of service of choice, and listener_serialized."""
+"""The two ends of `chatter`: talker, listener, both with any quality of service, and listener_serialized."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Listener(Node):
 
 
 class SerializedListener(Node):
-    """Asks for messages as they travel, undecoded."""
+    """Receives messages in serialized form."""
 
     def __init__(self) -> None:
         super().__init__('serialized_subscriber')
@@ -60,7 +60,7 @@ MakeNode = Callable[[str, QoSProfile], 'Talker | Listener']
 
 
 def _run_with_quality(verb: str, node_stem: str, make_node: MakeNode) -> None:
-    """Run a node with the quality of service that was asked for, until it has handled enough messages."""
+    """Run a node with the requested quality of service, until it has handled enough messages."""
     import argparse
 
     parser = argparse.ArgumentParser(formatter_class=argparse.ArgumentDefaultsHelpFormatter)
@@ -79,7 +79,7 @@ def _run_with_quality(verb: str, node_stem: str, make_node: MakeNode) -> None:
 
 
 def talker() -> None:
-    """A numbered greeting every second."""
+    """Publish a numbered greeting every second."""
     spin(Talker)
 
 

@@ -70,7 +70,7 @@ class JointStatePublisher(Node):
         self._positions = {joint.name: self._given(f'zeros.{joint.name}', _middle(*self._limits[joint.name])) for joint in joints}
 
     def _mimic(self, joint: Joint) -> Mimic | None:
-        """Return what a joint follows, by the parameters or by its tag."""
+        """Return the joint that a joint follows, from the parameters or from its tag."""
         name = f'dependent_joints.{joint.name}'
         parent = self._given(f'{name}.parent', None)
         if parent is not None:
@@ -105,7 +105,7 @@ class JointStatePublisher(Node):
         return self._position(follows.joint, (*seen, name)) * follows.multiplier + follows.offset
 
     def _swing(self) -> None:
-        """Move each free joint by `delta`, to and fro within its limits."""
+        """Move each free joint by `delta`, back and forth within its limits."""
         turns = False
         for name, (lower, upper) in self._limits.items():
             if name in self._followers:

@@ -19,7 +19,7 @@ def is_left_out(path: str) -> bool:
 
 
 def absent_file(path: str) -> dict[str, Any]:
-    """Return what is known of a file that is not there, when it would belong to such a package."""
+    """Return the facts about a missing file that would belong to such a package."""
     share = _share()
     package = path[len(share) :].partition(os.sep)[0] if path.startswith(share) else ''
     kind = absent_package(package)
@@ -32,7 +32,7 @@ def _share() -> str:
 
 
 def absent_program(name: str) -> str | None:
-    """Return the path that a program like xacro would have, when it is of such a package."""
+    """Return the path that a program of such a package would have."""
     prefix = running_process().index.absent_prefix
     return os.path.join(prefix, 'lib', name, name) if absent_package(name) is not None else None
 

@@ -25,7 +25,7 @@ _KEY = 'launch.look'
 
 
 class Look:
-    """What was seen of the files that were only looked into.
+    """The results for files that were only searched.
 
     :ivar descriptions: by kind of source and location; None for what cannot be loaded.
     :ivar findings: by the identity of such a description what was found in it and below; None before the search.
@@ -38,7 +38,7 @@ class Look:
 
 @contextmanager
 def looking() -> Iterator[Look]:
-    """Inside, each file is looked into once. (A look may hold others, which are the same.)"""
+    """Search each file only once inside this context. (A nested context uses the outer one.)"""
     state = running_process().state
     if _KEY in state:
         yield state[_KEY]

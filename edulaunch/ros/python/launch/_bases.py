@@ -1,4 +1,4 @@
-"""What the classes of launch are made with."""
+"""Base classes of the classes of launch."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ class StartedThreads:
 def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run the loop until the task is done.
 
-    :raises SimulationError: when no code can end the wait of the task any more.
+    :raises SimulationError: when no code can end the wait of the task.
     """
     while not task.done():
         if not _has_run_alone(loop, task, threads.has_come):
@@ -101,7 +101,7 @@ def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has
 
 
 def _run_slice(loop: asyncio.AbstractEventLoop) -> float:
-    """Run the loop for a slice of simulated time; returns how many seconds of real time the slice has left."""
+    """Run the loop for a slice of simulated time; return the remaining seconds of real time in the slice."""
     began = time.monotonic()
     end = loop.call_later(SLICE_S, loop.stop)
     try:

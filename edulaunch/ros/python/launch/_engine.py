@@ -1,4 +1,4 @@
-"""The seam between launch and the engine: the only module of launch that knows edulaunch's processes.
+"""The connection of launch to the engine: the only module of launch that uses edulaunch's processes.
 
 Everything is looked up through the running process, so that two simulations in one interpreter never meet.
 """
@@ -20,7 +20,7 @@ T = TypeVar('T')
 
 
 class OfProcess(Protocol):
-    """What a launch context keeps of the process that runs it."""
+    """The data of a launch context about the process that runs it."""
 
     process_state: dict[str, Any]
     process_counter: list[int]
@@ -40,7 +40,7 @@ def _current_process() -> Callable[[], Process]:
 
 
 def is_plain_script() -> bool:
-    """Return whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
+    """Return whether the running code belongs to a plain script or notebook cell, not to a simulated program."""
     from edulaunch.engine.sim.task import AmbientTask, current_task
 
     return isinstance(current_task(), AmbientTask)
@@ -52,12 +52,12 @@ def environment() -> MutableMapping[str, str]:
 
 
 def inside(path: str | os.PathLike[str]) -> str:
-    """Return a path as the running process means it: each terminal of a machine has a folder of its own."""
+    """Return the path that the running process means, because each terminal of a machine has its own folder."""
     return running_process().path(os.fspath(path))
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
-    """Return what would be a global of launch's process: made at first use, one for each process."""
+    """Return a value that would be a global of launch's process; it is created on first use in each process."""
     state = running_process().state
     if key not in state:
         state[key] = make()
@@ -82,7 +82,7 @@ def process_counter(context: OfProcess) -> list[int]:
 
 
 def generated_files() -> dict[str, Any]:
-    """Path -> file, of the files that launch made for the programs of this simulation; see `Host.generated_files`."""
+    """Return the files that launch generated for the programs of this simulation, by path; see `Host.generated_files`."""
     return running_process().host.generated_files
 
 

@@ -1,4 +1,4 @@
-"""An error of a launch file as plain data: where in whose file it happened, and what is known besides its text.
+"""An error of a launch file as plain data: its place in the student's file, and facts beyond its message.
 
 The errors themselves keep the messages of ROS and Python. `edulaunch.advice` adds advice where a person reads them.
 """
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
 
 CALL_LINES = 8
-"""So many lines a call may have, to be looked at for the names of its arguments."""
+"""The longest call, in lines, that is searched for the names of its arguments."""
 
 
 def note_failure(error: BaseException, message: str) -> None:
@@ -63,7 +63,7 @@ def launch_facts(error: BaseException) -> dict[str, Any]:
 
 
 def launch_origin(error: BaseException) -> Origin | None:
-    """Return where in a student's file it happened: the innermost line that was running there, else the line of the action."""
+    """Return the place in a student's file: the innermost line that was running there, or the line of the action."""
     from edulaunch.engine.processes import Origin
 
     cause = root_cause(error)
@@ -80,7 +80,7 @@ def launch_origin(error: BaseException) -> Origin | None:
 
 
 def root_cause(error: BaseException) -> BaseException:
-    """Return what the loader that was tried first said, when none could load the file; else the error itself."""
+    """Return the first loader's error if no loader could load the file, otherwise the error itself."""
     while isinstance(error, InvalidLaunchFileError) and error.likely_errors:
         error = error.likely_errors[0]
     return error

@@ -1,4 +1,4 @@
-"""The event handlers of a launch, so kept that only those are asked which can match."""
+"""The event handlers of a launch, in a table that asks only handlers which can match."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from .event import Event
 
 
 class Handler(Protocol):
-    """What a table needs to know of an event handler."""
+    """The part of an event handler that the table needs."""
 
     def matches(self, event: Event) -> bool:
-        """Return whether it handles the event."""
+        """Return whether the handler accepts the event."""
 
     def handle(self, event: Event, context: Any) -> Any:
-        """React; returns entities to visit, or None."""
+        """Handle the event; return entities to visit, or None."""
 
     def describe(self) -> Any:
         """Return the handler in words, and its entities."""
@@ -39,7 +39,7 @@ class HandlerTable:
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
-        """Let the handler be asked first, or last."""
+        """Add a handler before or after all others."""
         if append:
             self._last += 1
         else:
@@ -49,7 +49,7 @@ class HandlerTable:
     def remove(self, handler: Handler) -> None:
         """Remove the handler (once, if it was added more than once).
 
-        :raises ValueError: when it is not there.
+        :raises ValueError: when it is not registered.
         """
         key = _key(handler)
         group = self._groups.get(key, {})

@@ -1,4 +1,4 @@
-"""Which line of which launch file made an action.
+"""Finds the launch file and the line that created an action.
 
 ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must cost next to nothing, because every action pays
 for it. Two numbers are stored, and converted to a readable form on request.
@@ -84,9 +84,7 @@ def _line_table(code: CodeType) -> tuple[CodeType, list[int], list[int]]:
 
 
 def note_origin(error: BaseException, entity: Any) -> None:
-    """Remember on `error` (as `edulaunch_origin` and `edulaunch_entity`) which action raised it; the
-    innermost stays.
-    """
+    """Store on `error` (as `edulaunch_origin` and `edulaunch_entity`) the innermost action that raised it."""
     if not hasattr(error, 'edulaunch_origin'):
         error.edulaunch_origin = entity.origin  # type: ignore[attr-defined]
         error.edulaunch_entity = type(entity).__name__  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""What a recording keeps of a launch besides its processes, in the state of the process that runs launch."""
+"""Notes on a launch for the recording, in the state of the process that runs launch."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Declared(Protocol):
-    """What these notes need to know of a `DeclareLaunchArgument`."""
+    """The part of a `DeclareLaunchArgument` that these notes need."""
 
     @property
     def name(self) -> str:
@@ -44,7 +44,7 @@ def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, or
 
 
 def names_read() -> dict[str, bool]:
-    """Return the names of launch configurations that substitutions asked for (`launch.read`), in order."""
+    """Return the names of launch configurations that substitutions have read (`launch.read`), in order."""
     return process_state('launch.read', dict)
 
 
@@ -58,7 +58,7 @@ def note_wrong_return(function: Any) -> None:
 
 
 def tell_wrong_return(error: Any) -> None:
-    """Put the place of the function that was remembered last on the error."""
+    """Attach the place of the last stored function to the error."""
     remembered: list[Any] = process_state(_KEY, list)
     for function in remembered:
         code = function.__code__

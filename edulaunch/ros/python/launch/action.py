@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def _only_a_condition(entity: Entity, parser: ParserProtocol) -> tuple[type, dict[str, Any]]:
-    """Return what every action element may have: `if` and `unless`."""
+    """Return the keyword arguments that every action element may have, from `if` and `unless`."""
     from .frontend.condition_of import condition_of
 
     return Action, condition_of(entity, parser)
@@ -52,7 +52,7 @@ class Action(LaunchDescriptionEntity):
         return type(self.__dict__.get('_Action__origin')) is Inherited
 
     def set_origin(self, file: str, line: int) -> None:
-        """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
+        """Set the file and line of an action that the parser of a frontend created."""
         self.__origin = (file, line)
 
     parse = ParsedByFrontend('action', _only_a_condition)
@@ -61,7 +61,7 @@ class Action(LaunchDescriptionEntity):
     condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 
     def describe(self) -> str:
-        """Python's `repr`, for people who read a plan or an error."""
+        """Return Python's `repr`, for people who read a plan or an error."""
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:

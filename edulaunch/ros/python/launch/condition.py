@@ -26,7 +26,7 @@ class Condition(StableRepr):
         return f'if {type(self).__name__} says so'
 
     def describe(self) -> str:
-        """Return what people read; here as `repr` writes it."""
+        """Return a description for people, which is the `repr` here."""
         return repr(self)
 
     def evaluate(self, context: LaunchContext) -> bool:

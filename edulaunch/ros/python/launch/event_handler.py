@@ -1,4 +1,4 @@
-"""Reacting to events."""
+"""The base classes of event handlers."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ class BaseEventHandler(StableRepr):
 
     @property
     def handler_description(self) -> str:
-        """What the handler does, in words."""
+        """A description of the handler's action."""
         return '<callable>'
 
     @property
     def matcher_description(self) -> str:
-        """Which events are handled, in words."""
+        """A description of the handled events."""
         return f'{self.__matcher}'
 
     def matches(self, event: Event) -> bool:
@@ -57,7 +57,7 @@ class BaseEventHandler(StableRepr):
         return text, []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """React; returns entities to visit, or None. To be extended by subclasses."""
+        """Handle the event; return entities to visit, or None. Subclasses extend it."""
         context.extend_locals({'event': event})
         if self.__handle_once:
             context.unregister_event_handler(self)
@@ -78,7 +78,7 @@ class EventHandler(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """What the handler does, in words."""
+        """A description of the handler's action."""
         return '<entities>'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:

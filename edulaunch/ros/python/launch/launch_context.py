@@ -1,4 +1,4 @@
-"""What a running launch knows."""
+"""The state of a running launch."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Performed(Protocol):
-    """What a context needs to know of a substitution."""
+    """The part of a substitution that a context needs."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return the text."""
@@ -142,11 +142,11 @@ class LaunchContext:
         return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
     def extend_globals(self, extensions: dict[str, Any]) -> None:
-        """Add globals, which no pop takes away."""
+        """Add globals, which no pop removes."""
         self.__globals.update(extensions)
 
     def extend_locals(self, extensions: dict[str, Any]) -> None:
-        """Add locals, which the end of the running event handler takes away."""
+        """Add locals, which the end of the running event handler removes."""
         self.__locals.update(extensions)
 
     def _push_locals(self) -> None:
@@ -180,7 +180,7 @@ class LaunchContext:
         return self.__completion_futures
 
     def add_completion_future(self, completion_future: asyncio.Future[Any]) -> None:
-        """Let launch not be idle before this future is done."""
+        """Keep launch from being idle before this future is done."""
         self.__completion_futures.append(completion_future)
 
     def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:

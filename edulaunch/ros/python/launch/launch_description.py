@@ -1,4 +1,4 @@
-"""A list of entities: what a launch file returns."""
+"""The list of entities that a launch file returns."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     @property
     def deprecated(self) -> bool:
-        """Whether there is a reason not to use it any more."""
+        """Whether the description is deprecated."""
         return self.__deprecated_reason is not None
 
     deprecated_reason: ReadOnly[str | None] = ReadOnly('The reason not to use it any more, or None.')
@@ -57,7 +57,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.add_entity(action)
 
     def describe(self) -> str:
-        """Python's `repr`, for people who read a plan or an error."""
+        """Return Python's `repr`, for people who read a plan or an error."""
         return repr(self)
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -25,7 +25,7 @@ class LaunchDescriptionEntity(StableRepr):
     """
 
     def describe(self) -> str:
-        """Return what people read. To be given by subclasses."""
+        """Return a description for people. Subclasses implement it."""
         raise NotImplementedError('LaunchDescriptionEntity.describe must be overridden')
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -37,11 +37,11 @@ class LaunchDescriptionEntity(StableRepr):
         return []
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Do what the entity is for; returns the entities to visit next, or None."""
+        """Do the work of the entity; return the entities to visit next, or None."""
         return None
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return what launch waits for before it is idle, or None."""
+        """Return the future that launch waits for before it is idle, or None."""
         return None
 
 

@@ -83,8 +83,8 @@ class LaunchDescriptionSource:
             return None
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
-        """Load the file. To be overridden.
+        """Load the file. Subclasses override it.
 
-        :raises RuntimeError: here, where no way to load one is known.
+        :raises RuntimeError: in this class.
         """
         raise RuntimeError(f"LaunchDescriptionSource: no launch description, and no way to load one from '{location}'")

@@ -1,4 +1,4 @@
-"""Actions: what a launch file can ask for."""
+"""The actions that a launch file can request."""
 
 from typing import TYPE_CHECKING
 

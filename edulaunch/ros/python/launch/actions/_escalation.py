@@ -1,4 +1,4 @@
-"""Ending a process that does not want to end."""
+"""Ends a process that does not end after the first signal."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
 
 
 def request_signal(action: ExecuteLocal, signum: Signals) -> EmitEvent:
-    """Return the action that asks for a signal to the process of `action`."""
+    """Return the action that requests a signal for the process of `action`."""
     return EmitEvent(event=SignalProcess(signal_number=signum, process_matcher=matches_action(action)))
 
 

@@ -1,4 +1,4 @@
-"""One run of a program, from launch's side: what it prints and how it ends arrive on launch's own loop."""
+"""One run of a program, from launch's side: its output and its end arrive on launch's own loop."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class ProcessRun:
         self._process.send_signal(signum)
 
     def _take(self, stream: str, text: str) -> None:
-        """Called by the program, on its own turn."""
+        """Receive output of the program; the program calls this in its own turn."""
         if self._loop.is_closed():
             return
         self._pending.append((stream, text))
@@ -77,7 +77,7 @@ class OutputLines:
 
     @property
     def text(self) -> str:
-        """Everything that came so far."""
+        """The output so far."""
         return ''.join(self._pieces or ())
 
     def write(self, data: bytes) -> None:
@@ -91,7 +91,7 @@ class OutputLines:
             self._emit(line)
 
     def flush(self) -> None:
-        """Pass on what is left of a line that was never completed."""
+        """Pass on the rest of an incomplete line."""
         rest, self._rest = self._rest, ''
         if rest:
             self._emit(rest)
@@ -124,7 +124,7 @@ class ProcessOptions(NamedTuple):
 
     @property
     def has_delay(self) -> bool:
-        """Whether that is to be later.
+        """Return whether the restart has a delay.
 
         :raises TypeError: when the delay is not a number.
         """

@@ -1,4 +1,4 @@
-"""What happens to a process after its action was executed: start, output, signals, respawn, end."""
+"""Watches a process after its action was executed: its start, output, signals, respawn and end."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class ProcessWatch(BaseEventHandler):
         return get_logger(self._details['name'])
 
     def text_of(self, stream: str) -> str:
-        """Return what was written to 'stdout' or 'stderr' so far."""
+        """Return the output on 'stdout' or 'stderr' so far."""
         lines = self._lines.get(stream)
         return '' if lines is None else lines.text
 
@@ -181,7 +181,7 @@ class ProcessWatch(BaseEventHandler):
             self.begin(context)
 
     def _finish(self, error: Exception | None = None) -> None:
-        """The action is over."""
+        """End the action."""
         if not self.completed.done():
             if error is None:
                 self.completed.set_result(None)
@@ -226,7 +226,7 @@ class ProcessWatch(BaseEventHandler):
         return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:
-        """React to an event of this process, or to one that is meant for it."""
+        """Handle an event of this process or for this process."""
         super().handle(event, context)
         if isinstance(event, ProcessIO):
             self._unshown -= 1

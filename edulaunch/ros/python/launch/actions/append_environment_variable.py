@@ -51,7 +51,7 @@ class AppendEnvironmentVariable(Action):
     separator: ReadOnly[list[Substitution]] = ReadOnly('Return the separator of the values, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Add it."""
+        """Add the value."""
         name = perform_substitutions(context, self.__name)
         value = perform_substitutions(context, self.__value)
         if name in context.environment:

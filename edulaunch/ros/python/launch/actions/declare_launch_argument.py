@@ -1,4 +1,4 @@
-"""Declaring a launch argument."""
+"""The action `DeclareLaunchArgument`."""
 
 from __future__ import annotations
 

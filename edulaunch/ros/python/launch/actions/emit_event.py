@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class EmitEvent(Action):
-    """Emit an event, for handlers to react to.
+    """Emit an event, which handlers can handle.
 
     :raises RuntimeError: when `event` is not an event.
     """

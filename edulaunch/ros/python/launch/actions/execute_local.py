@@ -1,4 +1,4 @@
-"""Running a program and watching it."""
+"""The action `ExecuteLocal`."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class ExecuteLocal(Action):
 
     @property
     def emulate_tty(self) -> bool:
-        """Whether the program is to run in a terminal."""
+        """Whether the program runs in a terminal."""
         return bool(self.__options.emulate_tty)
 
     @property
@@ -134,14 +134,14 @@ class ExecuteLocal(Action):
         return None if self.__watch is None else self.__watch.return_code
 
     def get_stdout(self) -> str:
-        """Return what was written to the standard output so far.
+        """Return the standard output so far.
 
         :raises RuntimeError: without `cached_output`.
         """
         return self.__cached_text('stdout')
 
     def get_stderr(self) -> str:
-        """Return what was written to the standard error so far.
+        """Return the standard error output so far.
 
         :raises RuntimeError: without `cached_output`.
         """
@@ -218,7 +218,7 @@ class ExecuteLocal(Action):
             self.__watch.start_again(context)
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Done when the process has ended for good."""
+        """Return a future that is done when the process has ended for good."""
         return None if self.__watch is None else self.__watch.completed
 
 

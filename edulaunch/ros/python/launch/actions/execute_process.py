@@ -1,4 +1,4 @@
-"""Running a command."""
+"""The action `ExecuteProcess`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Several actions with a scope of their own."""
+"""The action `GroupAction`."""
 
 from __future__ import annotations
 
@@ -67,5 +67,5 @@ class GroupAction(Action):
         return [*begin, *actions, PopEnvironment(), PopLaunchConfigurations()]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Return all of them."""
+        """Return the actions of the group."""
         return self.get_sub_entities()

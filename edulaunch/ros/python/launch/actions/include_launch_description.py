@@ -1,4 +1,4 @@
-"""Including another launch file."""
+"""The action `IncludeLaunchDescription`."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class IncludeLaunchDescription(Action):
     )
 
     def describe(self) -> str:
-        """`IncludeLaunchDescription(/path/to/the.launch.py)`."""
+        """Return `IncludeLaunchDescription(/path/to/the.launch.py)`."""
         return f'IncludeLaunchDescription({self.__source.described_location})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -23,7 +23,7 @@ class LogInfo(Action):
     msg: ReadOnly[list[Substitution]] = ReadOnly('The message, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Write it."""
+        """Write the message."""
         from ..logging import get_logger
 
         get_logger('launch.user').info(perform_substitutions(context, self.__msg))

@@ -42,7 +42,7 @@ class OpaqueFunction(Action):
         self.__kwargs = kwargs if kwargs is not None else {}
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Call it."""
+        """Call the function."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
             iter(entities)  # A single entity is a common mistake. Checked here, the error has the line of this action.

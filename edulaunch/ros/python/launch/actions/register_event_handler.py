@@ -23,7 +23,7 @@ class RegisterEventHandler(Action):
     event_handler: ReadOnly[BaseEventHandler] = ReadOnly('The handler.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Register it."""
+        """Register the handler."""
         context.register_event_handler(self.__event_handler)
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:

@@ -25,6 +25,6 @@ class SetEnvironmentVariable(Action):
     value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the variable."""
         name = perform_substitutions(context, self.__name)
         context.environment[name] = perform_substitutions(context, self.__value)

@@ -29,6 +29,6 @@ class SetLaunchConfiguration(Action):
     value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the launch configuration."""
         name = perform_substitutions(context, self.__name)
         context.launch_configurations[name] = perform_substitutions(context, self.__value)

@@ -1,4 +1,4 @@
-"""Waiting before actions are executed."""
+"""The action `TimerAction`."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class TimerAction(Action):
     actions: ReadOnly[Iterable[LaunchDescriptionEntity]] = ReadOnly('What is visited then.')
 
     def describe(self) -> str:
-        """`TimerAction(period=2.0, actions=<actions>)`."""
+        """Return `TimerAction(period=2.0, actions=<actions>)`."""
         return f'TimerAction(period={self.__period}, actions=<actions>)'
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
@@ -71,7 +71,7 @@ class TimerAction(Action):
         return [(f'{self.__period} seconds pass without being canceled', self.__actions)]
 
     def handle(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity]:
-        """Called when the time is over: the actions to visit."""
+        """Return the actions to visit when the time is over."""
         context.extend_locals(self.__context_locals)
         return self.__actions
 
@@ -112,7 +112,7 @@ class TimerAction(Action):
             context.register_event_handler(OnShutdown(on_shutdown=lambda event, context: self.cancel()))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Done when the timer has run out or was cancelled."""
+        """Return a future that is done when the timer has fired or was cancelled."""
         return self._completed_future
 
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """True when the launch configuration has not exactly the given text; None means "is set"."""
+    """True when the launch configuration does not have exactly the given text; None means "is set"."""
 
     _sign = 'is not'
 

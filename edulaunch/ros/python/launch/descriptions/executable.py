@@ -122,7 +122,7 @@ class Executable:
 
     @property
     def word_count(self) -> int:
-        """How many words the command line has without a prefix, which no substitution is made for. (edulaunch only.)"""
+        """The number of words of the command line without a prefix, which creates no substitution. (edulaunch only.)"""
         return len(self.__words)
 
     def write_before_look(self, write: Callable[[], object]) -> None:

@@ -59,7 +59,7 @@ class OnActionEventBase(BaseEventHandler):
         return not isinstance(matcher, LaunchDescriptionEntity) and bool(matcher(action))
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Return the entities, or what the callable returns."""
+        """Return the entities, or the result of the callable."""
         super().handle(event, context)
         if self.__on_event is not None:
             answer: SomeEntitiesType | None = self.__on_event(event, context)
@@ -73,7 +73,7 @@ class OnActionEventBase(BaseEventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """Which events are handled, in words."""
+        """A description of the handled events."""
         event = self.__target_event_cls.__name__
         if self.__action_matcher is None:
             return f'event == {event}'

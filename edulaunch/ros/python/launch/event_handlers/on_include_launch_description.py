@@ -27,10 +27,10 @@ class OnIncludeLaunchDescription(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """What the handler does, in words."""
+        """A description of the handler's action."""
         return 'returns the launch_description in the event'
 
     @property
     def matcher_description(self) -> str:
-        """Which events are handled, in words."""
+        """A description of the handled events."""
         return 'event issubclass of launch.events.IncludeLaunchDescription'

@@ -58,6 +58,6 @@ class OnProcessIO(OnActionEventBase):
 
     @property
     def handler_description(self) -> str:
-        """Which streams are handled."""
+        """The handled streams."""
         streams = {'on_stdin': self.__on_stdin, 'on_stdout': self.__on_stdout, 'on_stderr': self.__on_stderr}
         return ' '.join(f"{name}: '{reaction}'" for name, reaction in streams.items() if reaction is not None)

@@ -27,7 +27,7 @@ class OnShutdown(BaseEventHandler):
         self.__on_shutdown: Any = on_shutdown
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Return the entities, or what the callable returns."""
+        """Return the entities, or the result of the callable."""
         super().handle(event, context)
         answer: SomeEntitiesType | None = (
             self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown
@@ -41,7 +41,7 @@ class OnShutdown(BaseEventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """Which events are handled, in words."""
+        """A description of the handled events."""
         return 'event issubclass of launch.events.Shutdown'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:

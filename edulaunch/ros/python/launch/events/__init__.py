@@ -1,4 +1,4 @@
-"""What can happen in a running launch."""
+"""The events of a running launch."""
 
 from typing import TYPE_CHECKING
 

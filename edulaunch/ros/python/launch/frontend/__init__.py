@@ -1,4 +1,4 @@
-"""Launch files in formats other than Python: what XML and YAML have in common, and how to extend both."""
+"""Launch files in formats other than Python: the common parts of XML and YAML, and functions to extend both."""
 
 from typing import TYPE_CHECKING
 

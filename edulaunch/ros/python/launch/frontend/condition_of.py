@@ -1,4 +1,4 @@
-"""What every element of a launch file may have: `if` and `unless`."""
+"""Reads `if` and `unless`, which every element of a launch file may have."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def _split(text: str) -> list[str]:
 
 
 Parsed = tuple[type, dict[str, Any]]
-"""What to make: a class (or function) and its keyword arguments."""
+"""The class (or function) to call, and its keyword arguments."""
 Substitutions = list[Substitution]
 Reader = Callable[[Entity, ParserProtocol, str], Any]
 Attributes = dict[str, tuple[str, Reader]]
@@ -144,7 +144,7 @@ def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
 def pairs(
     entity: Entity, parser: ParserProtocol, tag: str, first: str = 'name', second: str = 'value'
 ) -> list[tuple[Substitutions, Substitutions]]:
-    """Children like `<arg name="a" value="b"/>`, in order."""
+    """Return children like `<arg name="a" value="b"/>`, in order."""
     parse = parser.parse_substitution
     plain = entity.plain_pairs(tag, first, second)
     if plain is not None:

@@ -1,4 +1,4 @@
-"""What a parse function sees of one element of a launch file, whatever the format."""
+"""One element of a launch file in any format, as a parse function gets it."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Entity(ABC):
 
     @property
     def shown(self) -> str:
-        """The element's name as people know it. (edulaunch only.)"""
+        """The name of the element for people. (edulaunch only.)"""
         return f"'{self.type_name}'"
 
     @abstractmethod

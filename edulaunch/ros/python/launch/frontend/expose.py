@@ -1,4 +1,4 @@
-"""Which element of a launch file, and which `$(...)`, is made by what."""
+"""The tables of elements and `$(...)`, and of the functions that parse them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the text of an attribute to substitutions."""
+"""Converts the text of an attribute to substitutions."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .extensions import load_launch_extensions
 from .substitution_parsers import LateSubstitution
 
 MAX_DEPTH = 50
-"""How deep `$(...)` may stand inside each other."""
+"""The maximum depth of nested `$(...)`."""
 
 
 class Call(NamedTuple):
@@ -154,7 +154,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
         super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
 
     def first_line(self, text: str) -> str:
-        """Return what lark says before it lists what it expected."""
+        """Return lark's message before its list of expected tokens."""
         return 'Unexpected input. '
 
 
@@ -172,7 +172,7 @@ class UnexpectedEOF(UnexpectedInput):
     """The text ends inside a `$(...)`."""
 
     def first_line(self, text: str) -> str:
-        """There is nothing to show."""
+        """Return '', because there is no such line."""
         return 'Unexpected end-of-input. '
 
 

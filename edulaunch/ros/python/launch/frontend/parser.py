@@ -1,4 +1,4 @@
-"""Reading a launch file in any format other than Python."""
+"""Reads launch files in formats other than Python."""
 
 from __future__ import annotations
 

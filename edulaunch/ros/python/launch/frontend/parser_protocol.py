@@ -1,4 +1,4 @@
-"""What the readers of single elements need of a parser, so that their files and the parser's do not import each other."""
+"""The part of a parser that readers of single elements need, so that these files do not import each other."""
 
 from __future__ import annotations
 

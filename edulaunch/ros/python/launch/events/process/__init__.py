@@ -1,4 +1,4 @@
-"""Events of one program: what it did, and what it should do."""
+"""Events of one program: its actions, and requests to it."""
 
 from typing import TYPE_CHECKING
 

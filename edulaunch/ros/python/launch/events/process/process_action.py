@@ -1,4 +1,4 @@
-"""What the events of a program need to know of the action that runs it."""
+"""The part of an action that the events of its program need."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ProcessIO(RunningProcessEvent):
-    """Something went over one of the streams of a process.
+    """A process has written to or reads from one of its streams.
 
     :param text: the bytes, which need not be whole lines.
     :param fd: 0 for stdin, 1 for stdout, 2 for stderr.
@@ -29,15 +29,15 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def from_stdin(self) -> bool:
-        """Whether the process is to read it."""
+        """Whether the process should read the text."""
         return self.__fd == 0
 
     @property
     def from_stdout(self) -> bool:
-        """Whether it came from the standard output."""
+        """Whether the text is from the standard output."""
         return self.__fd == 1
 
     @property
     def from_stderr(self) -> bool:
-        """Whether it came from the standard error."""
+        """Whether the text is from the standard error."""
         return self.__fd == 2

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class ProcessStdin(ProcessIO):
-    """A process is to read text on its standard input."""
+    """A process should read text from its standard input."""
 
     name = 'launch.events.process.ProcessStdin'
 
