@@ -14,6 +14,7 @@ def main():
     rclpy.init()
     node = Node('says')
     publisher = node.create_publisher(Place, 'places', 10)
+    node.get_logger().info('there is a publisher')
     node.create_timer(0.1, lambda: publisher.publish(Place(x=1.5)))
     rclpy.spin(node)
 """
@@ -40,6 +41,7 @@ def test_terminals_talk_in_types_of_the_workspace(desk: Desk) -> None:
     make_messages(desk, 'float64 x\n')
     make_package(desk.folder, {'says': SAYS})
     says = desk.ros2('run mine says')
+    says.until('there is a publisher')
     assert desk.said('topic echo --once /places') == 'x: 1.5\n---\n'
     assert desk.said('topic list -t').splitlines()[1] == '/places [mine_msgs/msg/Place]'
     assert not says.gone()
