@@ -48,6 +48,10 @@ def test_a_script_runs_in_simulated_time(folder: Path, words: list[str]) -> None
     assert said(folder, *words) == "__main__ None ['a'] 1700000001.0\n"
 
 
+def test_a_module_needs_no_arguments(folder: Path) -> None:
+    assert said(folder, 'python3', '-m', 'plain') == '__main__  [] 1700000001.0\n'
+
+
 def test_a_shell_line_may_name_a_script_too(folder: Path) -> None:
     assert said(folder, 'python3 plain.py "a b"', shell=True) == "__main__ None ['a b'] 1700000001.0\n"
 

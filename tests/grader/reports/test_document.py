@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,8 @@ from edugrade.reports.document import document, document_of_all, json_text
 from edugrade.results import Refusal
 from edugrade.source import Gap
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
+
+from edulaunch.advice.rule import Finding
 
 
 def test_every_field_of_a_failed_check_is_there() -> None:
@@ -36,6 +39,13 @@ def test_every_field_of_a_failed_check_is_there() -> None:
         'root_cause': None,
         'cause': None,
     }
+
+
+def test_a_cause_says_where_it_is_if_it_has_a_place() -> None:
+    cause = Finding('argument', 'speed', {}, FILE, 4, rule='launch.argument-unused')
+    for found, where in ((cause, {'file': 'a.launch.py', 'line': 4}), (cause._replace(file=None, line=None), None)):
+        shown = document(report(PASSED, replace(FAILED, cause=found)))['checks'][1]['cause']
+        assert (shown['rule'], shown['where']) == ('launch.argument-unused', where)
 
 
 @pytest.mark.parametrize(

@@ -38,3 +38,9 @@ def test_home_is_that_of_the_simulated_machine(world: Any) -> None:
 )
 def test_arguments_variables_and_streams_are_those_of_the_simulated_machine(world: Any, text: str, output: str) -> None:
     assert world.run(text, 'program-1', 'a', 'b') == output
+
+
+def test_functions_of_atexit_are_called_when_the_program_ends_and_are_its_own(world: Any) -> None:
+    lines = ['import atexit', 'atexit.register(print, "last")', 'atexit.register(print, "first")']
+    lines.append('atexit.unregister(atexit.register(lambda: print("never")))')
+    assert world.run('\n'.join(lines)) == 'first\nlast\n'
