@@ -272,6 +272,25 @@ def test_a_kernel_that_dies_leaves_the_page_with_what_it_has_seen(lab: Lab, cour
         desk.until('.log td', 'Spawning turtle [turtle1]')
 
 
+def test_a_restarted_kernel_is_reported_and_leaves_no_error_in_the_console(lab: Lab, course: Path) -> None:
+    cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': STARTED, 'outputs': [], 'execution_count': None}
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (course / 'lessons' / 'again.ipynb').write_text(json.dumps(notebook))
+    with lab.open('again') as page:
+        desk = Desk(page.page)
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        desk.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
+        desk.errors.clear()
+        page.page.evaluate('() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+        desk.until('.state', 'The kernel was restarted: run this cell again.')
+        desk.press('forward')  # a student who has not seen it yet
+        page.page.wait_for_timeout(3_000)  # six more questions would come in this time
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        desk.until('.state', 'running')
+        assert desk.errors == []
+
+
 def test_a_slider_of_a_lesson_changes_the_colour_of_the_window(lab: Lab, course: Path, shots: Path) -> None:
     code = f"import edulaunch\nmachine = edulaunch.start{DEMO!r}\nmachine.run(0.1)\ndisplay(machine.slider('/sim', 'background_r'))\nmachine.view()"
     cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}

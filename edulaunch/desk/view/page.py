@@ -66,8 +66,8 @@ def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, smal
     """
     options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (
-        "const desk = document.getElementById('desk');\ndesk.attachShadow({ mode: 'open' });\n"
-        f"unpacked('{packed(delta, small)}').then(all => openDesk(desk, null, {options}).load(all));"
+        "const host = document.getElementById('desk');\nhost.attachShadow({ mode: 'open' });\n"
+        f"unpacked('{packed(delta, small)}').then(all => openDesk(host, null, {options}).load(all));"
     )
     return _page(title, start, _without_script(delta, title) if small else '')
 

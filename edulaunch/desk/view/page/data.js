@@ -145,7 +145,7 @@ class Store {
   }
   /* The steps of a launch that are new or have changed: by number, in the order of their visit, and by the step around them. */
   launched({ pid, at, rows }) {
-    if (!this.launches.has(pid)) this.launches.set(pid, { pid, at: null, name: 'launch', steps: [], order: [], below: new Map(), version: 0 });
+    if (!this.launches.has(pid)) this.launches.set(pid, { pid, at: null, name: 'launch', steps: [], order: [], below: new Map(), events: new Map(), version: 0 });
     const launch = this.launches.get(pid), seconds = value => value / 1e6;
     launch.at = at ?? null;
     launch.version++;
@@ -158,10 +158,13 @@ class Store {
       if (before) continue;
       launch.steps[row.number] = step;
       step.depth = row.parent < 0 ? 0 : (launch.steps[row.parent]?.depth ?? 0) + 1;
-      launch.below.set(row.parent, [...(launch.below.get(row.parent) || []), step]);
+      if (!launch.below.has(row.parent)) launch.below.set(row.parent, []);
+      launch.below.get(row.parent).push(step);
       if (row.kind === 'include' && row.parent < 0) launch.name = row.text.split('/').pop();
     }
     launch.order = launch.steps.filter(step => step?.order > 0).sort((a, b) => a.order - b.order);
+    launch.events = new Map();
+    for (const event of launch.order) for (const number of event.kind === 'event' ? new Set([event.about, ...(event.fired || [])]) : []) launch.events.set(number, [...(launch.events.get(number) || []), event]);
   }
   /* The time of the oldest message here. */
   first() { return Math.min(this.now, ...[...this.topics.values()].filter(topic => topic.t.n).map(topic => topic.t.a[0])); }

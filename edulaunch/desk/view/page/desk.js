@@ -1,11 +1,24 @@
 /* The live view: its layout, the bar of time, the keyboard, and the requests to the machine. */
 
-const TICK_S = 0.016, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 0];
+const TICK_S = 0.016, SLOW_MS = [40, 90, Infinity], SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 0];
+
+/* On a busy computer, pictures leave out details: the open tab and the trails take part in some pictures only, and names disappear. Input is never left out. */
+class Effort {
+  constructor() { this.mean = 0; this.level = 0; this.count = 0; }
+  /* `spent`: milliseconds from the request of a picture to its end; the average of some pictures counts. */
+  took(spent) {
+    this.mean += (Math.min(spent, 500) - this.mean) / 8;
+    if (this.mean > SLOW_MS[this.level]) this.level = Math.min(2, this.level + 1);
+    else if (this.level && this.mean < SLOW_MS[this.level - 1] * 0.6) this.level--;
+  }
+  /* Whether details take part in this picture: in each one, in every second, or in every fourth. */
+  get isTurn() { return this.count++ % (1 << this.level) === 0; }
+}
 
 class Desk {
   /* `link` is null for a recording, and {send(request), on(handler)} for a live machine. */
   constructor(root, link, options = {}) {
-    Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1 });
+    Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1, effort: new Effort() });
     this.store.grows = this.live;
     this.machine = { running: true, speed: 1 };
     this.options = { axes: false, colours: true, whole: Boolean(options.whole) };
@@ -231,16 +244,22 @@ class Desk {
     event.stopPropagation();
   }
   /* People cannot read tables faster than five times a second; while time is paused, each change is shown. */
+  get moves() { return this.playing || (this.live && this.follow && this.machine.running && !this.ended); }
   isTimeToTell(view) {
-    const now = performance.now(), moves = this.playing || (this.live && this.follow && this.machine.running);
-    if (moves && now - (view.toldAt || 0) < 200) return false;
+    const now = performance.now();
+    if (this.moves && now - (view.toldAt || 0) < 200) return false;
     view.toldAt = now;
     return true;
   }
   redraw() {
     if (!this.beat || this.asked) return;
-    this.asked = true;
-    requestAnimationFrame(stamp => { this.asked = false; this.beat(stamp); });
+    this.asked = performance.now();
+    requestAnimationFrame(stamp => {
+      const { asked } = this;
+      this.asked = 0;
+      this.beat(stamp);
+      this.effort.took(this.moves ? performance.now() - asked : 0);
+    });
   }
   beat(stamp) {
     const passed = Math.min(0.1, (stamp - (this.before || stamp)) / 1000);
@@ -253,8 +272,10 @@ class Desk {
     if (!this.colours || !this.views) return;
     this.time = Math.max(this.time, this.from);
     this.layout();
+    this.hurry = this.moves ? this.effort.level : 0;
+    this.isTurn = this.effort.isTurn || !this.hurry;
     for (const view of this.worldViews || []) if (!this.fold(view)) view.draw(this.time);
-    this.shown.draw(this.time);
+    if (this.isTurn) this.shown.draw(this.time);
     this.marks();
     if (this.playing) this.redraw(); else this.before = 0;
   }

@@ -10,7 +10,7 @@ const shownValue = value => value === null || value === undefined ? 'not set' : 
 
 class LaunchView {
   constructor(desk) {
-    Object.assign(this, { desk, cursor: null, chosen: null, closed: new Set(), line: null });
+    Object.assign(this, { desk, cursor: null, chosen: null, closed: new Set(), items: new Map(), written: 0 });
     this.box = make('div', { class: 'pane launch' });
     this.which = make('select', { 'aria-label': 'launch' });
     this.which.addEventListener('change', () => { this.chosen = this.cursor = null; this.again(); });
@@ -27,6 +27,7 @@ class LaunchView {
     this.stopping = make('label', {}, this.stops, ' stop each new launch before its first action');
     this.where = make('p', { class: 'where', role: 'status' });
     this.tree = make('div', { class: 'scroll steps', role: 'region', 'aria-label': 'actions of the launch', tabindex: 0 });
+    this.top = make('ul', {});
     this.told = make('div', { class: 'told step-told', role: 'region', 'aria-label': 'the chosen action' });
     this.events = make('div', { class: 'scroll events', role: 'region', 'aria-label': 'events of the launch', tabindex: 0 });
     this.box.append(make('div', { class: 'tools' }, this.which, this.backward, this.into, this.next, this.event, this.place, this.to, this.first), make('div', { class: 'tools' }, this.stopping),
@@ -127,7 +128,9 @@ class LaunchView {
     if (key === this.key) return;
     this.key = key;
     const scrolled = this.tree.scrollTop, focused = this.box.getRootNode().activeElement?.dataset?.step;
-    this.tree.replaceChildren(this.branch(launch, -1, states, here, time));
+    if (this.of !== launch) { this.of = launch; this.items = new Map(); }
+    if (this.top.parentNode !== this.tree) this.tree.replaceChildren(this.top);
+    this.listed(this.top, this.branch(launch, -1, states, here, time));
     this.tree.scrollTop = scrolled;
     if (focused !== undefined) this.tree.querySelector(`[data-step="${focused}"]`)?.focus({ preventScroll: true });
     if (this.scrollTo || (here && here.number !== this.before)) this.tree.querySelector('.here')?.scrollIntoView({ block: 'nearest' });
@@ -161,15 +164,17 @@ class LaunchView {
     const parent = this.launch.steps[row.parent];
     return parent?.due !== undefined ? 'waits for the timer' : parent?.handlers ? 'waits for the event' : 'waiting';
   }
+  /* The events of a process or timer, and those that fired a handler. */
+  events_of(row) { return this.launch.events.get(row.number) || []; }
   past(at, time, row) {
     if (this.cursor === null) return at <= time + 1e-7;
-    return this.launch.order.some(event => event.kind === 'event' && event.order < this.cursor && event.t === at && (event.fired?.includes(row.number) || event.about === row.number));
+    return this.events_of(row).some(event => event.order < this.cursor && event.t === at);
   }
   started(row, from, time) {
-    return this.cursor === null ? from <= time + 1e-7 : this.launch.order.some(event => event.event === 'ProcessStarted' && event.about === row.number && event.t === from && event.order < this.cursor);
+    return this.cursor === null ? from <= time + 1e-7 : this.events_of(row).some(event => event.event === 'ProcessStarted' && event.t === from && event.order < this.cursor);
   }
   ended(row, end, time) {
-    return this.cursor === null ? end <= time + 1e-7 : this.launch.order.some(event => event.event === 'ProcessExited' && event.about === row.number && event.t === end && event.order < this.cursor);
+    return this.cursor === null ? end <= time + 1e-7 : this.events_of(row).some(event => event.event === 'ProcessExited' && event.t === end && event.order < this.cursor);
   }
   timer(row, time) {
     const fired = (row.fired_at || []).find(at => this.past(at, time, row));
@@ -177,29 +182,48 @@ class LaunchView {
     const shutdown = this.launch.order.find(event => event.event === 'Shutdown' && this.came(event, time));
     return shutdown ? ['left', 'cancelled by the shutdown'] : ['waiting', `fires at ${row.due.toFixed(2)} s`];
   }
+  /* The elements of the steps below a step, in their order. */
   branch(launch, parent, states, here, time) {
-    const list = make('ul', {});
+    const shown = [];
     for (const row of launch.below.get(parent) || []) {
       if (row.kind === 'event') continue;
-      const quiet = HIDDEN_STEPS.has(row.kind) || (!row.file && row.kind !== 'include');
-      const [look, words] = states[row.number], inner = launch.below.get(row.number)?.length && !this.closed.has(row.number) ? this.branch(launch, row.number, states, here, time) : null;
-      if (quiet) { if (inner) list.append(...inner.children); continue; }
-      if (!row.order && parent >= 0 && !this.came(launch.steps[parent], time) && row !== here) continue;
-      const choose = make('button', { type: 'button', class: `step ${look}${row === here ? ' here' : ''}`, 'data-step': row.number, 'aria-current': row === here ? 'step' : false, 'aria-pressed': this.chosen === row.number ? 'true' : 'false' },
-        make('span', { class: 'what' }, titled(row)), make('span', { class: 'state-of' }, row === here ? `▶ next · ${words}` : words), make('span', { class: 'at mono' }, place(row)));
-      choose.addEventListener('click', () => { this.chosen = row.number; if (row.file) this.place.value = place(row); this.again(); });
-      const item = make('li', {});
-      if (launch.below.get(row.number)?.length) {
-        const open = !this.closed.has(row.number);
-        const fold = make('button', { type: 'button', class: 'fold', 'aria-expanded': String(open), 'aria-label': `${open ? 'fold' : 'unfold'} ${row.text}` }, open ? '▾' : '▸');
-        fold.addEventListener('click', () => { if (open) this.closed.add(row.number); else this.closed.delete(row.number); this.again(); });
-        item.append(fold);
-      }
-      item.append(choose);
-      if (inner?.children.length) item.append(inner);
-      list.append(item);
+      const inner = this.closed.has(row.number) ? [] : this.branch(launch, row.number, states, here, time);
+      if (HIDDEN_STEPS.has(row.kind) || (!row.file && row.kind !== 'include')) shown.push(...inner);
+      else if (row.order || parent < 0 || row === here || this.came(launch.steps[parent], time)) shown.push(this.item(launch, row, states[row.number], row === here, inner));
     }
-    return list;
+    return shown;
+  }
+  /* The element of a step. It stays from picture to picture, and only what has changed is written: a launch can have a thousand steps. */
+  item(launch, row, [look, words], isNext, inner) {
+    if (!this.items.has(row.number)) this.items.set(row.number, this.made(row));
+    const one = this.items.get(row.number), isChosen = this.chosen === row.number, isOpen = !this.closed.has(row.number), folds = Boolean(launch.below.get(row.number)?.length);
+    const texts = [titled(row), isNext ? `▶ next · ${words}` : words, place(row)], key = [look, isNext, isChosen, isOpen, folds, ...texts].join('\n');
+    if (key !== one.key) {
+      one.key = key;
+      this.written++;
+      one.step.className = `step ${look}${isNext ? ' here' : ''}`;
+      if (isNext) one.step.setAttribute('aria-current', 'step'); else one.step.removeAttribute('aria-current');
+      one.step.setAttribute('aria-pressed', String(isChosen));
+      texts.forEach((text, i) => { one.step.children[i].textContent = text; });
+      one.fold.hidden = !folds;
+      one.fold.textContent = isOpen ? '▾' : '▸';
+      one.fold.setAttribute('aria-expanded', String(isOpen));
+      one.fold.setAttribute('aria-label', `${isOpen ? 'fold' : 'unfold'} ${row.text}`);
+    }
+    this.listed(one.list, inner);
+    return one.item;
+  }
+  made(row) {
+    const { number } = row, step = make('button', { type: 'button', 'data-step': number }, ...['what', 'state-of', 'at mono'].map(name => make('span', { class: name })));
+    step.addEventListener('click', () => { this.chosen = number; if (row.file) this.place.value = place(row); this.again(); });
+    const fold = make('button', { type: 'button', class: 'fold' }), list = make('ul', { hidden: true });
+    fold.addEventListener('click', () => { if (!this.closed.delete(number)) this.closed.add(number); this.again(); });
+    return { step, fold, list, item: make('li', {}, fold, step, list) };
+  }
+  listed(list, items) {
+    if (list.children.length === items.length && items.every((item, i) => list.children[i] === item)) return;
+    list.replaceChildren(...items);
+    list.hidden = !items.length;
   }
   /* The details of one step. */
   about(launch, row, [, words], time) {

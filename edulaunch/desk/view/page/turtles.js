@@ -176,7 +176,7 @@ class WorldView {
     pen.fillStyle = this.background(time);
     pen.fillRect(0, 0, this.side, this.side);
     if (this.world.kind === 'robot') this.grid(pen, right - left);
-    this.trails(time);
+    if (this.desk.isTurn || !this.drawn.key || time < this.drawn.to) this.trails(time);
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.drawImage(this.layer, 0, 0);
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
@@ -187,6 +187,7 @@ class WorldView {
     for (const { mover, pose } of this.here) this.body(pen, mover, pose);
     if (this.desk.options.axes) this.axes(pen, time);
     this.names(pen);
+    if (!this.desk.isTimeToTell(this)) return this.here;
     const said = this.here.map(({ mover, pose }) => `${mover.name} at (${pose.x.toFixed(2)}, ${pose.y.toFixed(2)})`).join(', ');
     this.canvas.setAttribute('aria-label', `${this.world.title} at ${time.toFixed(2)} seconds: ${said || 'empty'}`);
     return this.here;
@@ -335,7 +336,7 @@ class WorldView {
   }
   /* Draw names beside their turtles, moved where they would overlap; in a crowd, draw only the name under the pointer. */
   names(pen) {
-    const crowd = this.here.length > 14;
+    const crowd = this.here.length > 14 || this.desk.hurry > 1;
     pen.font = '12px system-ui, sans-serif';
     for (const { mover, pose, label, place } of this.here) {
       if (crowd && mover !== this.over) continue;
