@@ -24,6 +24,8 @@ MOST_WAITING = 4 << 20
 MOST_CHANNELS = 1000
 """The most subscriptions of one client, and the most topics on which it publishes."""
 ENCODING, SCHEMA = 'cdr', 'ros2msg'
+PUBLISHED = (ENCODING, 'json')
+"""Encodings of the messages that a client publishes."""
 
 
 class TooMuch(ValueError):
@@ -77,7 +79,7 @@ class Conversation:
                 'serverInfo',
                 name=feed.name,
                 capabilities=list(feed.capabilities),
-                supportedEncodings=[ENCODING],
+                supportedEncodings=list(PUBLISHED),
                 metadata={'ROS_DISTRO': 'jazzy'},
                 sessionId=self._session,
                 **feed.details(),
@@ -249,11 +251,13 @@ class Conversation:
 
     def _advertise(self, request: protocol.Advertise) -> None:
         for channel in request.channels:
-            if channel.encoding != ENCODING:
-                raise Refused(f'{channel.topic}: edulaunch takes messages in {ENCODING}, not in {channel.encoding!r}')
+            if channel.encoding not in PUBLISHED:
+                raise Refused(
+                    f'{channel.topic}: edulaunch takes messages in {" or ".join(PUBLISHED)}, not in {channel.encoding!r}'
+                )
             if channel.id in self._publishers or len(self._publishers) >= MOST_CHANNELS:
                 raise Refused(f'{channel.topic}: channel {channel.id} is there already, or there are too many')
-            self._publishers[channel.id] = self._feed.advertise(channel.topic, channel.type)
+            self._publishers[channel.id] = self._feed.advertise(channel.topic, channel.type, channel.encoding)
 
     def _unadvertise(self, request: protocol.Unadvertise) -> None:
         for number in request.ids:

@@ -84,9 +84,10 @@ class Feed(Protocol):
         :raises Refused: when that is not possible.
         """
 
-    def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
-        """Create a publisher. Return a function that publishes CDR bytes, and raises Refused for bytes of another type.
+    def advertise(self, topic: str, type_name: str, encoding: str) -> Callable[[bytes], object]:
+        """Create a publisher. Return a function that publishes the bytes of a message, and raises Refused for bytes of another type.
 
+        :param encoding: 'cdr' or 'json'.
         :raises Refused: when that is not possible.
         """
 

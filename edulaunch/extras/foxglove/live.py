@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any
 
+from edulaunch.desk.cli.ros2.fill_message import FillError, fill_message
 from edulaunch.desk.view import ViewedMachine
 from edulaunch.engine.graph.names import topic_name_problem
 from edulaunch.engine.graph.node_entry import NodeEntry
@@ -121,16 +123,17 @@ class LiveFeed:
             self._node = self._graph.add_node(process, f'_foxglove_{self._number}', '/')
         return self._node
 
-    def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
+    def advertise(self, topic: str, type_name: str, encoding: str) -> Callable[[bytes], object]:
         problem = topic_name_problem(topic)
         if problem or not topic.startswith('/'):
             raise Refused(f'{topic!r} is not a topic name: {problem or "it has to begin with a slash"}')
         cls = self._class(type_name)
         publisher = self._graph.create_publisher(self._own_node(), topic, cls, QoS())
+        read = _from_json if encoding == 'json' else _decoded
 
         def publish(data: bytes) -> None:
             if not publisher.destroyed:
-                publisher.publish(_decoded(cls, data, topic))
+                publisher.publish(read(cls, data, topic))
 
         self._ends[publish] = publisher
         return publish
@@ -256,6 +259,19 @@ def _decoded(cls: Any, data: bytes, what: str) -> Any:
     try:
         return decode(cls, data)
     except (InterfaceError, MemoryError) as error:
+        raise Refused(f'{what}: {error}') from None
+
+
+def _from_json(cls: Any, data: bytes, what: str) -> Any:
+    """Return the wire of a message in JSON; a field that the object does not name has its default."""
+    message = cls()
+    try:
+        values = json.loads(data)
+        if not isinstance(values, dict):
+            raise ValueError(f'{data[:20]!r} is not an object with the fields of a {cls.TYPE}')
+        fill_message(message, values)
+        return cls.to_wire(message)
+    except (ValueError, RecursionError, FillError, InterfaceError) as error:
         raise Refused(f'{what}: {error}') from None
 
 

@@ -167,7 +167,7 @@ class RecordingFeed:
     def set(self, values: Sequence[tuple[str, Value, str | None]], answer: Callable[[str], object]) -> None:
         answer(NO_CHANGES)
 
-    def advertise(self, topic: str, type_name: str) -> Callable[[bytes], object]:
+    def advertise(self, topic: str, type_name: str, encoding: str) -> Callable[[bytes], object]:
         raise Refused(NO_CHANGES)
 
     def retire(self, publish: Callable[[bytes], object]) -> None:

@@ -54,7 +54,7 @@ def test_the_first_words_are_who_serves_and_what_there_is(session: Session) -> N
     spoken = turtlesim(session)
     texts = [one for one in spoken.log if isinstance(one, dict)]
     assert [one['op'] for one in texts] == ['serverInfo', 'advertise', 'advertiseServices']
-    assert texts[0]['supportedEncodings'] == ['cdr'] and 'clientPublish' in texts[0]['capabilities']
+    assert texts[0]['supportedEncodings'] == ['cdr', 'json'] and 'clientPublish' in texts[0]['capabilities']
     pose = spoken.entry('advertise', 'channels', '/turtle1/pose')
     assert (pose['encoding'], pose['schemaName'], pose['schemaEncoding']) == ('cdr', POSE, 'ros2msg')
     assert pose['schema'].splitlines()[0] == 'float32 x'
@@ -96,13 +96,46 @@ def test_a_twist_of_the_client_moves_the_turtle_and_is_recorded(session: Session
     assert spoken.statuses() == []
 
 
+def test_a_client_can_publish_in_json(session: Session) -> None:
+    spoken = turtlesim(session)
+    spoken.subscribe('/turtle1/pose')
+    spoken.op('advertise', channels=[{'id': 3, 'topic': '/turtle1/cmd_vel', 'encoding': 'json', 'schemaName': TWIST}])
+    spoken.conversation.take(b'\x01\x03\x00\x00\x00{"linear": {"x": 1}}')
+    session.run(0.5)
+    spoken.turn()
+    assert pose_of(spoken.data()[-1][1]).x == pytest.approx(6.04, abs=0.02)
+    assert spoken.statuses() == []
+
+
+@pytest.mark.parametrize(
+    ('text', 'said'),
+    [
+        ('{"linear": ', '/turtle1/cmd_vel: Expecting value'),
+        ('[1]', "/turtle1/cmd_vel: b'[1]' is not an object with the fields of a geometry_msgs/msg/Twist"),
+        ('{"linaer": {}}', "has no attribute 'linaer'"),
+        ('{"linear": {"x": "fast"}}', "'x' is float64"),
+        ('{"linear": 3}', 'is expected to be a dictionary'),
+        ('[' * 100_000, '/turtle1/cmd_vel: '),
+    ],
+)
+def test_json_that_does_not_fit_is_refused_with_a_sentence(session: Session, text: str, said: str) -> None:
+    spoken = turtlesim(session)
+    spoken.op('advertise', channels=[{'id': 3, 'topic': '/turtle1/cmd_vel', 'encoding': 'json', 'schemaName': TWIST}])
+    spoken.conversation.take(b'\x01\x03\x00\x00\x00' + text.encode())
+    session.run(0.1)
+    spoken.turn()
+    (status,) = spoken.statuses()
+    assert said in status
+    assert ('/turtle1/cmd_vel', TWIST) not in session.recorder.columns or not session.recorder.columns['/turtle1/cmd_vel', TWIST]
+
+
 def test_what_a_client_may_not_publish_is_refused_with_a_sentence(session: Session) -> None:
     spoken = turtlesim(session)
 
     def advertise(topic: str, kind: str, encoding: str = 'cdr') -> None:
         spoken.op('advertise', channels=[{'id': 3, 'topic': topic, 'encoding': encoding, 'schemaName': kind}])
 
-    advertise('/turtle1/cmd_vel', TWIST, 'json')
+    advertise('/turtle1/cmd_vel', TWIST, 'protobuf')
     advertise('cmd vel', TWIST)
     advertise('/turtle1/cmd_vel', 'geometry_msgs/msg/Twits')
     advertise('/turtle1/cmd_vel', 'turtlesim/srv/Spawn')
@@ -112,7 +145,7 @@ def test_what_a_client_may_not_publish_is_refused_with_a_sentence(session: Sessi
     spoken.conversation.take('no JSON')
     spoken.turn()
     beginnings = (
-        "/turtle1/cmd_vel: edulaunch takes messages in cdr, not in 'json'",
+        "/turtle1/cmd_vel: edulaunch takes messages in cdr or json, not in 'protobuf'",
         "'cmd vel' is not a topic name",
         "unknown interface 'geometry_msgs/msg/Twits'",
         'turtlesim/srv/Spawn is not a message type',

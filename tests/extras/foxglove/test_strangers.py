@@ -27,6 +27,15 @@ parameters = st.sampled_from(
 values = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5)
 cdr = st.binary(max_size=60).map(lambda data: b'\x00\x01\x00\x00' + data) | st.binary(max_size=8)
 
+fields = st.dictionaries(
+    st.sampled_from(['linear', 'x', 'theta', 'transforms', 'data']),
+    st.recursive(
+        values,
+        lambda inner: st.lists(inner, max_size=2) | st.dictionaries(st.sampled_from(['x', 'y', 'header']), inner, max_size=2),
+    ),
+    max_size=2,
+)
+
 
 def op(name: str, **fields: st.SearchStrategy[Any]) -> st.SearchStrategy[str]:
     return st.fixed_dictionaries({'op': st.just(name), **fields}).map(json.dumps)
@@ -49,6 +58,7 @@ words = st.one_of(
     op('fetchAsset', uri=st.text(max_size=5), requestId=numbers),
     st.tuples(numbers, cdr).map(lambda pair: struct.pack('<BI', 1, pair[0]) + pair[1]),
     st.tuples(numbers, numbers, cdr).map(lambda row: struct.pack('<BIII', 2, row[0], row[1], 3) + b'cdr' + row[2]),
+    st.tuples(numbers, fields).map(lambda pair: struct.pack('<BI', 1, pair[0]) + json.dumps(pair[1]).encode()),
     st.binary(max_size=30),
 )
 
