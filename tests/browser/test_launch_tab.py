@@ -81,6 +81,26 @@ def test_the_context_follows_the_step_and_an_event_comes_after_the_visit(replay:
     assert where(desk).startswith('Before the event') and 'started' in where(desk)
 
 
+def test_over_an_include_and_to_a_line_and_back_to_the_step_before(replay: tuple[Desk, str]) -> None:
+    desk, _ = replay
+    desk.press('step through the launch again')
+    while 'Before: include' not in where(desk):
+        desk.press('to the next action, also')
+    first = where(desk)
+    desk.press('to the next action after this')
+    over = where(desk)
+    assert over != first and over.rpartition(':')[0].endswith(first.rpartition('(')[2].rpartition(':')[0])
+    desk.press('back to the previous action or event')
+    assert where(desk) != over
+    desk.press('step through the launch again')
+    desk.page.get_by_label('file and line to run to').fill(over.rpartition('(')[2].rstrip(')'))
+    desk.page.keyboard.press('Enter')
+    assert where(desk) == over
+    desk.page.get_by_label('file and line to run to').fill('nothing.launch.py:1')
+    desk.press('run to the next action that this line makes')
+    desk.until('.state', 'the launch does not reach this line')
+
+
 def test_a_process_shows_where_its_parameters_come_from(replay: tuple[Desk, str]) -> None:
     desk, _ = replay
     desk.seek(1.0)

@@ -33,6 +33,32 @@ def test_a_page_asks_no_other_machine(page: str) -> None:
     assert "default-src 'none'" in page
 
 
+def contrast(one: str, other: str) -> float:
+    """The ratio of contrast of two colours, as WCAG defines it."""
+    parts = [[int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)] for colour in (one, other)]
+    linear = [[part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in colour] for colour in parts]
+    low, high = sorted(0.2126 * red + 0.7152 * green + 0.0722 * blue for red, green, blue in linear)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize('theme', ['', '[data-theme=dark]'], ids=['light', 'dark'])
+def test_text_and_borders_of_the_page_have_contrast(theme: str) -> None:
+    """WCAG 2.2: 4.5 to 1 for text, 3 to 1 for the borders of controls. axe-core sees neither borders nor what a canvas shows."""
+    style = (Path(page_module.__file__).with_name('page') / 'style.css').read_text(encoding='utf-8')
+    (rule,) = re.findall(rf'(?m)^\.desk{re.escape(theme)} {{ (--x:[^}}]*)', style)
+    colours = dict(re.findall(r'--(\w+): (#\w{6});', rule))
+    colours = {**dict(re.findall(r'--(\w+): (#\w{6});', style.partition('}')[0])), **colours}
+    for name, least in (('ink', 4.5), ('soft', 4.5), ('bad', 4.5), ('good', 4.5), ('lit', 4.5), ('line', 3.0)):
+        assert min(contrast(colours[name], colours[ground]) for ground in ('paper', 'field')) >= least, name
+    assert contrast(colours['line'], colours['button']) >= 3.0
+
+
+def test_red_is_the_colour_of_errors_and_of_the_axis_x_only() -> None:
+    folder = Path(page_module.__file__).with_name('page')
+    lines = [line for name in FILES for line in (folder / name).read_text(encoding='utf-8').splitlines()]
+    assert [line.strip() for line in lines if re.search('#(cc241d|b3261e)', line) and '[1, 0, 0]' not in line] == []
+
+
 def test_packing_is_the_same_every_time() -> None:
     assert packed(PIECE) == packed(dict(PIECE))
 

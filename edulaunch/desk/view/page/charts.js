@@ -33,7 +33,7 @@ class TimelineView {
       for (const log of store.logs) {
         const node = log.process === process.name;
         if (!node || log.t > this.to) continue;
-        pen.fillStyle = log.level >= 40 ? '#b3261e' : log.level >= 30 ? '#b46900' : colours.ink;
+        pen.fillStyle = log.level >= 40 ? colours.bad : log.level >= 30 ? colours.lit : colours.ink;
         pen.fillRect(at(log.t) - 1, log.level >= 30 ? y : y + 4, log.level >= 40 ? 5 : 2, log.level >= 30 ? 15 : 7);
       }
       if (process.to <= this.to) { pen.fillStyle = colours.ink; pen.fillText(process.code ? `✗ ${process.code}` : '✓', Math.min(at(end) + 2, this.width - 24), y + 11); }

@@ -143,7 +143,7 @@ class Desk {
   theme(name) {
     this.box.dataset.theme = name;
     const of = name => getComputedStyle(this.box).getPropertyValue('--' + name).trim();
-    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar', 'x', 'y', 'z', 'mark'].map(name => [name, of(name)]));
+    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar', 'x', 'y', 'z', 'mark', 'bad', 'good', 'lit'].map(name => [name, of(name)]));
     this.redraw();
   }
   tree(time) {

@@ -206,7 +206,7 @@ class FramesView {
       pen.fillRect(at(span.from), 16 * i + 4, Math.max(2, at(span.to) - at(span.from)), 9);
     });
     const close = Math.abs(at(time) - at(found.asked)) < 34;
-    for (const [value, colour, text] of [[time, this.desk.colours.soft, close ? '' : 'now'], [found.asked, found.error ? '#cc241d' : '#2e8c30', 'asked']]) {
+    for (const [value, colour, text] of [[time, this.desk.colours.soft, close ? '' : 'now'], [found.asked, found.error ? this.desk.colours.bad : this.desk.colours.good, 'asked']]) {
       pen.strokeStyle = pen.fillStyle = colour;
       pen.lineWidth = 1.5;
       line(pen, [[at(value), 0], [at(value), height - 12]]);

@@ -172,7 +172,7 @@ class GraphView {
     });
   }
   one(box) {
-    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}${box.unknown ? 'unknown' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}${box.unknown ? `, not known: ${box.unknown.join(', ')}` : ''}`, transform: `translate(${box.x} ${box.y})` });
+    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}${box.unknown ? 'unknown' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}${box.unknown ? `, ${box.unknown.join(', ')}; this is not known` : ''}`, transform: `translate(${box.x} ${box.y})` });
     group.append(drawing('rect', { x: -box.w / 2, y: -box.h / 2, width: box.w, height: box.h, rx: box.kind === 'node' ? box.h / 2 : 3 }));
     const lines = [...(box.space ? [[box.space, 'space']] : []), [box.base, ''], ...(box.mark ? [['⚠ ' + box.mark, 'mark']] : []), ...(box.unknown || []).map(text => ['? ' + text, 'space'])];
     lines.forEach(([said, look], i) => {

@@ -267,7 +267,7 @@ class WorldView {
       const found = scans.filter(scan => scan.time <= time && time - scan.time < 1).pop();
       const pose = found && tree.seenFrom(frame).get(found.frame);
       if (!pose) continue;
-      pen.fillStyle = '#cc241d';
+      pen.fillStyle = this.desk.colours.lit;
       found.ranges.forEach((range, i) => {
         if (range === null) return;
         const angle = found.angle + i * found.step + yawOf(pose.q);
