@@ -85,7 +85,7 @@ class Feed(Protocol):
         """
 
     def advertise(self, topic: str, type_name: str, encoding: str) -> Callable[[bytes], object]:
-        """Create a publisher. Return a function that publishes the bytes of a message, and raises Refused for bytes of another type.
+        """Create a publisher. Return a function that publishes the bytes of a message, and raises Refused for other bytes.
 
         :param encoding: 'cdr' or 'json'.
         :raises Refused: when that is not possible.
