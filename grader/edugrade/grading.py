@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from .variant import CourseSecret
 
 
+FEW = 8
+"""For more submissions than this, the starter loads more before the first run."""
+
+
 class Work(NamedTuple):
     """A submission with its rubric and scenarios. `secret` names the course secret that chose the seed, if there is one.
     `variant` has the values of the student's own exercise.
@@ -95,13 +99,20 @@ def grade(
     :param on_outcome: called after each run.
     :param processors: number of parallel runs (default: the number of processors).
     """
-    with runner_here(limits, on_outcome, processors) as runner:
+    with runner_here(limits, on_outcome, processors, len(work) > FEW) as runner:
         jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
-        from . import judging, results  # noqa: F401  # loads them during the first runs
-
+        _load_during_the_first_runs()
         jobs.reverse()
         for item in work:
             yield _report(item, runner, jobs.pop(), workspaces)  # not stored here, because recordings are large
+
+
+def _load_during_the_first_runs() -> None:
+    """Load what judging needs: the grader waits now, and later each run would wait for it."""
+    import edulaunch.engine.recording.recorded_types
+    import edulaunch.runtime.link.provenance  # noqa: F401
+
+    from . import judging, repeated, results  # noqa: F401
 
 
 class WarmGrader:
@@ -111,7 +122,7 @@ class WarmGrader:
     """
 
     def __init__(self, limits: Limits | None = None) -> None:
-        self._runner = runner_here(limits)
+        self._runner = runner_here(limits, is_for_many=True)
         self._runner.__enter__()
 
     def report(self, work: Work, workspaces: Sequence[str] = ()) -> Report:
@@ -124,13 +135,16 @@ class WarmGrader:
 
 
 def runner_here(
-    limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
+    limits: Limits | None = None,
+    on_outcome: Callable[[], object] | None = None,
+    processors: int | None = None,
+    is_for_many: bool = False,
 ) -> Runner | InPlace:
     """Return the runner for this system: with a confined process for each run, or in this process on a system without fork."""
     if CAN_FORK:
         from .runner import Runner
 
-        return Runner(limits, on_outcome, processors)
+        return Runner(limits, on_outcome, processors, is_for_many)
     from .in_place import InPlace
 
     return InPlace(limits, on_outcome)

@@ -31,11 +31,17 @@ class Runner:
     :param limits: the limits of each child.
     :param on_outcome: called when a run has ended.
     :param processors: number of parallel runs (default: the number of processors).
+    :param is_for_many: whether many submissions are expected, so that the starter loads more before the first run.
     """
 
     def __init__(
-        self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
+        self,
+        limits: Limits | None = None,
+        on_outcome: Callable[[], object] | None = None,
+        processors: int | None = None,
+        is_for_many: bool = False,
     ) -> None:
+        self._is_for_many = is_for_many
         self._limits = limits or Limits()
         self._processors = processors or os.cpu_count() or 1
         self._on_outcome = on_outcome
@@ -141,6 +147,7 @@ class Runner:
             home = os.path.join(self._home, f'starter{self._started}')
             os.mkdir(home)
             self._starter = StarterLink(home)
+        self._starter.is_for_many = self._is_for_many
         return self._starter
 
     def _forget(self, end: Any) -> None:

@@ -54,10 +54,12 @@ class StarterLink:
     :param home: a private folder for it.
 
     :ivar is_alive: whether it still accepts messages.
+    :ivar is_for_many: whether it loads, before the first run, what only some runs need.
     """
 
     def __init__(self, home: str) -> None:
         self.is_alive = True
+        self.is_for_many = False
         self._socket, theirs = socket.socketpair()
         self._path = import_path()
         self._has_places = False
@@ -95,7 +97,9 @@ class StarterLink:
         self._has_places = True
         readable, listable = readable_by_all(self._path)
         shown, hidden = shown_to_all(self._path)
-        self._send({'readable': readable, 'listable': listable, 'shown': shown, 'hidden': hidden})
+        self._send(
+            {'readable': readable, 'listable': listable, 'shown': shown, 'hidden': hidden, 'is_for_many': self.is_for_many}
+        )
 
     def begin(self, job: RunRequest, channel: int, output: int) -> socket.socket:
         """Begin a run, which answers on `channel` and prints on `output`. Return the link to its guard."""

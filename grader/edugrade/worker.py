@@ -11,7 +11,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from time import monotonic
@@ -34,6 +34,8 @@ SHORT_OF_MEMORY, BROKE, UNHEARD = 3, 4, 5  # exit codes; the last one means that
 Attend = Callable[[int, float], bool]
 
 _attending: list[Attend] = []
+_to_load: list[str] = []
+"""What the last workers had to load, for the next one."""
 
 
 class Exceeded(Exception):
@@ -83,6 +85,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     """Return the exit code of a worker (a negative signal number if a signal ended it), and its answer."""
     from .sandbox.system import fork
 
+    _load()
     for stream in (sys.stdout, sys.stderr):
         stream.flush()  # otherwise both processes would write the buffered output
     answer, end = os.pipe()
@@ -101,12 +104,13 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
     if not content:
         return os.waitstatus_to_exitcode(status) or UNHEARD, b''
     header, loaded, body = content.split(b'\n', 2)
-    _load(loaded.decode().split())
+    _to_load.extend(loaded.decode().split())
     return int(header), body
 
 
-def _load(names: Sequence[str]) -> None:
-    """Load the modules and message classes that the worker had to load, so that the next worker has them."""
+def _load() -> None:
+    """Load the modules and message classes that earlier workers had to load, so that the next worker has them."""
+    names, _to_load[:] = list(_to_load), []
     for name in names:
         with suppress(Exception):  # the next step meets the same error
             if '/' in name:

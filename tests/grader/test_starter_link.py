@@ -6,9 +6,10 @@ import os
 from pathlib import Path
 
 import pytest
-from edugrade import starter_link
+from edugrade import Scenario, starter_link
 from edugrade.commands import edugrade, has_runs
 from edugrade.runner import Runner
+from edugrade.submission import Submission
 
 from edulaunch.runtime.quiet_start import run_quietly
 
@@ -45,6 +46,23 @@ def test_a_runner_takes_the_early_starter_once(tmp_path: Path) -> None:
         assert first._starter is not None and first._starter.is_alive
         assert second._home != first._home and second._starter is None
     assert os.listdir(tmp_path / 'temporary') == []
+
+
+@pytest.mark.processes
+def test_a_starter_for_many_runs_has_loaded_more_and_gives_the_same_recording(tmp_path: Path) -> None:
+    file = tmp_path / 'a.launch.py'
+    file.write_text('import sys\nraise RuntimeError("loaded" if "yaml" in sys.modules else "not loaded")\n')
+    solution = str(Path(__file__).resolve().parents[2] / 'solutions' / 'circle.launch.py')
+    said, digests = [], []
+    for is_for_many in (False, True):
+        with Runner(processors=1, is_for_many=is_for_many) as runner:
+            asked, right = (runner.add(Submission(path), [Scenario('s', {}, 2.0, 7)]) for path in (str(file), solution))
+            said.append('not loaded' not in runner.wait(asked)[0].text)
+            recording = runner.wait(right)[0].recording
+            assert recording is not None
+            digests.append(recording.digest())
+    assert said == [False, True]
+    assert digests[0] == digests[1]
 
 
 @pytest.mark.processes

@@ -10,10 +10,24 @@ import os
 import signal
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # simulated time after which turtle2 of the demo looks up transforms
+OFTEN = (
+    *('argparse', 'hashlib', 'pathlib', 'yaml', 'edulaunch.desk.cli.ros2.commands', 'edulaunch.desk.cli.ros2.fill_message'),
+    *('edulaunch.desk.cli.ros2.listening', 'edulaunch.desk.cli.ros2.topic', 'edulaunch.engine.processes.views.chance_views'),
+    *('edulaunch.engine.processes.views.os_views', 'edulaunch.engine.processes.views.thread_views'),
+    *('edulaunch.engine.worlds.planar_robot', 'edulaunch.ros.serialization.message_text'),
+    *('launch.actions.group_action', 'launch.actions.opaque_function', 'launch.actions.register_event_handler'),
+    *('launch.actions.timer_action', 'launch.conditions.if_condition', 'launch.event_handlers.on_process_exit'),
+    *('launch.event_handlers.on_process_start', 'launch.launch_description_sources.python_launch_description_source'),
+    *('launch.substitutions.equals_substitution', 'launch.substitutions.path_join_substitution'),
+    *('launch.substitutions.python_expression', 'tf2_ros.static_transform_broadcaster'),
+)
+"""What some runs load besides. For a class it is worth loading them once."""
+OFTEN_TYPES = ('nav_msgs/msg/Odometry', 'sensor_msgs/msg/LaserScan', 'std_msgs/msg/String', 'std_msgs/msg/Int32')
 WORDS, LINK = 3, 4  # the only descriptors other than input and output
 MOST_DESCRIPTORS = 4096
 RESERVE_BYTES = 8 << 20  # memory that is kept free for the report that memory has run out
@@ -34,7 +48,6 @@ def warm_up() -> None:
         recording.to_bytes()
         if launch.process.returncode is not None or any(process.returncode is not None for process in recording.processes):
             raise RuntimeError('the first launch of this process failed')
-    import gc
     import tempfile
     import traceback  # noqa: F401  (for _broke)
 
@@ -42,8 +55,19 @@ def warm_up() -> None:
     import edulaunch.runtime.link.trusted  # noqa: F401
 
     tempfile.tempdir = None  # each run has its own folder
-    gc.collect()
-    gc.freeze()  # keeps the loaded modules in memory that the runs share
+
+
+def warm_up_for_many() -> None:
+    """Load what only some runs need. A module that is not installed is no fault of this process: a run says what it lacks."""
+    from importlib import import_module
+
+    from edulaunch.engine.interfaces.registry import underlay_registry
+
+    for name in OFTEN:
+        with suppress(ModuleNotFoundError):
+            import_module(name)
+    for name in OFTEN_TYPES:
+        underlay_registry().get(name)
 
 
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
