@@ -16,8 +16,7 @@ from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # simulated time after which turtle2 of the demo looks up transforms
 OFTEN = (
-    *('argparse', 'hashlib', 'pathlib', 'yaml', 'edulaunch.desk.cli.ros2.commands', 'edulaunch.desk.cli.ros2.fill_message'),
-    *('edulaunch.desk.cli.ros2.listening', 'edulaunch.desk.cli.ros2.topic', 'edulaunch.engine.processes.views.chance_views'),
+    *('argparse', 'hashlib', 'pathlib', 'yaml', 'edulaunch.engine.processes.views.chance_views'),
     *('edulaunch.engine.processes.views.os_views', 'edulaunch.engine.processes.views.thread_views'),
     *('edulaunch.engine.worlds.planar_robot', 'edulaunch.ros.serialization.message_text'),
     *('launch.actions.group_action', 'launch.actions.opaque_function', 'launch.actions.register_event_handler'),
