@@ -31,6 +31,9 @@ class Scenario(NamedTuple):
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
+    :param late_s: simulated seconds by which the first program of edulaunch begins late, the second one by twice this time, and
+        so on. Programs that launch starts later are not late. The submission cannot know this time, so that a clock cannot stand
+        in for a node that receives messages.
     """
 
     name: str
@@ -39,6 +42,7 @@ class Scenario(NamedTuple):
     seed: int = 0
     is_interrupted: bool = False
     defaults: Mapping[str, str | None] = MappingProxyType({})
+    late_s: float = 0.0
 
     @property
     def command(self) -> str:

@@ -54,6 +54,21 @@ SWAPPED = (
 )
 
 FORGERIES: dict[str, Attack] = {
+    'black_box: poses without a simulator': Attack(
+        'black_box',
+        6,
+        launch(
+            "ExecuteProcess(cmd=['ros2', 'topic', 'pub', '-r', '60', ['/', LaunchConfiguration('robot'), '/turtle1/pose'], "
+            "'turtlesim/msg/Pose', '{x: 5.5, y: 5.5}'])",
+            "RegisterEventHandler(OnProcessStart(target_action=recorder, on_start=[Node(package='turtlesim', "
+            "executable='draw_square', namespace=LaunchConfiguration('robot'))]))",
+            'recorder',
+            arguments={'robot': 'red'},
+            head='from launch.event_handlers import OnProcessStart\n'
+            "recorder = ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'a', *(['/', LaunchConfiguration('robot'), topic] "
+            "for topic in ('/turtle1/pose', '/turtle1/cmd_vel'))])\n",
+        ),
+    ),
     'two_rooms: a listener in every room': Attack(
         'two_rooms',
         5,

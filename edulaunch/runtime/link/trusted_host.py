@@ -21,6 +21,7 @@ from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.programs import run_program
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
+from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.runtime.link.codec import Kind, Violation, load
 from edulaunch.runtime.link.peer import Peer
@@ -84,10 +85,13 @@ class TrustedHost(Host):
     """Hosts the programs of edulaunch. It starts no program of the system, and searches for none among the student's files.
 
     :ivar identified: the program of each process that runs here, by its pid.
+    :ivar late_ns: simulated time by which the first program that starts at once begins late. The second one begins late by twice
+        this time, and so on.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
+    late_ns = 0
 
     def spawn(self, payload: memoryview) -> None:
         """Start a program on request of the confined peer."""
@@ -99,7 +103,14 @@ class TrustedHost(Host):
         if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
             raise Violation('not a program that is hosted here')
         self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
-        process = Process(self, spec, pid, argv, lambda process: run_program(process, program))
+        late_ns = self.late_ns * len(self.identified) if self.sim.now_ns == self.sim.start_ns else 0
+
+        def main(process: Process) -> object:
+            if late_ns:
+                current_task().sleep_until(self.sim.now_ns + late_ns)
+            return run_program(process, program)
+
+        process = Process(self, spec, pid, argv, main)
         process.on_output = lambda stream, text: self.peer.call(Kind.OUTPUT, [pid, stream, text])
         process.on_exit = lambda code: self.peer.call(Kind.EXIT, [pid, code, process.exception])
         self.adopt(process)

@@ -172,12 +172,12 @@ def _links(text: str) -> dict[str, tuple[str, str]]:
     }
 
 
-@kind('A bag contains the messages of {topic}', 'topic')
+@kind('A bag contains the messages of {topic}', 'topic', 'package')
 def bag(run: Evidence, wanted: Wanted) -> None:
-    """Require a bag with the messages of a topic, after launch has received Ctrl-C."""
+    """Require a bag with the messages of a topic, from a package, after launch has received Ctrl-C."""
     for one in wanted.of_each(run):
         topic, bags = one.text('topic'), run.bags[one.scenario]
-        require_topic(one.run, one.scenario, topic, try_=wanted.try_)
+        require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
         times = [time_s for time_s, _ in one.recording.messages(topic)]
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
         thing = f'a bag with the messages of {topic}, when launched with {one.words},'

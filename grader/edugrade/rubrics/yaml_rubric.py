@@ -78,7 +78,7 @@ def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Sc
 
 
 def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
-    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults'))
+    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late'))
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
     name = str(_value(parts['name'], problem))
@@ -90,15 +90,19 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     if twice is not None:
         raise problem(twice, 'write an argument in arguments or in defaults, and not in both')
     duration = _number(parts['duration'], problem, (int, float)) if 'duration' in parts else (lambda random: 20.0)
+    late = _number(parts['late'], problem, (int, float)) if 'late' in parts else (lambda random: 0.0)
     seed = _value(parts['seed'], problem) if 'seed' in parts else 0
     if not isinstance(seed, int):
         raise problem(parts['seed'], f'seed is {seed!r}; write a whole number')
     is_interrupted = _value(parts['interrupt'], problem) if 'interrupt' in parts else False
     if not isinstance(is_interrupted, bool):
         raise problem(parts['interrupt'], f'interrupt is {is_interrupted!r}, and true or false is expected')
-    return lambda random: Scenario(
-        name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed, is_interrupted, defaults
-    )
+
+    def chosen(random: Random) -> Scenario:
+        values = {key: of(random) for key, of in arguments.items()}
+        return Scenario(name, values, float(duration(random)), seed, is_interrupted, defaults, float(late(random)))
+
+    return chosen
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:

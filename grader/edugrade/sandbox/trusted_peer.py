@@ -42,6 +42,7 @@ class TrustedPeer:
 
     def __init__(self, job: dict[str, Any], channel: int, confined: Callable[[socket.socket, int], NoReturn]) -> None:
         self._job = job
+        self._late_s = job.pop('late_s')  # the other peer must not know it
         self._channel = channel
         ours, theirs = socket.socketpair()
         self._words, writing_end = os.pipe()
@@ -84,6 +85,7 @@ class TrustedPeer:
         from edulaunch.runtime.link.trusted import Trusted
 
         trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
+        trusted.host.late_ns = round(self._late_s * 1e9)
         trusted.peer.fatal = self._on_fatal  # type: ignore[method-assign]
         content = trusted.run(self._job['duration_s'])
         try:
