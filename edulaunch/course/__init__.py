@@ -10,6 +10,7 @@ Lessons use them like this::
         progress()                             # lessons, predictions, questions, exercises, and what to repeat
 
 Nothing leaves the computer: the answers are in a small readable file beside the notebook.
+An import is inside a function only if most uses of the module do not need it.
 """
 
 from __future__ import annotations

@@ -5,4 +5,5 @@
 `testing/` and `pytest_plugin/` run the tests of ROS packages on the simulated machine.
 An extra may import every other wing, and no other wing imports an extra: entry points find it.
 Start reading with the entry points in `pyproject.toml`.
+An import is inside a function only if most uses of the module do not need it.
 """

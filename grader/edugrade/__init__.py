@@ -14,6 +14,8 @@ In reading order:
 - output: `reports/`, `attempts.py`, `progress_file.py`
 - entry points: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
 - a plug-in: `classes/`, the tools for whole classes
+
+An import is inside a function only if most uses of the module do not need it.
 """
 
 from __future__ import annotations

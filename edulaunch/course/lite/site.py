@@ -8,6 +8,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+import edugrade
 from edugrade.files import files_below
 
 from edulaunch.course.copying import student_files, write_zip
@@ -68,7 +69,6 @@ def _exercises(course: str) -> dict[str, bytes]:
 def _engine() -> dict[str, bytes]:
     """Return the Python packages for the browser: edulaunch, edugrade with rubrics, PyYAML without C, a replacement for
     greenlet."""
-    import edugrade
     import yaml
     from edugrade.rubrics.catalogue import rubrics_folder
 
