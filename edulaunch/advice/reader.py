@@ -42,10 +42,13 @@ class Reader(NamedTuple):
         """Return a finished English sentence of edulaunch or a rubric in the reader's language."""
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
+    def short(self, text: str) -> str:
+        """Return a path below the reader's folder relative to it; any other text as it is."""
+        return text.removeprefix(os.path.join(self.folder, '')) if len(self.folder) > 1 else text
+
     def place(self, file: str, line: int | None) -> str:
         """Return a place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
-        below = os.path.join(self.folder, '')
-        short = file.removeprefix(below) if self.folder else file
+        short = self.short(file)
         if line is None:
             return short
         cell = self.cell(file, line)

@@ -98,12 +98,14 @@ def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> 
     """Return the first template whose facts are all known, with its facts, or ''."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
-            return reader.says(template).format_map({name: _listed(value) for name, value in facts.items()})
+            return reader.says(template).format_map({name: _listed(value, reader) for name, value in facts.items()})
     return ''
 
 
-def _listed(value: Any) -> Any:
-    """Return a list of names as words; of a long one the beginning."""
+def _listed(value: Any, reader: Reader) -> Any:
+    """Return a list of names as words; of a long one the beginning. Return a path as the reader sees it."""
+    if isinstance(value, str):
+        return reader.short(value)
     if not isinstance(value, (list, tuple)):
         return value
     return ', '.join([*map(str, value[:MOST_NAMES]), *(['...'] if len(value) > MOST_NAMES else [])])

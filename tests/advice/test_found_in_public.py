@@ -111,3 +111,74 @@ def test_a_committed_symlink_install_is_not_an_old_build(tmp_path: Path) -> None
     os.symlink('/home/student/ws/src/robo/launch/robo.launch.py', share / 'launch' / 'robo.launch.py')
     (site / 'robo.egg-link').write_text('/home/student/ws/build/robo\n.')
     assert 'packages.changed-after-build' not in [one.rule for one in judge_sources(str(tmp_path / 'src'))]
+
+
+def package(folder: Path, name: str, entry_points: str = "['go = {0}.go:main']", program: str = '') -> Path:
+    """A Python package with the program `go` and a launch file that starts it."""
+    for place in ('resource', name, 'launch'):
+        (folder / name / place).mkdir(parents=True)
+    shown = f'<package format="3"><name>{name}</name><version>0.0.0</version><exec_depend>ros2launch</exec_depend></package>'
+    (folder / name / 'package.xml').write_text(shown)
+    (folder / name / 'setup.cfg').write_text(f'[install]\ninstall_scripts=$base/lib/{name}\n')
+    (folder / name / 'resource' / name).touch()
+    (folder / name / name / '__init__.py').touch()
+    (folder / name / name / 'go.py').write_text(program or 'import rclpy\ndef main():\n    rclpy.init()\n')
+    (folder / name / 'setup.py').write_text(
+        f"from glob import glob\nfrom setuptools import setup\nsetup(name='{name}', packages=['{name}'], data_files=[\n"
+        f"    ('share/{name}', ['package.xml']), ('share/{name}/launch', glob('launch/*'))],\n"
+        f"    entry_points={{'console_scripts': {entry_points.format(name)}}})\n"
+    )
+    return launch_file(folder / name / 'launch', f"return LaunchDescription([Node(package='{name}', executable='go')])")
+
+
+def test_the_packages_beside_a_package_are_there_when_only_its_folder_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    package(tmp_path / 'src', 'helper')
+    package(tmp_path / 'src', 'robo', program='import helper.go\ndef main():\n    helper.go.main()\n')
+    main(['doctor', 'src/robo', '--for', '1'])
+    out = capsys.readouterr().out
+    assert 'ran for 1 simulated seconds each: launch/main.launch.py' in out and 'helper.go' not in out
+
+
+def test_a_missing_comma_between_entry_points_is_the_cause(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    file = package(tmp_path / 'src', 'robo', "['stop = robo.go:main' 'go = robo.go:main']")
+    assert main(['doctor', str(file), '--for', '1']) == 1
+    out = capsys.readouterr().out
+    assert 'src/robo/setup.py:3: console_scripts has no comma between the entries stop, go' in out
+    assert str(tmp_path) not in out and 'does not install it' not in out
+
+
+def test_a_topic_that_has_none_in_its_name_has_a_variable_without_a_value(tmp_path: Path) -> None:
+    program = tmp_path / 'drive.py'
+    program.write_text(
+        'import rclpy\nfrom geometry_msgs.msg import Twist\nfrom rclpy.node import Node\n'
+        "rclpy.init()\nnode = Node('drive')\npublisher = node.create_publisher(Twist, f'/{None}/cmd_vel', 10)\n"
+        'node.create_timer(0.1, lambda: publisher.publish(Twist()))\nrclpy.spin(node)\n'
+    )
+    drive = f"ExecuteProcess(cmd=['python3', '{program}'])"
+    sims = ', '.join(SIM.format(f", namespace='{name}'") for name in ('t1', 't2'))
+    report = reports(launch_file(tmp_path, f'return LaunchDescription([{sims}, {drive}])'))[0]
+    assert '/None/cmd_vel' in report and 'None is the text of a variable without one' in report and 'turtle1' not in report
+
+
+def test_the_keyboard_program_in_a_window_of_its_own_is_not_the_students(tmp_path: Path) -> None:
+    teleop = (
+        "Node(package='turtlesim', executable='turtle_teleop_key', prefix='xterm -e', "
+        "remappings=[('/turtle1/cmd_vel', '/t1/turtle1/cmd_vel')])"
+    )
+    sims = ', '.join(SIM.format(f", namespace='{name}'") for name in ('t1', 't2'))
+    report = '\n'.join(reports(launch_file(tmp_path, f'return LaunchDescription([{sims}, {teleop}])')))
+    assert 'rotate_absolute' not in report and 'opens a terminal window' in report
+
+
+def test_a_robot_with_two_links_of_one_name_is_refused(tmp_path: Path) -> None:
+    urdf = tmp_path / 'robot.urdf'
+    urdf.write_text('<robot name="r"><link name="base"/><link name="base"/></robot>')
+    publisher = f"Node(package='robot_state_publisher', executable='robot_state_publisher', arguments=['{urdf}'])"
+    report = '\n'.join(reports(launch_file(tmp_path, f'return LaunchDescription([{publisher}])')))
+    assert "link 'base' is not unique" in report

@@ -28,6 +28,8 @@ def test_paths_below_the_folder_are_short() -> None:
     reader = Reader(folder='/home/me/ws')
     assert reader.place('/home/me/ws/src/a.py', 3) == 'src/a.py:3'
     assert reader.place('/home/me/wss/a.py', None) == '/home/me/wss/a.py'
+    assert [reader.short('/home/me/ws/a.py:3'), reader.short('/turtle1/pose')] == ['a.py:3', '/turtle1/pose']
+    assert Reader(folder='/').short('/turtle1/pose') == '/turtle1/pose'
 
 
 @pytest.mark.parametrize(

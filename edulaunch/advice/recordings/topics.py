@@ -86,6 +86,7 @@ def _commands(recording: Recording) -> set[str]:
     what='{node} sends commands on {topic}, but no node subscribes to it',
     why='a message on a topic without a subscription is lost',
     do=(
+        'give a value to the variable in this name: {empty} is the text of a variable without one',
         'publish on {near}, which has a subscription',
         'start the node that subscribes to {topic}, or look up its name with `ros2 topic list -t`',
     ),
@@ -99,8 +100,14 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
         if end.type in COMMANDS and _sent(recording, end):
             file, line = end_place(recording, end.kind, end.name, end.node)
             listening = [name for name in heard if ends_by_name(recording)['subscription', name][0].type == end.type]
-            near = nearest(end.name, listening) or next(iter(listening), None)
-            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
+            near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
+            facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
+            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)
+
+
+def _empty_part(name: str) -> str | None:
+    """Return 'None' for a name that a program made of a variable without a value."""
+    return 'None' if 'None' in name.split('/') else None
 
 
 COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
@@ -111,6 +118,7 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
     what='{node} subscribes to {topic}, but no node publishes it',
     why='ROS 2 never calls the callback of this subscription',
     do=(
+        'give a value to the variable in this name: {empty} is the text of a variable without one',
         'subscribe to {near} if you mean that topic',
         'start the node that publishes {topic}, or look up its name with `ros2 topic list -t`',
     ),
@@ -126,8 +134,8 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
             file, line = end_place(recording, end.kind, end.name, end.node)
             ends = {name: ends_by_name(recording)['publisher', name] for name in sent}
             fitting = [name for name in sent if ends[name][0].type == end.type and ends[name][0].node != end.node]
-            near = nearest(end.name, fitting)
-            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
+            facts = {'node': speaker(recording, end.node), 'near': nearest(end.name, fitting), 'empty': _empty_part(end.name)}
+            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)
 
 
 @rule(

@@ -41,7 +41,9 @@ _SHOWN = 5
 
 
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
-    """Return a sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, and windows.
+    """Return a sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files and windows.
+
+    It also answers `ls` of folders that only a build makes.
 
     :param words: the command line, including `sudo`.
     :param folder: the current folder of the command.
@@ -61,6 +63,17 @@ def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
         return f'{command} {ABSENT[command]}.'
     if command in ('source', '.') and given:
         return _source(given[0])
+    if command == 'ls':
+        return _absent_folder([word for word in given if word[:1] != '-' and not os.path.exists(os.path.join(folder, word))])
+    return None
+
+
+def _absent_folder(paths: Sequence[str]) -> str | None:
+    for path in paths:
+        if '/.ros/log' in path:
+            return 'ls: `ros2 launch` in a terminal writes log files to ~/.ros/log. The folder appears at the first launch.'
+        if (made := next((part for part in path.split('/') if part in ('build', 'install')), None)) is not None:
+            return f'ls: there is no folder `{made}`, because edulaunch needs no build and reads packages from their sources.'
     return None
 
 

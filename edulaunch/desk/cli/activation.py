@@ -63,7 +63,7 @@ def install(prefix: Path) -> list[Path]:
 
 def lines_for(name: str) -> str:
     """Return the lines of `edulaunch.sh` or `edulaunch.fish`, with the values for this Python in place of their @NAMES@."""
-    names = f'colcon sudo apt source . {WINDOWS}'
+    names = f'colcon sudo apt source . ls {WINDOWS}'
     values = {
         'SHELL': quote(os.path.join(underlay_prefix(), 'shell')),
         'PYTHON': quote(underlay_python()),

@@ -182,7 +182,7 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
     """Return the findings of one launch file of a folder, and why it did not run (None if it ran)."""
-    workspaces = arguments.workspace or workspaces_of_command([folder], path)
+    workspaces = arguments.workspace or _workspaces_of(folder, path)
     with Session(workspaces=workspaces, near=folder_of(path)) as session:
         rehearsal = _rehearsed(session, path, {})
         needed = [one['name'] for one in rehearsal.plan['arguments'] if one['default'] is None]
@@ -197,6 +197,13 @@ def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list
         session.launch(path)
         session.run(OF_FOLDER_S if arguments.seconds is None else arguments.seconds)
         return [*found, *judge(session.recording())], None
+
+
+def _workspaces_of(folder: str, path: str) -> list[str]:
+    """Return the workspaces of a launch file, and the folder itself unless it lies in one of them."""
+    found = workspaces_of_command([], path)
+    here = os.path.join(os.path.realpath(folder), '')
+    return found if any(here.startswith(os.path.join(os.path.realpath(one), '')) for one in found) else [*found, folder]
 
 
 def _launch_files(folder: str) -> list[str]:

@@ -207,6 +207,8 @@ class Terminal:
         near = cwd if file is None else os.path.dirname(os.path.join(cwd, file))
         workspaces = find_workspaces(cwd, env, file)
         index = index_for(workspaces, near) if workspaces else host.index
+        if os.access(env.get('HOME', ''), os.W_OK):  # `ros2 launch` writes ~/.ros/log, as on a real computer
+            env = {'ROS_HOME': os.path.join(env['HOME'], '.ros'), **env}
         spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
         if not host.knows(spec):
             self._connection.send(wire.ERRORS, f'{words[0]}: unknown command on the simulated machine\n'.encode())

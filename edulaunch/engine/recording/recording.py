@@ -205,7 +205,7 @@ class Recording(Messages, Views):
     def own_processes(self) -> list[ProcessRecord]:
         """Return the processes that run a student's program, without programs of edulaunch and `ros2` commands."""
         ours = tuple(os.path.join(path, '') for path, name in self._content['roots'] if name == '@underlay')
-        return [row for row in self.processes if not row.argv[0].startswith(ours) and os.path.basename(row.argv[0]) != 'ros2']
+        return [row for row in self.processes if not _is_program_of(ours, row.argv) and os.path.basename(row.argv[0]) != 'ros2']
 
     def trajectory(self, turtle: str) -> Trajectory:
         """Return the path of a turtle or robot as numpy arrays t, x, y, theta.
@@ -276,3 +276,9 @@ class Recording(Messages, Views):
         error.
         """
         return [*map(str, map(view('sentences'), self.advice))]
+
+
+def _is_program_of(folders: tuple[str, ...], argv: list[str]) -> bool:
+    """Return whether a command line runs a program below the folders, itself or behind a prefix such as `xterm -e`."""
+    library = f'{os.sep}lib{os.sep}'
+    return argv[0].startswith(folders) or any(word.startswith(folders) and library in word for word in argv[1:4])

@@ -77,6 +77,8 @@ def _surely(node: ast.AST) -> Sequence[ast.AST]:
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
 _ENTRY = re.compile(r'\s*([^=\s]+)\s*=\s*([\w.-]+)\s*(?::\s*([\w.]*))?\s*(?:\[.*\])?\s*')
+_JOINED = re.compile(r'(?<=:main)[\w.-]+(?=\s*=)')
+"""Two entries of a list without a comma between them."""
 _MARKERS = 'share/ament_index/resource_index/packages'
 
 
@@ -247,7 +249,10 @@ class _SetupScript:
             if not isinstance(line, str) or not line.strip():
                 continue
             match = _ENTRY.fullmatch(line)
-            if match is None or not match[3]:
+            if joined := _JOINED.findall(line):
+                names = ', '.join([line.partition('=')[0].strip(), *joined])
+                self.warn(f'console_scripts has no comma between the entries {names}, so Python joins them into one')
+            elif match is None or not match[3]:
                 self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:
                 yield match[1], match[2], match[3]

@@ -31,6 +31,9 @@ from edulaunch.advice.workspace.not_needed import answer
         ('source /opt/ros/jazzy/setup.bash', 'you do not need to source ROS 2 Jazzy'),
         ('rqt_graph', '`edulaunch view --tab graph`'),
         ('rviz2 -d turtle.rviz', '`edulaunch view --tab frames`'),
+        ('ls install', 'there is no folder `install`, because edulaunch needs no build'),
+        ('ls -l build/robo', 'there is no folder `build`'),
+        ('ls /home/student/.ros/log', 'The folder appears at the first launch'),
         ('. install/local_setup.sh', 'edulaunch finds packages in this folder'),
     ],
 )
@@ -39,7 +42,9 @@ def test_one_sentence_says_what_is_not_needed(tmp_path: Any, line: str, part: st
     assert said is not None and part in said and '\n' not in said
 
 
-@pytest.mark.parametrize('line', ['', 'sudo', 'apt install vim', 'source ~/.bashrc', 'source', 'rosdep check', 'ls'])
+@pytest.mark.parametrize(
+    'line', ['', 'sudo', 'apt install vim', 'source ~/.bashrc', 'source', 'rosdep check', 'ls', 'ls missing', 'ls -l /usr']
+)
 def test_other_commands_are_none_of_ours(line: str) -> None:
     assert answer(line.split()) is None
 

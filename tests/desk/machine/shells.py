@@ -120,6 +120,7 @@ class Desk:
         self.env = {
             **{name: value for name, value in os.environ.items() if name in ('PATH', 'HOME', 'LANG', 'PYTHONPATH')},
             'XDG_RUNTIME_DIR': str(runtime),
+            'ROS_HOME': str(runtime / 'ros'),
             'EDULAUNCH_GRACE_S': '0.2',
         }
         self.shells: list[Shell] = []

@@ -76,6 +76,7 @@ class Shop:
         wget.write_text('#!/bin/sh\ncp "$HOME/web/${1##*/}" .\n')
         wget.chmod(0o755)
         self.desk = Desk(folder / 'run', self.home)
+        del self.desk.env['ROS_HOME']  # log files are where a tutorial looks for them
         self.desk.env.update(
             HOME=str(self.home),
             PATH=os.pathsep.join([str(folder / 'bin'), os.environ['PATH']]),

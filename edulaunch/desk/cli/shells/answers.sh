@@ -8,6 +8,12 @@ function source {
     if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
 }
 function . { source "$@"; }
+function ls {
+    command ls "$@" && return
+    local code=$?
+    case "$*" in *install*|*build*|*.ros/log*) edulaunch env --answer ls "$@" ;; esac
+    return $code
+}
 for name in @WINDOWS@; do
     command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
 done

@@ -24,7 +24,13 @@ end
 function apt
     edulaunch env --answer apt $argv; or command apt $argv
 end
-set -a _edulaunch_functions sudo apt
+function ls
+    command ls $argv; and return
+    set -l code $status
+    string match -qr 'install|build|\.ros/log' -- "$argv"; and edulaunch env --answer ls $argv
+    return $code
+end
+set -a _edulaunch_functions sudo apt ls
 if not command -q colcon
     function colcon
         edulaunch colcon $argv

@@ -86,6 +86,9 @@ def read_joints(description: str) -> list[Joint]:
     for found in robot.joints:
         if found.joint_type in LIMITED and found.limit is None:
             raise ValueError(f'Joint [{found.name}] is of type {found.joint_type.upper()} but it does not specify limits')
+    for kind, names in (('link', [link.name for link in robot.links]), ('joint', [found.name for found in robot.joints])):
+        if len(set(names)) < len(names):
+            raise ValueError(f"{kind} '{next(name for name in names if names.count(name) > 1)}' is not unique.")
     joints = [_joint(found) for found in robot.joints]
     _check_tree([link.name for link in robot.links], joints)
     return joints

@@ -8,9 +8,9 @@ return loggers with these settings. Differences from upstream:
   running.
 * The screen is the process's own standard output.
 * **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's
-  environment, or `launch_config.log_dir` or `launch_config.log_handler_factory` was set. Else nothing appears
-  below `~/.ros`, and the line "All log files can be found below ..." is not printed. Reading
-  `launch_config.log_dir` makes the folder.
+  environment, or `launch_config.log_dir` or `launch_config.log_handler_factory` was set. A command in a
+  terminal always has ROS_HOME. Else nothing appears below `~/.ros`, and the line "All log files can be found
+  below ..." is not printed. Reading `launch_config.log_dir` makes the folder.
 * Times in log lines are simulated.
 """
 
