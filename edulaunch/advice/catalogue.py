@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRADER = os.path.join(os.path.dirname(HOUSE), 'grader')
-ROOMS = ('advice', 'desk', 'jupyter')
+ROOMS = ('advice', 'desk')
 """Of edulaunch: where `says('...')` is looked for."""
 REPORTS = (
     'checks',

@@ -149,7 +149,7 @@ def test_a_missing_comma_between_entry_points_is_the_cause(
     file = package(tmp_path / 'src', 'robo', "['stop = robo.go:main' 'go = robo.go:main']")
     assert main(['doctor', str(file), '--for', '1']) == 1
     out = capsys.readouterr().out
-    assert 'src/robo/setup.py:3: console_scripts has no comma between the entries stop, go' in out
+    assert 'src/robo/setup.py:3: lists the console_scripts stop, go without a comma' in out
     assert str(tmp_path) not in out and 'does not install it' not in out
 
 
@@ -182,3 +182,37 @@ def test_a_robot_with_two_links_of_one_name_is_refused(tmp_path: Path) -> None:
     publisher = f"Node(package='robot_state_publisher', executable='robot_state_publisher', arguments=['{urdf}'])"
     report = '\n'.join(reports(launch_file(tmp_path, f'return LaunchDescription([{publisher}])')))
     assert "link 'base' is not unique" in report
+
+
+def test_a_remapping_that_only_one_of_two_nodes_has_is_not_reversed(tmp_path: Path) -> None:
+    head = 'import rclpy\nfrom std_msgs.msg import Int64\nfrom rclpy.node import Node\nrclpy.init()\n'
+    (tmp_path / 'counter.py').write_text(
+        f"{head}node = Node('counter')\nsent = node.create_publisher(Int64, 'numbers', 10)\n"
+        'node.create_timer(0.1, lambda: sent.publish(Int64()))\nrclpy.spin(node)\n'
+    )
+    (tmp_path / 'adder.py').write_text(
+        f"{head}node = Node('adder')\nnode.create_subscription(Int64, 'numbers', print, 10)\nrclpy.spin(node)\n"
+    )
+    count, add = (f"'python3', '{tmp_path / name}'" for name in ('counter.py', 'adder.py'))
+    processes = f"ExecuteProcess(cmd=[{count}, '--ros-args', '-r', 'numbers:=other']), ExecuteProcess(cmd=[{add}])"
+    report = reports(launch_file(tmp_path, f'return LaunchDescription([{processes}])'))[0]
+    assert 'give /adder the same remapping' in report and 'swap' not in report
+
+
+def test_a_path_of_one_machine_becomes_the_path_that_the_build_makes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    package(tmp_path / 'src', 'robo')
+    (tmp_path / 'src' / 'robo' / 'urdf').mkdir()
+    (tmp_path / 'src' / 'robo' / 'urdf' / 'car.urdf').touch()
+    names = "place = '/home/ana/ws/src/robo/urdf/car.urdf'\nreturn LaunchDescription([])"
+    file = launch_file(tmp_path / 'src' / 'robo' / 'launch', names)
+    main(['doctor', str(file), '--for', '1'])
+    assert (
+        "let the build install urdf/car.urdf, and find it by its package with FindPackageShare('robo')" in capsys.readouterr().out
+    )
+    setup = tmp_path / 'src' / 'robo' / 'setup.py'
+    setup.write_text(setup.read_text().replace("('share/robo', [", "('share/robo', ['urdf/car.urdf', "))
+    main(['doctor', str(file), '--for', '1'])
+    assert "PathJoinSubstitution([FindPackageShare('robo'), 'car.urdf'])" in capsys.readouterr().out

@@ -175,6 +175,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
     why='other users have other home folders',
     do=(
         "find the file by its package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
+        "let the build install {unbuilt}, and find it by its package with FindPackageShare('{package}')",
         'make the path a launch argument, or move the file into a package and find it with FindPackageShare',
     ),
     lesson=LESSON,
@@ -190,11 +191,36 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
         for number, line in enumerate(read_text(file).splitlines(), 1):
             written = _HOME.search(line)
             if written is not None and not line.lstrip().startswith('#'):
-                package, parts = _in_package(written[1])
-                yield found('path', written[1], file=file, line=number, package=package, parts=parts)
+                yield found('path', written[1], file=file, line=number, **_in_package(file, written[1]))
 
 
-def _in_package(path: str) -> tuple[str | None, str | None]:
-    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and what comes behind it as arguments."""
+def _in_package(file: str, path: str) -> dict[str, Any]:
+    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and where its build puts the file, as arguments.
+
+    If the package is not in the workspace of the launch file, the build is expected to keep the folders. If the build leaves
+    the file out, `unbuilt` names it.
+    """
+    from edulaunch.engine.packages import Index
+    from edulaunch.engine.packages.discovery import find_workspaces, install_folders
+    from edulaunch.ros.sources import read_source
+
     said = re.search(r'/(?:src|share)/([\w-]+)/((?:config|launch|maps?|meshes|params?|rviz|urdf|worlds?)/.+)', path)
-    return (None, None) if said is None else (said[1], ', '.join(map(repr, said[2].rstrip('/').split('/'))))
+    if said is None:
+        return {}
+    package, place = said[1], said[2].rstrip('/')
+    sources = install_folders(find_workspaces(os.path.dirname(file), {}))[1]
+    index = Index((), sources, read_source=read_source, underlay=None)
+    folder, contents = index.source_folder(package), index.contents(package)
+    if folder is not None and contents is not None:
+        if not os.path.exists(source := os.path.join(folder, place)):
+            return {}
+        share = f'share/{package}/'
+        built = [
+            name
+            for name, one in contents.files.items()
+            if name.startswith(share) and os.path.realpath(one) == os.path.realpath(source)
+        ]
+        if not built and not os.path.isdir(source):
+            return {'package': package, 'unbuilt': place}
+        place = built[0].removeprefix(share) if built else place
+    return {'package': package, 'parts': ', '.join(map(repr, place.split('/')))}

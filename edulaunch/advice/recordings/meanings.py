@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linecache
 import math
 import re
 from bisect import bisect_right
@@ -30,6 +31,7 @@ from edulaunch.engine.graph.rule_reader import RuleError
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import EndRecord
 
 POSE = 'turtlesim/msg/Pose'
 LESSON = '09_broadcaster_and_listener'
@@ -193,13 +195,16 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
     'launch.remapping-reversed',
     what="the remapping of '{old}' to '{new}' disconnects {node} from {old}, which another node uses",
     why='the first name of a remapping is the name in the code of the node, and the second name replaces it',
-    do="swap the names: remappings=[('{new}', '{old}')]",
+    do=('give {other} the same remapping, or remove this one', "swap the names: remappings=[('{new}', '{old}')]"),
     lesson='02_names',
     level='error',
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
 )
 def remapping_reversed(recording: Recording) -> Iterator[Finding]:
-    """The node has an end under the second name, where it is alone; the first name is one of another node, alone there, too."""
+    """The node has an end under the second name, where it is alone; the first name is one of another node, alone there, too.
+
+    If the code of the node has the first name, the order of the names is right, and the other node needs the same remapping.
+    """
     lone = {kind: {(end.name, end.type): end for end in lone_ends(recording, kind)} for kind in ('publisher', 'subscription')}
     for process in recording.processes:
         nodes = [node for node in recording.nodes if node.process == process.name]
@@ -216,9 +221,22 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
                 mine = {kind: [end for (topic, _), end in ends.items() if topic == new] for kind, ends in lone.items()}
                 other = {'publisher': 'subscription', 'subscription': 'publisher'}
                 for kind, ends in mine.items():
-                    if any((old, end.type) in lone[other[kind]] and end.node == nodes[0].name for end in ends):
-                        file, line = places(recording).get(process.name, NOWHERE)
-                        yield found('node', nodes[0].name, file=file, line=line, old=one.match, new=one.replacement)
+                    for end in ends:
+                        partner = lone[other[kind]].get((old, end.type))
+                        if partner is not None and end.node == nodes[0].name:
+                            file, line = places(recording).get(process.name, NOWHERE)
+                            needs_it = partner.node if _has_first_name(recording, end, old) else None
+                            facts: dict[str, Any] = {'old': one.match, 'new': one.replacement, 'other': needs_it}
+                            yield found('node', nodes[0].name, file=file, line=line, **facts)
+                            break
+
+
+def _has_first_name(recording: Recording, end: EndRecord, old: str) -> bool:
+    """Return whether the line of code that makes an end has the name that a remapping replaced."""
+    file, line = end_place(recording, end.kind, end.name, end.node)
+    code = linecache.getline(file or '', line or 0)
+    first, second = (name.rpartition('/')[2] for name in (old, end.name))
+    return first != second and re.search(rf'\b{re.escape(first)}[\'"]', code) is not None
 
 
 @rule(

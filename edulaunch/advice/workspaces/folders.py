@@ -103,7 +103,7 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.build-file',
-    what='{file}: {said}',
+    what='{file} {said}',
     why='colcon reads this file when it builds the package',
     do='correct this line, and run the check again',
     level='error',

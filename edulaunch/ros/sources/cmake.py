@@ -297,7 +297,7 @@ class _CMakeLists:
             if item.startswith(_MADE):
                 continue
             if not os.path.isdir(top):
-                self.warn(line, f'there is no folder {os.path.relpath(top, self.folder)}/ to install')
+                self.warn(line, f'installs the folder {os.path.relpath(top, self.folder)}/, which does not exist')
                 continue
             base = destination if item.endswith('/') else os.path.join(destination, os.path.basename(top))
             for path in _files_below(top):

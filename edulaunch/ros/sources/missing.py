@@ -162,7 +162,7 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
         return {'about': 'packages.no-setup-cfg', 'package': package}
     name = executable.removesuffix('.py')
     for warning in found.contents.warnings:
-        if warning.sentence.startswith('console_scripts has') and name in warning.sentence:
+        if 'console_scripts' in warning.sentence and name in warning.sentence:
             return _broken(warning)
     for path in found.python_files:
         if os.path.basename(path) == f'{name}.py' and 'rclpy' in read_text(path):

@@ -251,7 +251,7 @@ class _SetupScript:
             match = _ENTRY.fullmatch(line)
             if joined := _JOINED.findall(line):
                 names = ', '.join([line.partition('=')[0].strip(), *joined])
-                self.warn(f'console_scripts has no comma between the entries {names}, so Python joins them into one')
+                self.warn(f'lists the console_scripts {names} without a comma between them, so Python joins them into one')
             elif match is None or not match[3]:
                 self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:

@@ -112,7 +112,7 @@ def test_native_executables_are_known_but_not_offered(workspace: Any) -> None:
     ('line', 'sentence'),
     [
         ('install(FILES none.yaml DESTINATION share/robo)', 'none.yaml is not there, so the package does not build'),
-        ('install(DIRECTORY maps DESTINATION share/robo)', 'there is no folder maps/ to install'),
+        ('install(DIRECTORY maps DESTINATION share/robo)', 'installs the folder maps/, which does not exist'),
         (
             'install(FILES ${GENERATED} DESTINATION share/robo)',
             'uses ${GENERATED}, whose value is not known without running CMake',
