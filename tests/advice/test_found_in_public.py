@@ -216,3 +216,24 @@ def test_a_path_of_one_machine_becomes_the_path_that_the_build_makes(
     setup.write_text(setup.read_text().replace("('share/robo', [", "('share/robo', ['urdf/car.urdf', "))
     main(['doctor', str(file), '--for', '1'])
     assert "PathJoinSubstitution([FindPackageShare('robo'), 'car.urdf'])" in capsys.readouterr().out
+
+
+def test_a_script_that_the_build_installs_with_its_ending_is_started_with_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    robo = tmp_path / 'src' / 'robo'
+    file = package(tmp_path / 'src', 'robo')
+    for name in ('setup.py', 'setup.cfg'):
+        (robo / name).unlink()
+    manifest = (robo / 'package.xml').read_text()
+    kind = '<buildtool_depend>ament_cmake</buildtool_depend><export><build_type>ament_cmake</build_type></export></package>'
+    (robo / 'package.xml').write_text(manifest.replace('</package>', kind))
+    lines = 'project(robo)\nfind_package(ament_cmake REQUIRED)\n{}ament_package()\n'
+    (robo / 'CMakeLists.txt').write_text(lines.format('install(PROGRAMS robo/go.py DESTINATION lib/${PROJECT_NAME})\n'))
+    assert main(['doctor', str(file), '--for', '1']) == 1
+    out = capsys.readouterr().out
+    assert 'robo has no executable go\n' in out and "write 'go.py'" in out
+    (robo / 'CMakeLists.txt').write_text(lines.format(''))
+    assert main(['doctor', str(file), '--for', '1']) == 1
+    assert 'add install(PROGRAMS robo/go.py DESTINATION lib/${PROJECT_NAME} RENAME go)' in capsys.readouterr().out

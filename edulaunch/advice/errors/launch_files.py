@@ -164,7 +164,7 @@ NO_ENTRY_POINT = about(
     what='{source} exists, but {build_file} does not install it as a program',
     do=(
         "add '{entry}' to console_scripts of setup.py",
-        'add install(PROGRAMS {program} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt',
+        'add install(PROGRAMS {program} DESTINATION lib/${{PROJECT_NAME}}{rename}) to CMakeLists.txt',
     ),
     edits=(('', "'{entry}'", 'console_scripts'),),
 )

@@ -200,7 +200,7 @@ def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list
 
 
 def _workspaces_of(folder: str, path: str) -> list[str]:
-    """Return the workspaces of a launch file, and the folder itself unless it lies in one of them."""
+    """Return the workspaces of a launch file, and the folder itself unless it is in one of them."""
     found = workspaces_of_command([], path)
     here = os.path.join(os.path.realpath(folder), '')
     return found if any(here.startswith(os.path.join(os.path.realpath(one), '')) for one in found) else [*found, folder]

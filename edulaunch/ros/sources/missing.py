@@ -125,8 +125,9 @@ def _not_installed(package: SourcePackage, path: str) -> Facts:
 def missing_executable(index: Index, package: str, executable: str) -> Facts:
     """Of an executable that a package does not have: the nearest, or that its source is there and no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
-    near = nearest_spelling(executable, names)
-    return _not_built(index, package, executable) or {
+    near = f'{executable}.py' if f'{executable}.py' in names else nearest_spelling(executable, names)
+    not_built = {} if near == f'{executable}.py' else _not_built(index, package, executable)
+    return not_built or {
         'about': 'packages.no-executable',
         'package': package,
         'executable': executable,
@@ -169,7 +170,8 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
             relative = found.relative(path)
             entry = f'{name} = {relative[:-3].replace(os.sep, ".")}:main' if found.is_python else None
             file = os.path.basename(found.build_file())
-            return {'about': 'packages.no-entry-point', 'source': path, 'entry': entry, 'program': relative, 'build_file': file}
+            program = {'program': relative, 'rename': '' if executable.endswith('.py') else f' RENAME {name}'}
+            return {'about': 'packages.no-entry-point', 'source': path, 'entry': entry, 'build_file': file, **program}
     return {}
 
 
