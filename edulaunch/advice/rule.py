@@ -116,8 +116,8 @@ class Failure(NamedTuple):
     """An exception that ended a program, a launch or a command.
 
     :ivar type: name of its class.
-    :ivar message: its text, as ROS 2 or Python gives it.
-    :ivar facts: what the room that raised it knew and the text does not say: names that were known, the nearest one.
+    :ivar message: its text from ROS 2 or Python.
+    :ivar facts: facts that the message lacks, such as known names and the nearest one.
     :ivar process: launch name of the program that it ended.
     """
 

@@ -10,7 +10,7 @@ import sys
 from edulaunch.engine import outside
 from edulaunch.runtime import ros2_command
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from typing import Any
 

@@ -9,7 +9,7 @@ loads this small module and none of the rooms that use it.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`: every `import edulaunch` loads this module
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`: every `import edulaunch` loads this module
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from typing import Any

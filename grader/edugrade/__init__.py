@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from typing import Any
 

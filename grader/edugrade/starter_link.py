@@ -16,7 +16,7 @@ from contextlib import ExitStack, contextmanager
 from .places import environment, import_path, readable_by_all, shown_to_all
 from .sandbox.remove_tree import remove_tree
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from .job import RunRequest
 

@@ -6,7 +6,7 @@ The real launch service visits the real actions in a separate simulation. Only t
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from typing import Any
 

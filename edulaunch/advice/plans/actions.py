@@ -27,7 +27,7 @@ IDLE = frozenset(
     lesson='01_first_launch',
 )
 def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Where both names are written out; a name from an argument may well be the same for once."""
+    """Report a remapping of a name to itself if both names are literal. Names from arguments may be equal by chance."""
     from launch.utilities.texts import plain_text
 
     for branch, item in nodes(rehearsal):

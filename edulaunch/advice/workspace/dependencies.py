@@ -26,7 +26,7 @@ PYTHON_NAMES = {'opencv-python': 'cv2', 'opencv': 'cv2', 'pil': 'PIL', 'pyyaml':
 
 
 class Missing(NamedTuple):
-    """A dependency that is not here, of which package, and the nearest name that is."""
+    """A missing dependency of a package, and the nearest existing name."""
 
     package: SourcePackage
     dependency: Dependency

@@ -5,7 +5,7 @@ The file of a verb has `VERB_arguments(parser)` and `VERB_verb(arguments)`, whic
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     import argparse
 

@@ -17,7 +17,7 @@ from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.keyboard import Keyboard
 from edulaunch.runtime.framing import BadFrame, Frames, frame
 
-TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
+TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typing`
 if TYPE_CHECKING:
     from types import FrameType
 

@@ -132,7 +132,7 @@ class AmbientTask(Task):
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
-        self.real_threads: ThreadsBeside | None = None  # set together with its owner
+        self.real_threads: ThreadsBeside | None = None  # the owner and this attribute are set together
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:

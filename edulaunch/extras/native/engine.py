@@ -168,7 +168,7 @@ class ThisProcess:
         """Do nothing, because nothing keeps it."""
 
     def fact_over(self, kind: str, key: object) -> None:
-        """Return nothing, because nothing kept it."""
+        """Do nothing, because no fact is stored."""
 
 
 def install(name: str) -> ThisProcess:

@@ -15,10 +15,10 @@ from .utilities.texts import normalize_to_list_of_substitutions
 
 
 class LaunchIntrospector:
-    """Shows what a launch description holds, without executing it."""
+    """Shows the content of a launch description without executing it."""
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
-        """Return the description and its entities as a tree; what `ros2 launch -p` prints."""
+        """Return the description and its entities as a tree; `ros2 launch -p` prints it."""
         return '\n'.join([f'{launch_description}', *_tree(format_entities(launch_description.entities))])
 
 

@@ -1,4 +1,4 @@
-"""Executing launch descriptions."""
+"""Executes launch descriptions."""
 
 from __future__ import annotations
 
@@ -41,18 +41,18 @@ DEBUG = 10
 
 
 class Done(Coroutine[Any, Any, None]):
-    """A coroutine with nothing left to do. Unlike one of an `async def` it may also be thrown away without a warning."""
+    """A coroutine with nothing left to do. Unlike a coroutine of an `async def`, it can be discarded without a warning."""
 
     def send(self, value: Any) -> Any:
-        """Ends at once."""
+        """End immediately."""
         raise StopIteration
 
     def throw(self, typ: Any, val: Any = None, tb: Any = None) -> Any:
-        """Ends with that exception."""
+        """End with that exception."""
         raise typ if val is None else val
 
     def close(self) -> None:
-        """Nothing is left to close."""
+        """Do nothing, because nothing is open."""
 
     def __await__(self) -> Generator[Any, None, None]:
         return
@@ -98,11 +98,11 @@ class LaunchService:
     # -- called by other threads and by users
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Execute a description: now if the service runs, else when it does. May be called from any thread."""
+        """Execute a description: now, or when the service runs. Any thread may call this method."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def emit_event(self, event: Event) -> None:
-        """Let an event happen. May be called from any thread, whether the service runs or not."""
+        """Emit an event. Any thread may call this method, also before the service runs."""
         if self.__loop is None:
             self.__context.emit_event_sync(event)
         else:
@@ -229,7 +229,7 @@ class LaunchService:
         return not self.__pending and not waiting and self.__context._event_queue.empty()
 
     async def __wait_for_news(self) -> None:
-        """Until an event comes or a future is done."""
+        """Wait until an event arrives or a future is done."""
         assert self.__loop is not None
         if not self.__context._event_queue.empty() or self.__failed:
             return
@@ -303,7 +303,7 @@ class LaunchService:
             raise error
 
     def __report(self, error: Exception) -> None:
-        """Say what went wrong, and end the launch; processes that wait for their start are not started."""
+        """Report an error, and end the launch; processes that wait for their start are not started."""
         message = f'Caught exception in launch (see debug for traceback): {error}'
         self.__logger.debug(traceback.format_exc())
         note_failure(error, message)
@@ -333,7 +333,7 @@ class LaunchService:
 
 
 def _check_thread() -> None:
-    """The main thread is the real one for a plain script, and the first task of a simulated process."""
+    """Check the thread: the main thread is the real one of a plain script, or the first task of a simulated process."""
     task = running_process().lifecycle.task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:
@@ -341,7 +341,7 @@ def _check_thread() -> None:
 
 
 def _cancel_all_tasks(loop: asyncio.AbstractEventLoop) -> None:
-    """End what a failed or interrupted launch left behind, as `asyncio.run` does."""
+    """Cancel the remaining tasks of a failed or interrupted launch, like `asyncio.run`."""
     from edulaunch.engine.sim.loops import cancel_all_tasks
 
     cancel_all_tasks(loop)

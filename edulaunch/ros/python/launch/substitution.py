@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class Substitution(StableRepr):
     """A string that is known only at launch time, such as the value of a launch configuration.
 
-    Subclasses give :meth:`perform`; :meth:`describe` is what `ros2 launch -s` shows.
+    Subclasses define :meth:`perform`; `ros2 launch -s` shows :meth:`describe`.
     """
 
     parse = ParsedByFrontend('substitution')

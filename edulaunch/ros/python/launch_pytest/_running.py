@@ -59,7 +59,7 @@ def _resolve(future: asyncio.Future[None]) -> None:
 
 
 def run_beside(loop: asyncio.AbstractEventLoop, body: Callable[[], Any]) -> Any:
-    """Run blocking code beside the loop, as upstream does in a thread; gives its result.
+    """Run blocking code beside the loop, as upstream does in a thread; return its result.
 
     :raises: what the code raises.
     """
@@ -81,7 +81,7 @@ def run_beside(loop: asyncio.AbstractEventLoop, body: Callable[[], Any]) -> Any:
 
 
 def advance(loop: asyncio.AbstractEventLoop, test: Any) -> bool:
-    """Run a generator test up to its next `yield`; False when it has ended."""
+    """Run a generator test up to its next `yield`; return False if it has ended."""
     __tracebackhide__ = True
     if not inspect.isasyncgen(test):
         end = object()

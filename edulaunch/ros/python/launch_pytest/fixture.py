@@ -54,7 +54,7 @@ def companions(scope: Any) -> dict[str, Any]:
 
     @pytest.fixture(scope=scope)
     def launch_service(event_loop: asyncio.AbstractEventLoop) -> Iterator[LaunchService]:
-        """What executes the launch descriptions."""
+        """The service that executes the launch descriptions."""
         from launch.launch_service import LaunchService
 
         service = LaunchService()

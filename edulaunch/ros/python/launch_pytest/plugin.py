@@ -28,7 +28,7 @@ class LaunchTestWarning(pytest.PytestWarning):
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the mark known."""
+    """Register the mark."""
     config.addinivalue_line(
         'markers',
         'launch(fixture, shutdown=False): a test of what the launch fixture describes, run beside '

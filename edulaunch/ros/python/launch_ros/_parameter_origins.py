@@ -82,7 +82,7 @@ class Given(NamedTuple):
 
 
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
-    """Return what means the node of that name, in rcl's order: of two for one parameter the later one counts.
+    """Return the entries for the node of that name in rcl's order, in which the last entry for a parameter counts.
 
     Everything below one pattern moves to the first place of that pattern; there, a type counts before the order.
     """

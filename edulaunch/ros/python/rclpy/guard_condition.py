@@ -36,7 +36,7 @@ class GuardCondition(Entity):
 
     @property
     def handle(self) -> Handle:
-        """What holds the guard condition."""
+        """The guard condition itself, which has no other handle."""
         return Handle(self, lambda: self.destroyed)
 
     def trigger(self) -> None:

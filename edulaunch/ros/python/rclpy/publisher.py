@@ -46,7 +46,7 @@ class Publisher(TopicEnd):
             self.send_wire = send_at_present_time
 
     def publish(self, msg: Any) -> None:
-        """Send a message, or the bytes of a serialized one, to everybody who listens now.
+        """Send a message, or the bytes of a serialized one, to all current subscriptions.
 
         :raises TypeError: for a message of another class.
         :raises RCLError: after shutdown.

@@ -112,7 +112,7 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """From builtin_interfaces/Time. Raises TypeError for anything else."""
+        """Convert a builtin_interfaces/Time. Raise TypeError for anything else."""
         from builtin_interfaces.msg import Time as TimeMessage
 
         if not isinstance(msg, TimeMessage):

@@ -1,4 +1,4 @@
-"""Sending transforms that change."""
+"""Sends transforms that change."""
 
 from __future__ import annotations
 

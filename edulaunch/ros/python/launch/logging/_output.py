@@ -1,4 +1,4 @@
-"""Where the output of a program goes."""
+"""The destinations of a program's output."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _NAMED: dict[str, dict[str, set[str]]] = {
 
 
 def normalize_output_configuration(config: OutputConfig) -> dict[str, set[str]]:
-    """For each of 'stdout', 'stderr' and 'both' the set of destinations.
+    """Return the set of destinations for each of 'stdout', 'stderr' and 'both'.
 
     :raises ValueError: for an unknown name, source or destination.
     """

@@ -48,7 +48,7 @@ def _numbered(first: str, count: int) -> str:
 
 
 def _free_number(first: str) -> int:
-    """Return a number that is not in use, found by halving: one launch after the other begins at the same simulated time."""
+    """Return an unused number by bisection, because many launches begin at the same simulated time."""
     if not os.path.exists(first):
         return 1
     taken, free = 1, 2
@@ -64,9 +64,7 @@ def _free_number(first: str) -> int:
 
 
 def _renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Let the link `latest` beside `log_dir` point to it. False when something else of that name is in the
-    way.
-    """
+    """Let the link `latest` beside `log_dir` point to it. Return False if another file has that name."""
     link = os.path.join(os.path.dirname(log_dir), 'latest')
     if os.path.lexists(link):
         if not os.path.islink(link):
@@ -116,7 +114,7 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it."""
+        """The folder of this launch's log files; it is created on first use, with the link `latest` beside it."""
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
             _renew_latest_log_dir(log_dir=self._log_dir)
@@ -141,7 +139,7 @@ class LaunchConfig:
         return bool(env.get('ROS_LOG_DIR') or env.get('ROS_HOME'))
 
     def set_screen_format(self, screen_format: str | None, *, screen_style: str | None = None) -> None:
-        """How lines look on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment comes first.
+        """Set the format of lines on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment comes first.
 
         :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
         :raises ValueError: when a style is given for one of the two names.
@@ -153,7 +151,7 @@ class LaunchConfig:
                 self.screen_handler.setFormatter(formatter)
 
     def set_log_format(self, log_format: str | None, *, log_style: str | None = None) -> None:
-        """How lines look in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment comes first.
+        """Set the format of lines in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment comes first.
 
         :param log_format: 'default' or a format; None changes nothing.
         :raises ValueError: when a style is given for 'default'.
@@ -177,7 +175,7 @@ class LaunchConfig:
         return os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = 'launch.log') -> Any:
-        """Return the handler that writes to that file; one that does nothing when no files are wanted."""
+        """Return the handler that writes to that file; without log files, it does nothing."""
         if not self._writes_files:
             return self._silent_handlers.setdefault(file_name, handlers.NullHandler())
         handler = self.file_handlers.get(file_name)
@@ -237,14 +235,14 @@ class LaunchLogger(logging.Logger):
 
 
 class LoggingState:
-    """What upstream keeps in globals: `root`, the loggers below it, and the `config`."""
+    """The values that upstream keeps in globals: `root`, the loggers below it, and the `config`."""
 
     def __init__(self) -> None:
         self.config: LaunchConfig
         self.reset()
 
     def reset(self) -> None:
-        """Start again from nothing."""
+        """Delete all loggers and settings."""
         self.root = LaunchLogger('root', logging.INFO)
         self._manager = logging.Manager(self.root)  # type: ignore[arg-type]
         self._manager.setLoggerClass(LaunchLogger)

@@ -23,11 +23,11 @@ def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
             self._formatters: dict[str, logging.Formatter] = {}
 
         def setFormatterFor(self, logger: logging.Logger, formatter: logging.Formatter) -> None:
-            """Records of this logger are formatted by `formatter`."""
+            """Format records of this logger with `formatter`."""
             self._formatters[logger.name] = formatter
 
         def unsetFormatterFor(self, logger: logging.Logger) -> None:
-            """Records of this logger are formatted as all others again."""
+            """Format records of this logger like all others again."""
             self._formatters.pop(logger.name, None)
 
         def format(self, record: logging.LogRecord) -> str:

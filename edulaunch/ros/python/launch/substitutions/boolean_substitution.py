@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def truth(context: LaunchContext, substitutions: Iterable[Substitution]) -> bool:
-    """YAML's booleans (true, yes, on ...) and 1 and 0.
+    """Return the value of a boolean of YAML (true, yes, on ...), 1 or 0.
 
     :raises SubstitutionFailure: for any other text.
     """
@@ -45,7 +45,7 @@ class NotSubstitution(Substitution):
 
 
 class _Combined(Substitution):
-    """Several operands, of which `_combine` makes one answer."""
+    """Several operands, which `_combine` combines to one value."""
 
     _combine: ClassVar[Callable[[Iterable[bool]], bool]]
 

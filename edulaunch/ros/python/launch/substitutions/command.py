@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Command(Substitution):
-    """What a command prints, its last newline included. The text is split as a shell would, but no shell
+    """The output of a command, including its last newline. The text is split as a shell would, but no shell
     runs.
 
     :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class FindExecutable(Substitution):
     """The path of a program on the PATH of launch's process.
 
-    :raises SubstitutionFailure: on evaluation, when it is not there.
+    :raises SubstitutionFailure: on evaluation, when it does not exist.
     """
 
     def __init__(self, *, name: SomeSubstitutionsType) -> None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LaunchLogDir(Substitution):
-    """The folder of this launch's log files. Asking for it makes it."""
+    """The folder of this launch's log files. Its first use creates it."""
 
     def describe(self) -> str:
         """`LaunchLogDir()`."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PathSubstitution(PathJoinSubstitution):
-    """As pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
+    """Works like pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
     '.launch.py']`.
 
     Newer than Jazzy's first release; here so that files written for it run.

@@ -1,4 +1,4 @@
-"""What launch's own classes, and extensions of launch, are built with."""
+"""Functions for launch's own classes and for extensions of launch."""
 
 from typing import TYPE_CHECKING
 

@@ -19,7 +19,7 @@ SignalHandler = Callable[[int], object]
 
 
 class AsyncSafeSignalManager:
-    """Handles signals that the running process gets, as callbacks of an asyncio loop.
+    """Handles signals of the running process as callbacks of an asyncio loop.
 
     It does so in a `with` block, which restores everything at its end. A plain script receives real signals, if Python has a
     handler for them, as upstream. That handler is called as well, unless it raises KeyboardInterrupt. Such a handler is called

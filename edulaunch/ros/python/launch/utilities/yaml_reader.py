@@ -25,11 +25,11 @@ class Mapping(dict):  # type: ignore[type-arg]
 
 
 MAX_DEPTH = 100
-"""How deep lists and mappings may be nested."""
+"""The maximum depth of nested lists and mappings."""
 MAX_GROWTH = 10
-"""A text may stand for so many values per character, when its aliases are replaced by their meaning."""
+"""The most values per character of a string after replacing its aliases."""
 SMALL = 1_000
-"""As many values are always fine."""
+"""The number of values that is always allowed."""
 LONGEST_READ_TWICE = 100_000
 """So many characters, of which PyYAML's own reader reads about a million in ten seconds."""
 SAFE_DEPTH = 1_000

@@ -57,7 +57,7 @@ class NodeGraphQueries:
         return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node has clients of. Raises NodeNameNonExistentError for an unknown node."""
+        """Return the services that a node has clients of. Raise NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
 
     def get_node_names(self) -> list[str]:
