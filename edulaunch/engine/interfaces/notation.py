@@ -18,7 +18,7 @@ def help_text(key: str, **facts: object) -> str:
     """Return a line of help about a mistake in an interface file. The sentences are data beside the built-in packages.
 
     :param key: the key of the sentence in `notation_help.json`.
-    :param facts: the names and values that stand in braces in the sentence.
+    :param facts: the names and values that are in braces in the sentence.
     """
     import json  # imported here, because only a mistake needs it
 
