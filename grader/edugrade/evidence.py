@@ -32,8 +32,8 @@ class Scenario(NamedTuple):
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
     :param late_s: simulated seconds by which the first program of edulaunch begins late, the second one by twice this time, and
-        so on. Programs that launch starts later are not late. The submission cannot know this time, so that a clock cannot stand
-        in for a node that receives messages.
+        so on. Programs that launch starts later are not late. The submission cannot know this time, so that a clock cannot
+        replace a node that receives messages.
     """
 
     name: str

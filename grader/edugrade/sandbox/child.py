@@ -57,7 +57,7 @@ def warm_up() -> None:
 
 
 def warm_up_for_many() -> None:
-    """Load what only some runs need. A module that is not installed is no fault of this process: a run says what it lacks."""
+    """Load what only some runs need. If a module is not installed, this process continues, and a run says what it lacks."""
     from importlib import import_module
 
     from edulaunch.engine.interfaces.registry import underlay_registry
