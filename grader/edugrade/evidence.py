@@ -21,6 +21,9 @@ from .source import Place, Source
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
+TOO_SLOW = 'of real time'
+"""The end of the text of a run that was stopped because it took too long, which can be the fault of a busy computer."""
+
 
 class Scenario(NamedTuple):
     """A named launch of the submission.
@@ -76,6 +79,11 @@ class Outcome(NamedTuple):
     bare: tuple[str, tuple[str, ...]] | None = (
         None  # why the launch failed without some of its `defaults`, and the names of those
     )
+
+    @property
+    def may_be_unfinished_by_chance(self) -> bool:
+        """Return whether the run has no recording because of the grader or, perhaps, because the computer was busy."""
+        return self.kind == 'broke' or (self.kind == 'stopped' and self.text.endswith(TOO_SLOW))
 
 
 Found = TypeVar('Found')

@@ -214,7 +214,10 @@ def _whose(work: Work) -> list[CheckResult]:
 
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], run: Again) -> list[CheckResult]:
-    """Run the scenarios with the student's own nodes again. A result of its own reports differences."""
+    """Run the scenarios with the student's own nodes again. A result of its own reports differences.
+
+    There is no such result if no second run finished because the computer was busy or the grader failed.
+    """
     from .judging import judged
     from .repeated import difference, has_own_programs, result
 
@@ -222,7 +225,9 @@ def _repeated(work: Work, outcomes: Sequence[Outcome], run: Again) -> list[Check
     if not own:
         return []
     again = run([outcome.scenario for outcome in own])
-    pairs = list(zip(own, again, strict=True))
+    pairs = [(one, two) for one, two in zip(own, again, strict=True) if not two.may_be_unfinished_by_chance]
+    if not pairs:
+        return []
     return judged(lambda: [result([(one.scenario, difference(one, two)) for one, two in pairs], work.submission.source)])
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from edugrade import grading
+from edugrade.evidence import TOO_SLOW, Outcome, Scenario
 from edugrade.grading import grade, plan_work
 from edugrade.results import Report
 from edugrade.submission import Submission
 
+ROOT = Path(__file__).resolve().parents[2]
 RUBRIC = """
 from edugrade import Evidence, Rubric, Scenario, check
 
@@ -76,3 +79,19 @@ def test_the_first_difference_is_told(tmp_path: Path) -> None:
     assert (found.exit_code, found.earned, result.status) == (1, 1, 'failed')
     assert result.reason == 'two runs with no arguments differ'
     assert (result.seen or '').startswith('at 0.5') and 'a message on /chatter' in (result.seen or '')
+
+
+@pytest.mark.parametrize(
+    ('kind', 'text', 'statuses'),
+    [
+        ('stopped', f'the run did not finish within 30 s {TOO_SLOW}', []),
+        ('broke', 'this computer has no memory left', []),
+        ('unusable', 'name is not defined', ['failed']),
+    ],
+)
+def test_a_busy_computer_is_no_difference(monkeypatch: pytest.MonkeyPatch, kind: str, text: str, statuses: list[str]) -> None:
+    monkeypatch.setattr('edugrade.repeated.has_own_programs', lambda recording: True)
+    first = Outcome(Scenario('one'), 'recorded', recording=object())  # type: ignore[arg-type]
+    work = grading.plan_work(Submission(str(ROOT / 'solutions' / 'circle.launch.py')))
+    found = grading._repeated(work, [first], lambda scenarios: [Outcome(scenario, kind, text=text) for scenario in scenarios])
+    assert [result.status for result in found] == statuses
