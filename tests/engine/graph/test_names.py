@@ -67,6 +67,7 @@ def test_topic_names_as_written(name: str, problem: names.Problem | None) -> Non
 
 
 def test_repeated_slashes_are_found_in_the_expanded_name_only() -> None:
+    assert names.full_topic_name_problem('//a') == ("topic name must not contain repeated '/'", 1)
     assert names.full_topic_name_problem('/a//b') == ("topic name must not contain repeated '/'", 3)
 
 

@@ -49,6 +49,9 @@ def test_the_names_are_data_and_none_is_both_refused_and_a_view() -> None:
     assert all(set(names) <= {'packages', 'modules'} and any(names.values()) for names in KINDS.values())
     assert {'pynput', 'pkg_resources', 'PyQt5'} <= REFUSED and not REFUSED & {'tkinter', '_tkinter'}
     assert {absent_module_kind(name) for name in REFUSED} <= set(KINDS)
+    assert absent_module_kind('no_such_module') is None
+    found = {(kind, name) for kind, names in KINDS.items() for name in names.get('modules', ())}
+    assert found == {(absent_module_kind(name), name) for _, name in found}
 
 
 def test_the_engine_names_no_robots_package() -> None:

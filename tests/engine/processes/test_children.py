@@ -38,6 +38,12 @@ def test_a_known_program_runs_in_the_simulation(world: Any, call: str, output: s
     )
 
 
+def test_lines_of_a_child_are_read_one_by_one(world: Any) -> None:
+    child = world.write('child.py', r"print('\nsecond\nlast', end='')")
+    program = f'import subprocess\nout = subprocess.Popen([{child!r}], stdout=subprocess.PIPE, text=True).stdout\n'
+    assert world.run(program + 'print([out.readline() for _ in range(4)])') == "['\\n', 'second\\n', 'last', '']\n"
+
+
 def test_waiting_has_a_limit_and_a_child_can_be_stopped(world: Any) -> None:
     child = world.write('child.py', CHILD)
     assert (

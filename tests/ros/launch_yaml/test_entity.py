@@ -22,6 +22,16 @@ def test_values_must_have_the_type_already():
         it.get_attr('a')
 
 
+@pytest.mark.parametrize(
+    ('text', 'data_type', 'written'),
+    [('1', str, "'1'"), ('true', str, "'true'"), ('[a, b]', str, "'a b'"), ('2', float, '2.0'), ('{a: 1}', float, None)],
+)
+def test_an_error_says_how_to_write_the_value(text, data_type, written):
+    with pytest.raises(TypeError) as raised:
+        entity(f'{{a: {text}}}').get_attr('a', data_type=data_type, can_be_str=False)
+    assert facts_of(raised.value)['write'] == written
+
+
 def test_a_mapping_is_called_a_dict():
     with pytest.raises(TypeError, match="got '<class 'dict'>'"):
         entity('{a: {b: 1}}').get_attr('a')
