@@ -4,7 +4,7 @@ class TimelineView {
   constructor(desk) {
     this.desk = desk;
     this.box = make('div', { class: 'pane scroll' });
-    this.canvas = make('canvas', { role: 'img' });
+    this.canvas = make('canvas', { role: 'img', 'aria-label': 'timeline' });
     this.box.append(this.canvas);
     this.canvas.addEventListener('pointerdown', event => this.seek(event));
     this.canvas.addEventListener('pointermove', event => { if (event.buttons) this.seek(event); });

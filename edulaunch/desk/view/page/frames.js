@@ -11,7 +11,7 @@ class FramesView {
     this.fixed = make('select', { 'aria-label': 'fixed frame' });
     this.mode = make('select', { 'aria-label': 'projection of the frames' });
     for (const [value, text] of [['3d', 'in 3D'], ['above', 'from above']]) this.mode.append(make('option', { value }, text));
-    this.canvas = make('canvas', { role: 'img', tabindex: 0 });
+    this.canvas = make('canvas', { role: 'img', tabindex: 0, 'aria-label': 'frames' });
     this.table = make('table', { class: 'small' });
     const bar = make('div', { class: 'tools' });
     bar.append(make('label', {}, 'seen from ', this.fixed), this.mode, make('span', { class: 'soft' }, 'drag to turn, wheel to zoom'));
@@ -42,7 +42,7 @@ class FramesView {
     this.source = make('select', { 'aria-label': 'source frame' });
     this.when = make('input', { type: 'number', step: 0.01, placeholder: 'latest', 'aria-label': 'time in seconds (empty for the latest)' });
     this.answer = make('output', { class: 'mono' });
-    this.spans = make('canvas', { class: 'spans', role: 'img' });
+    this.spans = make('canvas', { class: 'spans', role: 'img', 'aria-label': 'spans of the frames' });
     box.append(make('legend', {}, 'lookup_transform'), make('label', {}, 'target ', this.target), make('label', {}, 'source ', this.source),
       make('label', {}, 'time ', this.when), this.answer, this.spans);
     for (const control of [this.target, this.source, this.when]) control.addEventListener('input', () => this.desk.redraw());

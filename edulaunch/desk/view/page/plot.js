@@ -11,7 +11,7 @@ class PlotView {
     this.span = make('select', { 'aria-label': 'how much time is shown' });
     for (const [value, text] of [['0', 'whole run'], ['10', 'last 10 s'], ['3', 'last 3 s']]) this.span.append(make('option', { value }, text));
     this.keys = make('div', { class: 'keys' });
-    this.canvas = make('canvas', { role: 'img' });
+    this.canvas = make('canvas', { role: 'img', 'aria-label': 'plot' });
     this.wrong = make('p', { class: 'bad', role: 'alert', hidden: true });
     this.box.append(make('div', { class: 'tools' }, this.choice, this.span, ...this.another()), ...this.forms(), this.wrong, this.keys, this.canvas);
     this.choice.addEventListener('change', () => { const text = this.choice.value; this.choice.value = ''; this.write(text); });

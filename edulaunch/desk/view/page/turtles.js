@@ -117,7 +117,7 @@ class WorldView {
   constructor(desk, world) {
     Object.assign(this, { desk, world });
     this.figure = make('figure', { class: 'world' });
-    this.canvas = make('canvas', { role: 'img', tabindex: 0 });
+    this.canvas = make('canvas', { role: 'img', tabindex: 0, 'aria-label': 'turtles' });
     this.layer = document.createElement('canvas');
     this.caption = make('figcaption', {}, world.title);
     this.shut = make('button', { type: 'button', class: 'field', hidden: true, 'aria-expanded': 'false' });
