@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
-from .evidence import TOO_SLOW, Outcome, Scenario
+from .evidence import Outcome, Scenario
 from .faults import REPORT_IT, fault_in, missing_for, no_mark_for
 from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .shortened import shortened
@@ -164,7 +164,7 @@ def _ended(run: ChildRun) -> Outcome:
 def _timeout(run: ChildRun, where: Place | None) -> Outcome:
     return _stopped(
         run,
-        f'the run did not finish within {run.limits.wall_s:g} s {TOO_SLOW}',
+        f'the run did not finish within {run.limits.wall_s:g} s of real time',
         f'{_LOOP}; on a slow machine, grade with --limit SECONDS',
         where,
     )

@@ -237,3 +237,16 @@ def test_a_script_that_the_build_installs_with_its_ending_is_started_with_it(
     (robo / 'CMakeLists.txt').write_text(lines.format(''))
     assert main(['doctor', str(file), '--for', '1']) == 1
     assert 'add install(PROGRAMS robo/go.py DESTINATION lib/${PROJECT_NAME} RENAME go)' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize('entry', ['robo.go', 'robo.go.main'])
+def test_an_entry_point_without_a_colon_is_built_and_then_dies(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, entry: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    package(tmp_path / 'src', 'robo', f"['go = {entry}']")
+    for words in (['src'], ['src/robo/launch/main.launch.py', '--for', '1']):
+        assert main(['doctor', *words]) == 1
+        out = capsys.readouterr().out
+        assert f"the entry point 'go = {entry}'" in out and "write 'go = robo.go:main'" in out
+        assert 'cannot be built' not in out and 'which does not exist' not in out

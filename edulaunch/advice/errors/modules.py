@@ -106,6 +106,11 @@ ENTRY_FUNCTION = about(
     what="the entry point '{entry}' of {package} (setup.py) names the function {missing}, which does not exist",
     do=('write {near}', 'use one of its functions: {known}', 'define the function: def {missing}(args=None)'),
 )
+ENTRY_NO_FUNCTION = about(
+    'packages.entry-no-function',
+    what="the entry point '{entry}' of {package} (setup.py) has no function after a colon",
+    do=("write '{executable} = {near}'", "write the module, a colon and the function: '{executable} = package.module:function'"),
+)
 
 MULTIPROCESSING = about(
     'programs.multiprocessing',

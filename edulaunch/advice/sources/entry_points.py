@@ -65,9 +65,32 @@ def entry_point_function(source: Source) -> Iterator[Finding]:
     """By what the module defines or imports at its top level."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         names, wanted = defined_names(tree), function.partition('.')[0]
-        if wanted not in names:
+        if function and wanted not in names:
             written = package.relative(path)
             yield _of_entry(package, executable, module, wanted, written=written, near=nearest(wanted, names))
+
+
+@rule(
+    'packages.entry-point-colon',
+    what="the entry point '{entry}' has no function after a colon",
+    why='`ros2 run {package} {executable}` ends with {error}',
+    do="write '{executable} = {near}'",
+    lesson=LESSON,
+    level='error',
+    edits=(('{entry}', '{executable} = {near}', 'word'),),
+    hides=('packages.entry-point-module',),
+)
+def entry_point_colon(source: Source) -> Iterator[Finding]:
+    """Report `package.module` and `package.module.main`: a build installs both, and neither starts."""
+    package = source.package
+    for executable, module, function in _entry_points(source):
+        above, _, leaf = module.rpartition('.')
+        path = module_file(package, module)
+        if not function and path is not None:
+            error = "TypeError: 'module' object is not callable"
+            yield _of_entry(package, executable, module, function, near=f'{module}:main', error=error)
+        elif not function and module_file(package, above) is not None:
+            yield _of_entry(package, executable, module, function, near=f'{above}:{leaf}', error='ModuleNotFoundError')
 
 
 @rule(
@@ -212,7 +235,7 @@ def _of_entry(
     **facts: Any,
 ) -> Finding:
     build = package.build_file()
-    entry = f'{executable} = {module}:{function}'
+    entry = f'{executable} = {module}:{function}'.removesuffix(':')
     facts = {**facts, 'entry': entry, 'module': module, 'function': function, 'package': package.name}
     return found('executable', executable, file=file or build, line=line or line_with(build, module) or None, **facts)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import errno
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from edulaunch.engine.facts import with_facts
@@ -49,19 +49,28 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
 
     :raises ModuleNotFoundError, AttributeError: with Python's message; if the entry point names something that does not exist,
         the facts have its place and the nearest name.
+    :raises TypeError: if it names a module only, which the script of setuptools then calls.
     """
     try:
         found: Any = process.loader.load_entry_module(program.module)
     except ModuleNotFoundError as error:
         if type(error) is ModuleNotFoundError and f'{program.module}.'.startswith(f'{error.name}.'):
-            _add_facts(program, error, 'module', _modules_beside(process, program), program.module)
+            above, _, leaf = program.module.rpartition('.')
+            if program.function or hasattr(process.loader.modules.get(above, os), '__path__'):
+                _add_facts(program, error, 'module', program.module, _modules_beside(process, program))
+            else:
+                _add_facts(program, error, 'no-function', near=f'{above}:{leaf}')
         raise
+    if not program.function:
+        not_callable = TypeError("'module' object is not callable")
+        _add_facts(program, not_callable, 'no-function', near=f'{program.module}:main' if hasattr(found, 'main') else None)
+        raise not_callable
     for name in program.function.split('.'):
         try:
             found = getattr(found, name)
         except AttributeError as error:
             names = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == program.module]
-            _add_facts(program, error, 'function', names, name)
+            _add_facts(program, error, 'function', name, names)
             raise
     return found  # type: ignore[no-any-return]
 
@@ -82,10 +91,12 @@ def _modules_beside(process: Process, program: Program) -> list[str]:
     ]
 
 
-def _add_facts(program: Program, error: BaseException, kind: str, known: list[str], name: str) -> None:
-    entry = f'{program.executable} = {program.module}:{program.function}'
-    near = nearest(name, known)
-    with_facts(error, f'packages.entry-{kind}', entry=entry, package=program.package, missing=name, near=near, known=known)
+def _add_facts(
+    program: Program, error: BaseException, kind: str, missing: str = '', known: Sequence[str] = (), near: str | None = None
+) -> None:
+    entry = f'{program.executable} = {program.module}:{program.function}'.removesuffix(':')
+    facts = {'entry': entry, 'executable': program.executable, 'package': program.package, 'missing': missing, 'known': known}
+    with_facts(error, f'packages.entry-{kind}', **facts, near=near or nearest(missing, known))
 
 
 _PYTHON = re.compile(r'python[\d.]*(\.exe)?')

@@ -244,7 +244,7 @@ class _SetupScript:
         return given if isinstance(given, dict) else {}
 
     def _console_scripts(self, groups: dict[Any, Any]) -> Iterator[tuple[str, str, str]]:
-        """Yield (executable, module, function) of each console script."""
+        """Yield (executable, module, function) of each console script; setuptools also installs one without a function."""
         for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(groups.get(kind))):
             if not isinstance(line, str) or not line.strip():
                 continue
@@ -252,10 +252,10 @@ class _SetupScript:
             if joined := _JOINED.findall(line):
                 names = ', '.join([line.partition('=')[0].strip(), *joined])
                 self.warn(f'lists the console_scripts {names} without a comma between them, so Python joins them into one')
-            elif match is None or not match[3]:
+            elif match is None:
                 self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:
-                yield match[1], match[2], match[3]
+                yield match[1], match[2], match[3] or ''
 
     def _have_nodes(self, modules: Iterable[str]) -> bool:
         """Return whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""

@@ -153,8 +153,8 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
         ),
         ({'data_files': "['share/robo']"}, "data_files holds 'share/robo'; a pair (folder, [files]) was expected"),
         (
-            {'entry_points': "{'console_scripts': ['talk = robo.talker']}"},
-            "console_scripts has 'talk = robo.talker'; 'executable = package.module:function' was expected",
+            {'entry_points': "{'console_scripts': ['talk = robo/talker:main']}"},
+            "console_scripts has 'talk = robo/talker:main'; 'executable = package.module:function' was expected",
         ),
         ({'py_modules': '[]', 'scripts': "['bin/x']"}, "scripts= lists 'bin/x', which is not there"),
     ],

@@ -18,7 +18,7 @@ PROGRAMS = [
     for line in file.read_text(encoding='utf-8').splitlines()
     if line
 ]
-LAUNCH_FILES = sorted(path for path in SHARE.glob('*/launch/**/*launch*') if path.is_file())
+LAUNCH_FILES = sorted(path for path in SHARE.glob('*/launch/**/*launch*') if path.is_file() and path.suffix != '.pyc')
 
 
 @pytest.mark.parametrize('package, executable, module, function', PROGRAMS)
